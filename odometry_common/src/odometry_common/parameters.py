@@ -1,0 +1,70 @@
+"""Private parameters that are checked before a node does anything."""
+
+import math
+import sys
+
+import rospy
+import yaml
+
+LARGEST_INTEGER = 2**31 - 1  # XML-RPC, which carries every ROS parameter, has 32-bit integers
+
+
+class ParameterError(ValueError):
+    """A parameter the node cannot run with; the message is one line for the user."""
+
+    def __init__(self, name, value, allowed):
+        """Word the line from the name, the value that was given and what is allowed."""
+        super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
+
+
+def get_number(name, default, accepts=math.isfinite, allowed='a finite number'):
+    """Read a number.
+
+    :param name: parameter name, such as ``~speed``
+    :param accepts: tells whether a finite float is in range
+    :param allowed: the range in words, for the user
+    :return: the value as a float
+    :raises ParameterError: if it is no finite number, or out of range
+    """
+    value = rospy.get_param(name, default)
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if not is_number or not math.isfinite(value) or not accepts(value):
+        raise ParameterError(name, value, allowed)
+    return float(value)
+
+
+def get_flag(name, default):
+    """Read a boolean; raise ParameterError if the value is of another type."""
+    value = rospy.get_param(name, default)
+    if not isinstance(value, bool):
+        raise ParameterError(name, value, 'true or false')
+    return value
+
+
+def get_choice(name, default, choices):
+    """Read one of a few strings; raise ParameterError if the value is another one."""
+    value = rospy.get_param(name, default)
+    if value not in choices:
+        raise ParameterError(name, value, ' or '.join(choices))
+    return value
+
+
+def check_command_line(arguments=None):
+    """Raise ParameterError for a ``_name:=value`` that rospy could not store.
+
+    rospy uploads these while the node starts, and answers an empty value, broken
+    YAML or a large integer with a traceback.
+    """
+    for argument in sys.argv[1:] if arguments is None else arguments:
+        name, separator, text = argument.partition(':=')
+        if not separator or not name.startswith('_') or name.startswith('__'):
+            continue
+        try:
+            value = yaml.safe_load(text)
+        except yaml.YAMLError:
+            raise ParameterError(f'~{name[1:]}', text, 'valid YAML') from None
+        if value is None:
+            raise ParameterError(f'~{name[1:]}', text, 'a value')
+        if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
+            allowed = f'a whole number up to {LARGEST_INTEGER}, or written with a decimal point'
+            raise ParameterError(f'~{name[1:]}', value, allowed)

@@ -1,0 +1,46 @@
+"""Two clocks for controllers, over plain seconds: is the input fresh, is the robot at rest?"""
+
+
+class Watchdog:
+    """Tells when something that should arrive again and again has fallen silent."""
+
+    def __init__(self, timeout):
+        """Allow `timeout` seconds between arrivals; 0 turns the watchdog off."""
+        self._timeout = timeout
+        self._last_fed = None
+
+    def feed(self, now):
+        """Note an arrival at `now` (s)."""
+        self._last_fed = now
+
+    def expired(self, now):
+        """Tell whether the last arrival is more than the timeout ago; never before the first.
+
+        When time has gone backwards (a simulator was reset) the wait begins anew.
+        """
+        if self._timeout == 0 or self._last_fed is None:
+            return False
+        self._last_fed = min(self._last_fed, now)
+        return now - self._last_fed > self._timeout
+
+
+class RestDetector:
+    """Tells when a measured value has stopped changing."""
+
+    def __init__(self, band, duration):
+        """Call it rest when the value stays within `band` of itself for `duration` seconds."""
+        self._band = band
+        self._duration = duration
+        self.reset()
+
+    def reset(self):
+        """Forget what was seen."""
+        self._value = None
+        self._since = None
+
+    def at_rest(self, now, value):
+        """Take the `value` measured at `now` (s) and tell whether it has come to rest."""
+        moved = self._value is None or abs(value - self._value) > self._band
+        if moved or now < self._since:
+            self._value, self._since = value, now
+        return now - self._since >= self._duration

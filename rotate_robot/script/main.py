@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Print the robot's heading.
+
+Subscribes:
+    odom (nav_msgs/Odometry): the robot's odometry
+
+Prints the yaw in radians for each message and, once a second, the quaternion [x y z w]
+computed back from roll, pitch and yaw.
+"""
+
+import rospy
+from nav_msgs.msg import Odometry
+from odometry_common.node import print_line, run_node
+from rotate_robot.heading import euler_from_orientation
+from tf.transformations import quaternion_from_euler
+
+
+class HeadingPrinter:
+    """Odometry in, headings on the screen."""
+
+    def __init__(self):
+        """Print the yaw of every message from now on."""
+        self._euler = None
+        rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
+
+    def print_quaternions(self):
+        """Print a quaternion each second until shutdown, beginning after the first message."""
+        rate = rospy.Rate(1, reset=True)
+        while not rospy.is_shutdown():
+            if self._euler is not None:
+                print_line(quaternion_from_euler(*self._euler))
+            rate.sleep()
+
+    def _on_odometry(self, message):
+        try:
+            self._euler = euler_from_orientation(message.pose.pose.orientation)
+        except ValueError as error:
+            rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
+            return
+        print_line(self._euler[2])
+
+
+def main():
+    """Print until shutdown."""
+    HeadingPrinter().print_quaternions()
+
+
+if __name__ == '__main__':
+    run_node('my_quaternion_to_euler', main)
