@@ -21,25 +21,27 @@ The last command the robot receives is zero, however the node ends.
 """
 
 import math
+import threading
 
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.node import print_line, run_node
 from odometry_common.parameters import get_number
-from odometry_common.timing import RestDetector, Watchdog
+from odometry_common.timing import Metronome, RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from rotate_robot.heading import euler_from_orientation, turn_command, wrap_to_pi
 from std_msgs.msg import Float64
 
 REST_BAND = math.radians(0.1)
 REST_DURATION = 0.5  # s
+PERIODS_UNTIL_LATE = 1.5  # without odometry, until the main loop stands in for it
 
 
 class RotateRobot:
     """The node: heading in, angular velocity out."""
 
     def __init__(self):
-        """Read the parameters and listen; nothing is commanded before control() is called."""
+        """Read the parameters and listen; the first odometry sets the robot turning."""
         self._target_deg = get_number('~target', 90.0, allowed='a finite number of degrees')
         self._kp = get_number('~kp', 0.5, lambda v: v > 0, 'a gain in 1/s above 0')
         rate = get_number('~rate', 10.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
@@ -50,46 +52,52 @@ class RotateRobot:
         self._watchdog = Watchdog(
             get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'))
         self._rest = RestDetector(REST_BAND, REST_DURATION)
+        self._metronome = Metronome(1 / rate)
+        self._rate = rospy.Rate(rate, reset=True)
+        self._late = PERIODS_UNTIL_LATE / rate
         self._yaw = None
+        self._heard = None
+        self._lock = threading.Lock()
         self._velocity = VelocityPublisher('cmd_vel')
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
         rospy.Subscriber('~target', Float64, self._on_target)
-        self._rate = rospy.Rate(rate, reset=True)
 
-    def control(self):
-        """Command the robot at the control rate until it is done or the node is shut down."""
+    def carry_on(self):
+        """Keep up the control rate, until shutdown, while odometry is slow or has ceased."""
         while not rospy.is_shutdown():
-            if self._yaw is not None:
-                self._step()
-                if self._done():
-                    return
             self._rate.sleep()
-
-    def _step(self):
-        if self._watchdog.expired(rospy.get_time()):
-            rospy.logwarn_throttle(1.0, 'stopping: no odometry arrives')
-            self._velocity.stop()
-            return
-        target = math.radians(self._target_deg)
-        command = turn_command(target, self._yaw, self._kp, self._max_angular_speed)
-        self._velocity.publish(angular=command)
-        print_line(f'target={self._target_deg} current:{self._yaw}')
-
-    def _done(self):
-        error = wrap_to_pi(math.radians(self._target_deg) - self._yaw)
-        if self._tolerance == 0 or abs(error) > self._tolerance:
-            self._rest.reset()
-            return False
-        return self._rest.at_rest(rospy.get_time(), error)
+            with self._lock:
+                now = rospy.get_time()
+                if self._heard is not None and now - self._heard > self._late:
+                    self._control(now)
 
     def _on_odometry(self, message):
+        """Control at the arrival of odometry: no command then rests on an older heading."""
         try:
             yaw = euler_from_orientation(message.pose.pose.orientation)[2]
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
             return
-        self._watchdog.feed(rospy.get_time())
-        self._yaw = yaw
+        with self._lock:
+            now = rospy.get_time()
+            self._yaw, self._heard = yaw, now
+            self._watchdog.feed(now)
+            if self._metronome.is_due(message.header.stamp.to_sec() or now):
+                self._control(now)
+
+    def _control(self, now):
+        if self._watchdog.expired(now):
+            rospy.logwarn_throttle(1.0, 'stopping: no odometry arrives')
+            self._velocity.stop()
+            self._rest.reset()
+            return
+        error = wrap_to_pi(math.radians(self._target_deg) - self._yaw)
+        self._velocity.publish(angular=turn_command(error, self._kp, self._max_angular_speed))
+        print_line(f'target={self._target_deg} current:{self._yaw}')
+        if self._tolerance == 0 or abs(error) > self._tolerance:
+            self._rest.reset()
+        elif self._rest.at_rest(now, error):
+            rospy.signal_shutdown('the target has been reached')
 
     def _on_target(self, message):
         if not math.isfinite(message.data):
@@ -100,7 +108,7 @@ class RotateRobot:
 
 def main():
     """Turn until the target is reached, or until shutdown."""
-    RotateRobot().control()
+    RotateRobot().carry_on()
 
 
 if __name__ == '__main__':

@@ -49,6 +49,14 @@ def get_choice(name, default, choices):
     return value
 
 
+def get_text(name, default):
+    """Read a string; raise ParameterError if the value is of another type."""
+    value = rospy.get_param(name, default)
+    if not isinstance(value, str):
+        raise ParameterError(name, value, 'a text')
+    return value
+
+
 def check_command_line(arguments=None):
     """Raise ParameterError for a ``_name:=value`` that rospy could not store.
 

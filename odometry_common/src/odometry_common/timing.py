@@ -1,4 +1,29 @@
-"""Two clocks for controllers, over plain seconds: is the input fresh, is the robot at rest?"""
+"""Clocks for controllers, over plain seconds: is it time, is the input fresh, is it at rest?"""
+
+
+class Metronome:
+    """Tells when a period has passed, by times that come from elsewhere."""
+
+    def __init__(self, period):
+        """Beat every `period` seconds."""
+        self._period = period
+        self._beat = None
+
+    def is_due(self, now):
+        """Tell whether `now` (s) begins a new period.
+
+        The same time again is due again: a simulator that waits for an answer repeats its
+        message. When time goes backwards, or leaps, a new row of periods begins.
+        """
+        if self._beat is None:
+            self._beat = now
+            return True
+        since = now - self._beat
+        almost = 0.99 * self._period  # time stamps are rounded
+        if 0 < since < almost:
+            return False
+        self._beat = self._beat + self._period if almost <= since < 2 * self._period else now
+        return True
 
 
 class Watchdog:

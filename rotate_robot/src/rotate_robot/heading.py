@@ -23,12 +23,11 @@ def wrap_to_pi(angle):
     return math.pi if wrapped == -math.pi else wrapped
 
 
-def turn_command(target, yaw, kp, max_angular_speed):
+def turn_command(error, kp, max_angular_speed):
     """Return the angular velocity (rad/s) of a P-controller on the heading.
 
-    :param target, yaw: wanted and actual heading (rad); the shorter way is taken
+    :param error: wanted minus actual heading (rad), wrapped so that the shorter way is taken
     :param kp: gain (1/s)
     :param max_angular_speed: limit of the result (rad/s)
     """
-    command = kp * wrap_to_pi(target - yaw)
-    return max(-max_angular_speed, min(max_angular_speed, command))
+    return max(-max_angular_speed, min(max_angular_speed, kp * error))

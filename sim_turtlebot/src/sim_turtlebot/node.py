@@ -1,0 +1,249 @@
+"""The ROS node: topics, clock and pacing around the robots and their world.
+
+ROS calls back on threads of its own. They only leave requests; everything that touches the
+robots happens on the main thread, between two physics steps.
+"""
+
+import queue
+import threading
+import time
+
+import rospy
+from odometry_common.node import run_node
+from odometry_common.parameters import ParameterError
+from rosgraph_msgs.msg import Clock
+from std_srvs.srv import Empty, EmptyResponse
+from tf2_msgs.msg import TFMessage
+
+from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from sim_turtlebot.pacing import Lockstep, Pacer
+from sim_turtlebot.physics import NoScreenError, World, WorldFileError
+from sim_turtlebot.physics import error as physics_stopped
+from sim_turtlebot.robot import Robot
+from sim_turtlebot.settings import read_settings
+from sim_turtlebot.timeline import Timeline
+from sim_turtlebot.topics import RobotTopics, advertise
+
+ROBOT_SPACING = 1.0  # m, from one robot's start to the next one's on its left
+QUEUE_SIZE = 10
+SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
+REPEAT_PERIOD = 0.25  # s of wall time between two odometries while no controller has spoken
+REPLY_TIME = 0.2  # s of wall time for the answers to repeated odometry to come in
+PATIENCE = 2.0  # s of wall time for a controller in lockstep
+SERVICE_TIMEOUT = 5.0  # s
+
+
+class Simulator:
+    """Simulated TurtleBots as a ROS node."""
+
+    def __init__(self, settings):
+        """Build the world and advertise; time starts with run()."""
+        self._settings = settings
+        self._timeline = Timeline(settings.odom_rate)
+        self._pacer = Pacer(settings.real_time_factor)
+        self._world = World(self._timeline.step_rate, settings.gui, settings.world)
+        self._robots = _add_robots(self._world, settings)
+        self._lockstep = None
+        if settings.lockstep_rate:
+            self._lockstep = Lockstep(
+                settings.lockstep_rate, self._timeline.step_rate, settings.robots)
+        self._paused = False
+        self._stopping = False
+        self._everything_rests = False
+        self._requests = queue.SimpleQueue()
+        rospy.on_shutdown(self._stop)
+        self._advertise()
+        self._listen()
+
+    def run(self):
+        """Simulate until shutdown, or until the window is closed."""
+        self._publish_clock()
+        self._publish_robots()
+        self._pacer.restart(self._timeline.now)
+        try:
+            while not self._stopping:
+                self._take_turn()
+        except physics_stopped:
+            rospy.loginfo('the window has been closed')
+
+    def _take_turn(self):
+        """Serve one request if there is one, else advance if it is time to."""
+        if not self._requests.empty():
+            self._requests.get()()
+        elif self._paused:
+            self._requests.get()()
+        elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
+            self._wait_for_controllers()
+        else:
+            lead = self._pacer.lead(self._timeline.now)
+            if lead > SHORTEST_SLEEP:
+                self._serve(lead)
+            else:
+                self._advance()
+
+    def _serve(self, timeout):
+        """Wait for a request for so long (s of wall time) and serve it; False if none came."""
+        try:
+            self._requests.get(timeout=timeout)()
+        except queue.Empty:
+            return False
+        return True
+
+    def _wait_for_controllers(self):
+        if not self._lockstep.started:
+            self._wait_for_first_command()
+        elif not self._serve(PATIENCE) and self._lockstep.give_up():
+            rospy.logwarn(f'lockstep: no command for {PATIENCE:g} s of wall time; going on '
+                          'without waiting until there is one')
+
+    def _wait_for_first_command(self):
+        """Repeat the odometry until there is a command.
+
+        Answers to earlier repetitions may still be on their way then. They must not be taken
+        for answers to the next odometry.
+        """
+        if not self._serve(REPEAT_PERIOD):
+            self._publish_clock()
+            self._publish_robots()
+        if self._lockstep.started:
+            end = time.monotonic() + REPLY_TIME
+            while (left := end - time.monotonic()) > 0 and self._serve(left):
+                pass
+
+    def _advance(self):
+        timeline = self._timeline
+        for robot in self._robots:
+            robot.check_timeout(timeline.now)
+        if not self._everything_rests:
+            self._world.step()
+        timeline.steps += 1
+        if timeline.clock_is_due:
+            self._publish_clock()
+        if timeline.odometry_is_due:
+            for robot in self._robots:
+                robot.tick(timeline.now, 1.0 / timeline.odom_rate)
+            self._update_rest()
+            self._publish_robots()
+
+    def _update_rest(self):
+        """Skip the physics while nothing moves: it is cheaper, and nothing can creep."""
+        self._everything_rests = (
+            self._world.only_robots_move and all(robot.resting for robot in self._robots))
+
+    def _publish_clock(self):
+        if self._clock:
+            self._clock.publish(Clock(self._stamp()))
+
+    def _publish_robots(self):
+        stamp = self._stamp()
+        number = self._timeline.odometry_count
+        self._tf.publish(TFMessage([topics.publish(stamp, number) for topics in self._topics]))
+
+    def _stamp(self):
+        if self._settings.use_sim_time:
+            return rospy.Time(0, self._timeline.now)
+        return rospy.Time.now()
+
+    def _advertise(self):
+        settings = self._settings
+        paced = settings.real_time_factor != 0 and not settings.lockstep_rate
+        # A queue keeps a subscriber that has stopped reading from stopping the simulation. It
+        # costs much time, so there is none where every microsecond counts.
+        queue_size = QUEUE_SIZE if paced else None
+        self._clock = None
+        if settings.use_sim_time:
+            self._clock = advertise('/clock', Clock, queue_size)
+        self._tf = advertise('/tf', TFMessage, queue_size)
+        self._topics = [RobotTopics(robot, namespace, queue_size)
+                        for robot, namespace in zip(self._robots, _namespaces(settings.robots))]
+
+    def _listen(self):
+        for index, topics in enumerate(self._topics):
+            topics.subscribe(
+                lambda linear, angular, index=index: self._requests.put(
+                    lambda: self._command(index, linear, angular)),
+                lambda index=index: self._requests.put(self._robots[index].reset_odometry))
+        for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
+                             ('~reset_simulation', self._reset)):
+            rospy.Service(name, Empty, lambda _, action=action: self._do(action))
+
+    def _do(self, action):
+        """Have the main thread do something, and wait until it has."""
+        done = threading.Event()
+
+        def serve():
+            action()
+            done.set()
+
+        self._requests.put(serve)
+        done.wait(SERVICE_TIMEOUT)
+        return EmptyResponse()
+
+    def _command(self, index, linear, angular):
+        if self._lockstep:
+            self._lockstep.heard(index)
+        try:
+            self._robots[index].command(linear, angular, self._timeline.now)
+        except ValueError as error:
+            rospy.logwarn_throttle(1.0, f'stopping: {error}')
+        self._update_rest()
+
+    def _pause(self):
+        self._paused = True
+
+    def _unpause(self):
+        self._paused = False
+        self._pacer.restart(self._timeline.now)
+
+    def _reset(self):
+        """Time and robots back to the start."""
+        self._timeline.steps = 0
+        for robot in self._robots:
+            robot.reset()
+        self._update_rest()
+        if self._lockstep:
+            self._lockstep.restart()
+        self._pacer.restart(self._timeline.now)
+        self._publish_clock()
+        self._publish_robots()
+
+    def _stop(self):
+        self._stopping = True
+        self._requests.put(lambda: None)
+
+
+def _add_robots(world, settings):
+    bodies = [world.add_turtlebot(settings.x, settings.y + index * ROBOT_SPACING, settings.yaw)
+              for index in range(settings.robots)]
+    world.settle()
+    timeout = round(settings.cmd_vel_timeout * 1e9)
+    return [Robot(body, _new_odometry(settings, index), timeout)
+            for index, body in enumerate(bodies)]
+
+
+def _new_odometry(settings, index):
+    if settings.odometry_source == 'world':
+        return WorldOdometry()
+    return EncoderOdometry(settings.gyro, settings.wheel_slip, settings.wheel_noise,
+                           settings.gyro_noise, seed=settings.seed + index)
+
+
+def _namespaces(robots):
+    return [''] if robots == 1 else [f'robot_{number}/' for number in range(1, robots + 1)]
+
+
+def _simulate():
+    settings = read_settings()
+    try:
+        simulator = Simulator(settings)
+    except NoScreenError:
+        raise ParameterError('~gui', True, 'false where there is no screen (DISPLAY)') from None
+    except WorldFileError as error:
+        raise ParameterError('~world', settings.world, error) from None
+    simulator.run()
+
+
+def main():
+    """Run the node."""
+    # disable_rostime: the clock is ours, so there is none to subscribe to and wait for.
+    run_node('sim_turtlebot', _simulate, disable_rostime=True)

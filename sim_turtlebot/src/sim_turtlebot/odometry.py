@@ -1,0 +1,108 @@
+"""Where the robot is, and where it believes to be."""
+
+import math
+import random
+from typing import NamedTuple
+
+from sim_turtlebot.physics import WHEEL_RADIUS, WHEEL_SEPARATION, compose, invert, rotate, yaw_of
+
+STILL = (0.0, 0.0, 0.0)
+TICKS_PER_TURN = 2578.33  # of a Kobuki's wheel, from the Kobuki user guide
+
+
+class Motion(NamedTuple):
+    """A pose in a fixed frame, and the velocity of the base in its own frame."""
+
+    position: tuple  # x, y, z; m
+    orientation: tuple  # quaternion x, y, z, w
+    linear: tuple  # x, y, z; m/s
+    angular: tuple  # about x, y, z; rad/s
+
+
+def true_motion(body):
+    """Return the Motion of a sim_turtlebot.physics.TurtleBot in the world."""
+    position, orientation = body.pose()
+    linear, angular = body.velocity()
+    to_base = invert((0.0, 0.0, 0.0), orientation)[1]
+    return Motion(position, orientation, rotate(to_base, linear), rotate(to_base, angular))
+
+
+class WorldOdometry:
+    """The true motion, as a simulator's drive plugin reports it, from a start at zero."""
+
+    # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
+    covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
+
+    def reset(self, truth, wheel_angles):
+        """Call this place zero; return the Motion in the odom frame."""
+        x, y, _ = truth.position
+        yaw = yaw_of(truth.orientation)
+        heading = (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
+        self._to_odom = invert((x, y, 0.0), heading)
+        return self.update(truth, wheel_angles, 0.0)
+
+    def update(self, truth, _wheel_angles, _duration):
+        """Return the Motion in the odom frame."""
+        pose = compose(*self._to_odom, truth.position, truth.orientation)
+        return Motion(*pose, truth.linear, truth.angular)
+
+
+class EncoderOdometry:
+    """Dead reckoning from wheel ticks, with the errors of a real base."""
+
+    def __init__(self, gyro=False, wheel_slip=0.0, wheel_noise=0.0, gyro_noise=0.0, seed=0):
+        """Choose the errors; all are off by default.
+
+        :param gyro: take the yaw from the gyro instead of from the wheels
+        :param wheel_slip: share of each wheel's travel that does not move the robot
+        :param wheel_noise: standard deviation of a wheel's travel after one metre (m);
+            it grows with the square root of the travel
+        :param gyro_noise: angle random walk of the gyro (rad after one second)
+        """
+        self._gyro = gyro
+        self._grip = 1.0 / (1.0 - wheel_slip)
+        self._wheel_noise = wheel_noise
+        self._gyro_noise = gyro_noise
+        self._random = random.Random(seed)
+        # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
+        self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if gyro else 0.2)
+
+    def reset(self, truth, wheel_angles):
+        """Call this place zero; return the Motion in the odom frame."""
+        self._x = self._y = self._yaw = 0.0
+        self._ticks = [_ticks(angle) for angle in wheel_angles]
+        self._true_yaw = yaw_of(truth.orientation)
+        return Motion((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), STILL, STILL)
+
+    def update(self, truth, wheel_angles, duration):
+        """Return the Motion in the odom frame, `duration` seconds after the last call."""
+        left, right = self._wheel_travel(wheel_angles)
+        turn = self._gyro_turn(truth, duration)
+        if not self._gyro:
+            turn = (right - left) / WHEEL_SEPARATION
+        travel = (left + right) / 2
+        self._x += travel * math.cos(self._yaw + turn / 2)
+        self._y += travel * math.sin(self._yaw + turn / 2)
+        self._yaw = math.remainder(self._yaw + turn, 2 * math.pi)
+        orientation = (0.0, 0.0, math.sin(self._yaw / 2), math.cos(self._yaw / 2))
+        return Motion((self._x, self._y, 0.0), orientation,
+                      (travel / duration, 0.0, 0.0), (0.0, 0.0, turn / duration))
+
+    def _wheel_travel(self, wheel_angles):
+        ticks = [_ticks(angle) for angle in wheel_angles]
+        metres = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN
+        travels = [(now - before) * metres for now, before in zip(ticks, self._ticks)]
+        self._ticks = ticks
+        return [self._grip * travel
+                + self._random.gauss(0.0, self._wheel_noise * math.sqrt(abs(travel)))
+                for travel in travels]
+
+    def _gyro_turn(self, truth, duration):
+        yaw = yaw_of(truth.orientation)
+        turn = math.remainder(yaw - self._true_yaw, 2 * math.pi)
+        self._true_yaw = yaw
+        return turn + self._random.gauss(0.0, self._gyro_noise * math.sqrt(duration))
+
+
+def _ticks(angle):
+    return math.floor(angle / (2 * math.pi) * TICKS_PER_TURN)

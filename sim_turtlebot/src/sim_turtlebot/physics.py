@@ -1,0 +1,203 @@
+"""The physics: a floor and TurtleBots in PyBullet, driven by their wheel motors.
+
+The solver and its settings were chosen by measurement; the study is in this package's README.
+"""
+
+import ctypes
+from pathlib import Path
+
+from sim_turtlebot.quiet import terminal_closed
+
+with terminal_closed():
+    import pybullet
+    from pybullet_utils.bullet_client import BulletClient
+
+error = pybullet.error  # what every call raises once the connection is gone
+
+# In the source folder, or below the prefix of an installed package.
+URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
+            for folder in (Path(__file__).parents[2],
+                           Path(__file__).parents[4] / 'share/sim_turtlebot')
+            if (folder / 'urdf').is_dir())
+WHEEL_RADIUS = 0.035  # m, kobuki_description
+WHEEL_SEPARATION = 0.230  # m, kobuki_description
+GRAVITY = 9.80665  # m/s^2, standard gravity
+FLOOR_FRICTION = 1.0
+# The rated load of a Kobuki motor (5 mN m) through its gear (49.5833), from the Kobuki user guide.
+WHEEL_TORQUE = 0.248  # N m
+SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
+FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
+
+
+class NoScreenError(RuntimeError):
+    """There is no screen to open a window on."""
+
+
+class WorldFileError(ValueError):
+    """A world file that cannot be loaded; the message says why in one line."""
+
+
+class World:
+    """A floor, whatever a world file adds, and TurtleBots."""
+
+    def __init__(self, step_rate, gui=False, world_file=''):
+        """Build a world that advances 1/step_rate seconds with each step.
+
+        :param world_file: path of a URDF or SDF file to load beside the floor
+        :raises NoScreenError: if there is no screen for the GUI
+        :raises WorldFileError: if the file cannot be loaded
+        """
+        self._step_rate = step_rate
+        self._robots = []
+        self._client = _connect(gui)
+        self.step = self._client.stepSimulation
+        # With a mouse or with things that fall, there is motion that is no robot's.
+        self.only_robots_move = not gui and not world_file
+        self._configure()
+        self._add_floor()
+        if world_file:
+            self._load(world_file)
+
+    def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
+        """Put a TurtleBot on the floor (m, rad) and return it."""
+        robot = TurtleBot(self._client, x, y, yaw)
+        self._robots.append(robot)
+        return robot
+
+    def settle(self):
+        """Let the robots sink into their wheels; each is at its exact start then."""
+        for _ in range(round(SETTLING_TIME * self._step_rate)):
+            self.step()
+        for robot in self._robots:
+            robot.settle_here()
+
+    def close(self):
+        """Disconnect from PyBullet."""
+        self._client.disconnect()
+
+    def _configure(self):
+        client = self._client
+        client.setGravity(0, 0, -GRAVITY)
+        # The direct solver keeps the robot straighter than the iterative one in half the time.
+        # Its cost grows with the cube of its task, so each robot is a task of its own.
+        with terminal_closed():
+            client.setPhysicsEngineParameter(
+                fixedTimeStep=1 / self._step_rate,
+                constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,
+                minimumSolverIslandSize=1)
+
+    def _add_floor(self):
+        plane = self._client.createCollisionShape(pybullet.GEOM_PLANE)
+        floor = self._client.createMultiBody(0, plane)
+        self._client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
+
+    def _load(self, world_file):
+        load = {'.urdf': self._client.loadURDF, '.sdf': self._client.loadSDF,
+                '.world': self._client.loadSDF}.get(Path(world_file).suffix)
+        if load is None:
+            raise WorldFileError('the name of a .urdf or .sdf file')
+        try:
+            with terminal_closed():
+                load(world_file)
+        except pybullet.error as error:
+            raise WorldFileError(f'a file that can be loaded ({error})') from None
+
+
+class TurtleBot:
+    """One TurtleBot 2 in a world: its motors, its pose and its wheels."""
+
+    def __init__(self, client, x, y, yaw):
+        """Load the robot; use World.add_turtlebot()."""
+        self._client = client
+        self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
+        with terminal_closed():
+            self._body = client.loadURDF(str(URDF), *self._start)
+        # The footprint is PyBullet's base link: its pose is the robot's without conversion.
+        client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,
+                              localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
+        joints = {client.getJointInfo(self._body, index)[1].decode(): index
+                  for index in range(client.getNumJoints(self._body))}
+        self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
+        self._settled_height = 0.0
+        self.drive(0.0, 0.0)
+
+    def drive(self, linear, angular):
+        """Turn the wheels so as to move at `linear` m/s and `angular` rad/s."""
+        difference = angular * WHEEL_SEPARATION / 2
+        self._client.setJointMotorControlArray(
+            self._body, self._wheels, pybullet.VELOCITY_CONTROL,
+            targetVelocities=[(linear - difference) / WHEEL_RADIUS,
+                              (linear + difference) / WHEEL_RADIUS],
+            forces=[WHEEL_TORQUE] * 2)
+
+    def pose(self):
+        """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
+        return self._client.getBasePositionAndOrientation(self._body)
+
+    def velocity(self):
+        """Return linear (m/s) and angular (rad/s) velocity in the world frame, three of each."""
+        return self._client.getBaseVelocity(self._body)
+
+    def wheels(self):
+        """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
+        states = self._client.getJointStates(self._body, self._wheels)
+        return tuple(zip(*((angle, velocity, torque) for angle, velocity, _, torque in states)))
+
+    def place(self, position, orientation, wheel_angles):
+        """Put the robot there, at rest; m, quaternion x y z w, rad."""
+        self._client.resetBasePositionAndOrientation(self._body, position, orientation)
+        self._client.resetBaseVelocity(self._body, [0, 0, 0], [0, 0, 0])
+        for wheel, angle in zip(self._wheels, wheel_angles):
+            self._client.resetJointState(self._body, wheel, angle, 0.0)
+
+    def place_at_start(self):
+        """Go back to where the robot was added, with its wheels at zero and at rest."""
+        (x, y, _), orientation = self._start
+        self.place([x, y, self._settled_height], orientation, [0.0, 0.0])
+        self.drive(0.0, 0.0)
+
+    def settle_here(self):
+        """Keep the height at which the robot has settled, at its exact start."""
+        self._settled_height = self.pose()[0][2]
+        self.place_at_start()
+
+
+def compose(position, orientation, inner_position, inner_orientation):
+    """Return the inner pose, given in the frame of the first pose, in that pose's own frame."""
+    return pybullet.multiplyTransforms(
+        position, orientation, inner_position, inner_orientation)
+
+
+def invert(position, orientation):
+    """Return the inverse of a pose."""
+    return pybullet.invertTransform(position, orientation)
+
+
+def rotate(orientation, vector):
+    """Return the vector turned by the orientation."""
+    return pybullet.rotateVector(orientation, vector)
+
+
+def yaw_of(orientation):
+    """Return the yaw (rad) of an orientation."""
+    return pybullet.getEulerFromQuaternion(orientation)[2]
+
+
+def _connect(gui):
+    if gui and not _has_screen():
+        raise NoScreenError
+    with terminal_closed():
+        return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
+
+
+def _has_screen():
+    """Ask X itself: PyBullet would end the whole process."""
+    try:
+        x11 = ctypes.CDLL('libX11.so.6')
+    except OSError:
+        return False
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if display:
+        x11.XCloseDisplay(ctypes.c_void_p(display))
+    return bool(display)

@@ -1,0 +1,135 @@
+"""What a Kobuki's firmware does: obey within limits, stop when commands cease, know its way."""
+
+import math
+
+from sim_turtlebot.odometry import STILL, Motion, true_motion
+
+MAX_LINEAR_SPEED = 0.7  # m/s, TurtleBot 2 specification
+MAX_ANGULAR_SPEED = math.pi  # rad/s, 180 degrees/s, TurtleBot 2 specification
+
+REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
+REST_ANGULAR_SPEED = 1e-2  # rad/s
+REST_TIME = 0.25  # s, until a slow robot counts as standing
+HOLD_SPEED = 1e-3  # m/s; a standing robot that is moved faster than this was pushed
+
+
+class Robot:
+    """One TurtleBot: commands in, motion, odometry and wheels out.
+
+    Times are integer nanoseconds of simulated time.
+    """
+
+    def __init__(self, body, odometry, cmd_vel_timeout):
+        """Take over a body.
+
+        :param body: sim_turtlebot.physics.TurtleBot, settled
+        :param odometry: WorldOdometry or EncoderOdometry
+        :param cmd_vel_timeout: stop when no command has come for this long (ns); 0: never
+        """
+        self._body = body
+        self._timeout = cmd_vel_timeout
+        self._deadline = None
+        self._commanded = (0.0, 0.0)
+        self._slow_since = None
+        self._anchor = None
+        self._observe()
+        self._odometry = odometry
+        self.reset_odometry()
+
+    @property
+    def covariance(self):
+        """Variances of the odometry's x, y, z (m^2), roll, pitch, yaw (rad^2)."""
+        return self._odometry.covariance
+
+    @property
+    def resting(self):
+        """Whether the robot stands, with no command to do otherwise."""
+        return self._anchor is not None
+
+    @property
+    def wheels(self):
+        """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
+        return self._wheels
+
+    def command(self, linear, angular, now):
+        """Move at `linear` m/s and `angular` rad/s, or as fast as the robot can.
+
+        :raises ValueError: if one of them is not finite; the robot stops then
+        """
+        if not (math.isfinite(linear) and math.isfinite(angular)):
+            self.stop()
+            raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
+        self._deadline = now + self._timeout if self._timeout else None
+        self._drive(_clamp(linear, MAX_LINEAR_SPEED), _clamp(angular, MAX_ANGULAR_SPEED))
+
+    def stop(self):
+        """Command zero."""
+        self._deadline = None
+        self._drive(0.0, 0.0)
+
+    def check_timeout(self, now):
+        """Stop if commands have ceased."""
+        if self._deadline is not None and now > self._deadline:
+            self.stop()
+
+    def tick(self, now, duration):
+        """Look where the robot is, `duration` seconds after the last look."""
+        self._observe()
+        if self._anchor is not None:
+            self._hold(duration)
+        elif self._commanded == (0.0, 0.0):
+            self._settle(now)
+        self.odometry = self._odometry.update(self.truth, self._wheels[0], duration)
+
+    def reset_odometry(self):
+        """Let the odometry start from zero here."""
+        self.odometry = self._odometry.reset(self.truth, self._wheels[0])
+
+    def reset(self):
+        """Go back to the start, at rest."""
+        self.stop()
+        self._anchor = self._slow_since = None
+        self._body.place_at_start()
+        self._observe()
+        self.reset_odometry()
+
+    def _drive(self, linear, angular):
+        if (linear, angular) == self._commanded:
+            return
+        self._commanded = (linear, angular)
+        self._anchor = self._slow_since = None
+        self._body.drive(linear, angular)
+
+    def _observe(self):
+        self.truth = true_motion(self._body)
+        self._wheels = self._body.wheels()
+
+    def _settle(self, now):
+        """Find out whether the robot has come to rest."""
+        slow = (math.hypot(*self.truth.linear) < REST_LINEAR_SPEED
+                and math.hypot(*self.truth.angular) < REST_ANGULAR_SPEED)
+        if not slow:
+            self._slow_since = None
+        elif self._slow_since is None:
+            self._slow_since = now
+        elif now - self._slow_since >= REST_TIME * 1e9:
+            self._anchor = self._standing()
+
+    def _standing(self):
+        angles, _, torques = self._wheels
+        self._wheels = angles, (0.0, 0.0), torques
+        self.truth = Motion(self.truth.position, self.truth.orientation, STILL, STILL)
+        return self.truth, self._wheels
+
+    def _hold(self, duration):
+        """Undo the creep of idle motors, as static friction would; let go when pushed."""
+        truth, wheels = self._anchor
+        if math.dist(self.truth.position, truth.position) > HOLD_SPEED * duration:
+            self._anchor = self._slow_since = None
+            return
+        self._body.place(truth.position, truth.orientation, wheels[0])
+        self.truth, self._wheels = truth, wheels
+
+
+def _clamp(value, limit):
+    return max(-limit, min(limit, value))

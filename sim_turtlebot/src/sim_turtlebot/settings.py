@@ -1,0 +1,81 @@
+"""The node's parameters, read and checked."""
+
+import math
+from typing import NamedTuple
+
+import rospy
+from odometry_common.parameters import ParameterError, get_choice, get_flag, get_number, get_text
+
+
+class Settings(NamedTuple):
+    """Every parameter of the node; the names and units are those of the parameters."""
+
+    gui: bool
+    world: str
+    robots: int
+    x: float
+    y: float
+    yaw: float
+    seed: int
+    odom_rate: float
+    odometry_source: str
+    gyro: bool
+    wheel_slip: float
+    wheel_noise: float
+    gyro_noise: float
+    cmd_vel_timeout: float
+    real_time_factor: float
+    lockstep_rate: float
+    use_sim_time: bool
+
+
+def read_settings():
+    """Return the Settings; raise ParameterError for the first one that is unusable."""
+    odom_rate = get_number('~odom_rate', 20.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
+    settings = Settings(
+        gui=get_flag('~gui', False),
+        world=get_text('~world', ''),
+        robots=_get_whole('~robots', 1, 1, 1000),
+        x=_get_coordinate('~x'),
+        y=_get_coordinate('~y'),
+        yaw=get_number('~yaw', 0.0, lambda v: abs(v) <= 2 * math.pi, 'from -2 pi to 2 pi rad'),
+        seed=_get_whole('~seed', 0, -2**31, 2**31 - 1),
+        odom_rate=odom_rate,
+        odometry_source=get_choice('~odometry_source', 'world', ['world', 'encoder']),
+        gyro=get_flag('~gyro', False),
+        wheel_slip=get_number('~wheel_slip', 0.0, lambda v: 0 <= v < 1, 'from 0 to below 1'),
+        wheel_noise=get_number('~wheel_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m'),
+        gyro_noise=get_number('~gyro_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 rad'),
+        cmd_vel_timeout=get_number(
+            '~cmd_vel_timeout', 0.6, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'),
+        real_time_factor=get_number(
+            '~real_time_factor', 1.0, lambda v: v == 0 or 0.001 <= v <= 1000,
+            '0 (as fast as possible) or from 0.001 to 1000'),
+        lockstep_rate=get_number(
+            '~lockstep_rate', 0.0, lambda v: v == 0 or 0.1 <= v <= odom_rate,
+            f'0 (off) or from 0.1 Hz to ~odom_rate, {odom_rate:g} Hz'),
+        use_sim_time=get_flag('/use_sim_time', False))
+    _check_wall_time(settings)
+    return settings
+
+
+def _get_whole(name, default, lowest, highest):
+    allowed = f'a whole number from {lowest} to {highest}'
+    return int(get_number(
+        name, default, lambda v: v == int(v) and lowest <= v <= highest, allowed))
+
+
+def _get_coordinate(name):
+    return get_number(name, 0.0, lambda v: abs(v) <= 1e4, 'from -10000 to 10000 m')
+
+
+def _check_wall_time(settings):
+    """Refuse what would make wall-clock stamps lie about the speed."""
+    if settings.use_sim_time:
+        return
+    if settings.real_time_factor != 1:
+        raise ParameterError('~real_time_factor', settings.real_time_factor,
+                             '1 unless /use_sim_time is true')
+    if settings.lockstep_rate != 0:
+        raise ParameterError('~lockstep_rate', settings.lockstep_rate,
+                             '0 unless /use_sim_time is true')
