@@ -200,7 +200,7 @@ main() {
     enter
     case $1 in
         demo) shift; exec "$ROOT/launch/scripts/demo.py" "$@" ;;
-        test) shift; exec "$ROOT/test/scripts/run_all.py" "$@" ;;
+        test) shift; exec python3 "$ROOT/test/run_all.py" "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
         *) exec "$@" ;;
     esac

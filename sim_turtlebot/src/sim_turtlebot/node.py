@@ -68,9 +68,7 @@ class Simulator:
 
     def _take_turn(self):
         """Serve one request if there is one, else advance if it is time to."""
-        if not self._requests.empty():
-            self._requests.get()()
-        elif self._paused:
+        if not self._requests.empty() or self._paused:
             self._requests.get()()
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()

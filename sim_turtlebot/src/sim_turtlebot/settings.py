@@ -3,7 +3,6 @@
 import math
 from typing import NamedTuple
 
-import rospy
 from odometry_common.parameters import ParameterError, get_choice, get_flag, get_number, get_text
 
 

@@ -1,0 +1,102 @@
+"""Run the linters and every test, and count what happened."""
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+ROOT = Path(__file__).resolve().parents[1]
+WORKSPACE = ROOT / '.ws'
+RESULTS = WORKSPACE / 'build' / 'test_results'
+LINTERS = {
+    'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
+    'catkin_lint': ['catkin_lint', '--quiet', str(ROOT)],
+}
+
+
+class Counts(NamedTuple):
+    """How many tests ended in which way."""
+
+    passed: int
+    failed: int
+    skipped: int
+
+    def __add__(self, other):
+        """Return the sums."""
+        return Counts(*map(sum, zip(self, other)))
+
+
+def main():
+    """Exit 0 only if something ran and nothing failed."""
+    options = _parse()
+    if options.nightly:
+        os.environ['HYPOTHESIS_PROFILE'] = 'nightly'
+    counts = _run_linters() + _run_tests(options.names)
+    print(f'{counts.passed} passed, {counts.failed} failed, {counts.skipped} skipped')
+    sys.exit(0 if counts.passed and not counts.failed else 1)
+
+
+def _parse():
+    parser = argparse.ArgumentParser(prog='./ws test', description=__doc__)
+    parser.add_argument('names', nargs='*', metavar='NAME',
+                        help='run only these, such as test_heading or detector.test')
+    parser.add_argument('--nightly', action='store_true',
+                        help='try many more random sequences; takes hours')
+    return parser.parse_args()
+
+
+def _run_linters():
+    counts = Counts(0, 0, 0)
+    for name, command in LINTERS.items():
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        findings = result.stdout + _without_notices(result.stderr)
+        failed = bool(result.returncode or findings.strip())
+        print(f'{name}: {"failed" if failed else "passed"}\n{findings}', end='', flush=True)
+        counts += Counts(not failed, failed, 0)
+    return counts
+
+
+def _without_notices(text):
+    """Drop what catkin_lint says about a rosdep that is not installed."""
+    return ''.join(line for line in text.splitlines(keepends=True) if 'rosdep' not in line
+                   and 'unknown dependencies' not in line)
+
+
+def _run_tests(names):
+    shutil.rmtree(RESULTS, ignore_errors=True)
+    targets = [_target(name) for name in names] or ['run_tests']
+    subprocess.run(['catkin_make', '-C', str(WORKSPACE), '--no-color', '-j2', *targets],
+                   check=False)
+    files = sorted(RESULTS.rglob('*.xml'))
+    return sum((_count(file) for file in files), Counts(0, 0, 0))
+
+
+def _target(name):
+    """Return the make target of a test file."""
+    stem = Path(name).stem
+    if name.endswith('.test'):
+        return f'run_tests_odometry_tests_rostest_rostests_{stem}.test'
+    return f'run_tests_odometry_tests_pytest_{stem}'
+
+
+def _count(file):
+    """Count a JUnit file, and print what failed or was skipped in it."""
+    cases = ElementTree.parse(file).getroot().iter('testcase')
+    counts = Counts(0, 0, 0)
+    for case in cases:
+        failed = case.find('failure') is not None or case.find('error') is not None
+        skipped = case.find('skipped')
+        counts += Counts(not failed and skipped is None, failed, skipped is not None)
+        if failed:
+            print(f'FAILED {file.stem} {case.get("name")}')
+        elif skipped is not None:
+            print(f'skipped {file.stem} {case.get("name")}: {skipped.get("message")}')
+    return counts
+
+
+if __name__ == '__main__':
+    main()

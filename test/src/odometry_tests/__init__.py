@@ -1,0 +1,1 @@
+"""What the tests share: bounded waits, recorded topics, processes of their own."""

@@ -1,0 +1,128 @@
+"""Processes that a test starts, watches and ends: a ROS master, nodes, commands."""
+
+import os
+import signal
+import socket
+import subprocess
+import threading
+
+import rosgraph
+
+from odometry_tests.waiting import wait_until
+
+END_TIMEOUT = 10.0  # s
+
+
+class Process:
+    """A command with its output."""
+
+    def __init__(self, *command, env=None, **popen_options):
+        """Start it; `env` is added to the environment."""
+        self.command = ' '.join(map(str, command))
+        self._popen = subprocess.Popen(
+            [str(part) for part in command], env={**os.environ, **(env or {})},
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            start_new_session=True, **popen_options)
+        self._lines = {'stdout': [], 'stderr': []}
+        self._readers = [self._read('stdout'), self._read('stderr')]
+
+    @property
+    def pid(self):
+        """Process id, and id of the process group."""
+        return self._popen.pid
+
+    @property
+    def stdout(self):
+        """What the command has printed so far."""
+        return '\n'.join(self._lines['stdout'])
+
+    @property
+    def stderr(self):
+        """What the command has complained about so far."""
+        return '\n'.join(self._lines['stderr'])
+
+    @property
+    def output(self):
+        """Both together, stdout first."""
+        return f'{self.stdout}\n{self.stderr}'
+
+    @property
+    def running(self):
+        """Whether the command has not ended yet."""
+        return self._popen.poll() is None
+
+    def wait_for_output(self, text, timeout=10.0):
+        """Return once the text has been printed to stdout or stderr."""
+        wait_until(lambda: text in self.output, timeout,
+                   lambda: f'{text!r} from {self.command}; it printed:\n{self.output}')
+
+    def send(self, signum):
+        """Send a signal to the command itself."""
+        self._popen.send_signal(signum)
+
+    def wait(self, timeout=END_TIMEOUT):
+        """Return the exit status once the command has ended and all its output is read."""
+        try:
+            status = self._popen.wait(timeout)
+        except subprocess.TimeoutExpired:
+            raise AssertionError(f'{self.command} has not ended within {timeout:g} s; '
+                                 f'it printed:\n{self.output}') from None
+        for reader in self._readers:
+            reader.join(END_TIMEOUT)
+        return status
+
+    def end(self, signum=signal.SIGINT, timeout=END_TIMEOUT):
+        """Send a signal and return the exit status."""
+        if self.running:
+            self.send(signum)
+        return self.wait(timeout)
+
+    def __enter__(self):
+        """Use it as a context, at whose end it is no longer running."""
+        return self
+
+    def __exit__(self, *_):
+        """End it, with everything it has started."""
+        try:
+            if self.running:
+                self.send(signal.SIGINT)
+                self._popen.wait(END_TIMEOUT)
+        except subprocess.TimeoutExpired:
+            os.killpg(self.pid, signal.SIGKILL)
+            self._popen.wait()
+
+    def _read(self, name):
+        stream, lines = getattr(self._popen, name), self._lines[name]
+
+        def collect():
+            with stream:
+                for line in stream:
+                    lines.append(line.decode(errors='replace').rstrip('\n'))
+
+        reader = threading.Thread(target=collect, daemon=True)
+        reader.start()
+        return reader
+
+
+class Master(Process):
+    """A roscore of its own, which this process and its children use from now on."""
+
+    def __init__(self, use_sim_time=False):
+        """Start it on a free port and return once it answers."""
+        port = free_port()
+        os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
+        super().__init__('roscore', '-p', port)
+        wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
+        rosgraph.Master('/test').setParam('/use_sim_time', use_sim_time)
+
+
+def free_port():
+    """Return a TCP port that nobody listens on."""
+    with socket.socket() as probe:
+        probe.bind(('localhost', 0))
+        return probe.getsockname()[1]
+
+
+def rosrun(package, program, *arguments, **options):
+    """Start a node as users do."""
+    return Process('rosrun', package, program, *arguments, **options)

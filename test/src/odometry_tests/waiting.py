@@ -1,0 +1,88 @@
+"""Waits that end with an event or, within a bound, with a word about what was seen."""
+
+import threading
+import time
+
+import rospy
+
+POLL_PERIOD = 0.01  # s
+
+
+def wait_until(condition, timeout, what):
+    """Return the first true value of condition().
+
+    :param timeout: s of wall time
+    :param what: what is waited for, in words; a function if it has to be worded at the end
+    :raises AssertionError: if there is none in time
+    """
+    end = time.monotonic() + timeout
+    while not (value := condition()):
+        words = what() if callable(what) else what
+        assert time.monotonic() < end, f'not within {timeout:g} s: {words}'
+        time.sleep(POLL_PERIOD)
+    return value
+
+
+class Recorder:
+    """Every message on a topic since the recorder was made."""
+
+    def __init__(self, topic, message_class):
+        """Subscribe."""
+        self._topic = topic
+        self._changed = threading.Condition()
+        self._messages = []
+        self._subscriber = rospy.Subscriber(topic, message_class, self._on_message,
+                                            tcp_nodelay=True)
+
+    @property
+    def messages(self):
+        """What has come so far, as a new list."""
+        with self._changed:
+            return list(self._messages)
+
+    @property
+    def last(self):
+        """The latest message, or None."""
+        with self._changed:
+            return self._messages[-1] if self._messages else None
+
+    def clear(self):
+        """Forget what has come so far."""
+        with self._changed:
+            self._messages.clear()
+
+    def wait_for_publisher(self, timeout=10.0):
+        """Return once somebody publishes the topic."""
+        wait_until(lambda: self._subscriber.get_num_connections() > 0, timeout,
+                   f'a publisher of {self._topic}')
+
+    def wait_for(self, accepts=lambda message: True, timeout=10.0, what='a message'):
+        """Return the first message, also one that has come already, that is accepted."""
+        def found():
+            return next((m for m in self._messages if accepts(m)), None)
+        with self._changed:
+            self._changed.wait_for(found, timeout)
+            message = found()
+        assert message is not None, (
+            f'not within {timeout:g} s on {self._topic}: {what}; the last of '
+            f'{len(self._messages)} messages was:\n{self.last}')
+        return message
+
+    def wait_for_count(self, count, timeout=10.0):
+        """Return the first `count` messages."""
+        with self._changed:
+            self._changed.wait_for(lambda: len(self._messages) >= count, timeout)
+            seen = list(self._messages)
+        assert len(seen) >= count, f'{len(seen)} of {count} messages on {self._topic}'
+        return seen[:count]
+
+    def _on_message(self, message):
+        with self._changed:
+            self._messages.append(message)
+            self._changed.notify_all()
+
+
+def wait_for_subscribers(publisher, count=1, timeout=10.0):
+    """Return once the publisher has so many subscribers: what it sends then arrives."""
+    wait_until(lambda: publisher.get_num_connections() >= count, timeout,
+               f'{count} subscriber(s) of {publisher.name}')
