@@ -1,4 +1,4 @@
-"""Clocks for controllers, over plain seconds: is it time, is the input fresh, is it at rest?"""
+"""Clocks for controllers, over plain seconds: what is due, what is late, what is at rest."""
 
 
 class Metronome:
