@@ -24,17 +24,16 @@ def run_node(name, main, **init_node_options):
     """
     try:
         check_command_line()
-        rospy.init_node(name, **init_node_options)
-        _shut_down_on_signals()
+        _on_signals(_interrupt)
+        rospy.init_node(name, disable_signals=True, **init_node_options)
+        _on_signals(_shut_down)
         main()
     except ParameterError as error:
         print(f'{name}: {error}', file=sys.stderr)
+        _forget(error.name)
         sys.exit(EXIT_BAD_PARAMETER)
-    except rospy.ROSInterruptException:
+    except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
-    except rospy.ROSInitException:
-        if not rospy.is_shutdown():
-            raise
     finally:
         rospy.signal_shutdown('the node has ended')
 
@@ -51,16 +50,33 @@ def print_line(text):
         rospy.signal_shutdown('nobody reads stdout')
 
 
-def _shut_down_on_signals():
-    """Let Ctrl-C, SIGTERM and a closed terminal shut the node down from a thread of its own.
+def _forget(name):
+    """Take a refused value of the command line back, or it would spoil the next run too.
 
-    rospy would run the shutdown hooks inside the signal handler, on top of whatever the
-    main thread is doing: a hook that publishes could then wait for a lock that its own
-    thread holds, or cut in front of a message that is half written.
+    What `_name:=value` once set stays on the parameter server.
     """
-    def shut_down(signum, _frame):
-        reason = signal.Signals(signum).name
-        threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()
+    given = any(argument.startswith(f'_{name[1:]}:=') for argument in sys.argv[1:])
+    if given and rospy.core.is_initialized() and rospy.has_param(name):
+        rospy.delete_param(name)
 
+
+def _on_signals(handler):
+    """Handle Ctrl-C, SIGTERM and a closed terminal."""
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(signum, shut_down)
+        signal.signal(signum, handler)
+
+
+def _interrupt(_signum, _frame):
+    """End the start: rospy tries to reach a missing master for ever, and hears nothing else."""
+    raise KeyboardInterrupt
+
+
+def _shut_down(signum, _frame):
+    """Shut the node down from a thread of its own.
+
+    rospy would run the shutdown hooks inside the signal handler, on top of whatever the main
+    thread is doing: a hook that publishes could then wait for a lock that its own thread
+    holds, or cut in front of a message that is half written.
+    """
+    reason = signal.Signals(signum).name
+    threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()

@@ -2,11 +2,10 @@
 
 import math
 import sys
+import xmlrpc.client
 
 import rospy
 import yaml
-
-LARGEST_INTEGER = 2**31 - 1  # XML-RPC, which carries every ROS parameter, has 32-bit integers
 
 
 class ParameterError(ValueError):
@@ -14,6 +13,7 @@ class ParameterError(ValueError):
 
     def __init__(self, name, value, allowed):
         """Word the line from the name, the value that was given and what is allowed."""
+        self.name = name
         super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
 
 
@@ -60,19 +60,16 @@ def get_text(name, default):
 def check_command_line(arguments=None):
     """Raise ParameterError for a ``_name:=value`` that rospy could not store.
 
-    rospy uploads these while the node starts, and answers an empty value, broken
-    YAML or a large integer with a traceback.
+    rospy uploads these by XML-RPC while the node starts, and answers an empty value, broken
+    YAML, a large integer or a date with a traceback.
     """
     for argument in sys.argv[1:] if arguments is None else arguments:
         name, separator, text = argument.partition(':=')
         if not separator or not name.startswith('_') or name.startswith('__'):
             continue
         try:
-            value = yaml.safe_load(text)
-        except yaml.YAMLError:
-            raise ParameterError(f'~{name[1:]}', text, 'valid YAML') from None
-        if value is None:
-            raise ParameterError(f'~{name[1:]}', text, 'a value')
-        if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
-            allowed = f'a whole number up to {LARGEST_INTEGER}, or written with a decimal point'
-            raise ParameterError(f'~{name[1:]}', value, allowed)
+            xmlrpc.client.dumps((yaml.safe_load(text),))
+        except (yaml.YAMLError, TypeError, OverflowError):
+            raise ParameterError(
+                f'~{name[1:]}', text, 'a value that ROS can store: a text, a number with at '
+                'most 32 bits or a decimal point, true or false, or a list of them') from None

@@ -1,0 +1,143 @@
+"""Every parameter of every node: what it cannot be is refused in one line, and nothing moves.
+
+One table lists the parameters with their kind and range; the bad values follow from it, and a
+test compares it with the nodes' own documentation, so that no parameter is left out.
+"""
+
+import re
+from typing import NamedTuple
+
+import pytest
+import rospy
+import yaml
+from odometry_common.parameters import ParameterError, check_command_line
+from odometry_tests.processes import rosrun
+from odometry_tests.scripts import load_script
+from sim_turtlebot.settings import read_settings
+
+EXIT_BAD_PARAMETER = 2
+NOT_NUMBERS = ['abc', "''", '[1, 2]', '{a: 1}', 'true', '.nan', 'nan', '.inf', '-.inf',
+               '99999999999', '', '[', '2026-01-01']
+NOT_FLAGS = ['abc', "''", '[true]', '{a: true}', '1', '0.5', '.nan', '']
+NOT_TEXTS = ['1', '1.5', 'true', '[a]', '{a: b}', '']
+
+
+class Parameter(NamedTuple):
+    """A parameter and what it must refuse."""
+
+    script: str
+    name: str
+    refused: list
+
+    @property
+    def node(self):
+        """The name by which the test starts the node."""
+        return f'{self.script.split("/")[-1][:-3]}_{self.name}'
+
+
+DETECTOR = 'odom_movement_detector/src/odom_movement_detector.py'
+MOVER = 'test_movement/src/test_movement.py'
+ROTATOR = 'rotate_robot/script/rotate.py'
+SIMULATOR = 'sim_turtlebot/script/sim_turtlebot_node.py'
+READERS = {
+    DETECTOR: lambda: load_script(DETECTOR).MovementDetector(),
+    MOVER: lambda: load_script(MOVER).TestMovement(),
+    ROTATOR: lambda: load_script(ROTATOR).RotateRobot(),
+    SIMULATOR: read_settings,
+}
+
+TABLE = [
+    Parameter(DETECTOR, 'min_step', [*NOT_NUMBERS, '-1']),
+    Parameter(DETECTOR, 'max_speed', [*NOT_NUMBERS, '-0.1']),
+    Parameter(MOVER, 'distance', [*NOT_NUMBERS, '0', '-1']),
+    Parameter(MOVER, 'speed', [*NOT_NUMBERS, '0']),
+    Parameter(MOVER, 'relative', NOT_FLAGS),
+    Parameter(MOVER, 'exit_when_done', NOT_FLAGS),
+    Parameter(MOVER, 'timeout', [*NOT_NUMBERS, '-1', '1e6']),
+    Parameter(ROTATOR, 'target', NOT_NUMBERS),
+    Parameter(ROTATOR, 'kp', [*NOT_NUMBERS, '0', '-0.5']),
+    Parameter(ROTATOR, 'rate', [*NOT_NUMBERS, '0', '-10', '1e6']),
+    Parameter(ROTATOR, 'max_angular_speed', [*NOT_NUMBERS, '0', '-1']),
+    Parameter(ROTATOR, 'tolerance', [*NOT_NUMBERS, '-1', '180']),
+    Parameter(ROTATOR, 'timeout', [*NOT_NUMBERS, '-1', '1e6']),
+    Parameter(SIMULATOR, 'gui', NOT_FLAGS),
+    Parameter(SIMULATOR, 'world', NOT_TEXTS),
+    Parameter(SIMULATOR, 'robots', [*NOT_NUMBERS, '0', '-1', '1.5', '100000']),
+    Parameter(SIMULATOR, 'x', [*NOT_NUMBERS, '1e5']),
+    Parameter(SIMULATOR, 'y', [*NOT_NUMBERS, '-1e5']),
+    Parameter(SIMULATOR, 'yaw', [*NOT_NUMBERS, '360']),
+    Parameter(SIMULATOR, 'odom_rate', [*NOT_NUMBERS, '0', '-20', '1e5']),
+    Parameter(SIMULATOR, 'odometry_source', [*NOT_TEXTS, 'gps', "''"]),
+    Parameter(SIMULATOR, 'gyro', NOT_FLAGS),
+    Parameter(SIMULATOR, 'wheel_slip', [*NOT_NUMBERS, '-0.1', '1']),
+    Parameter(SIMULATOR, 'wheel_noise', [*NOT_NUMBERS, '-0.1', '10']),
+    Parameter(SIMULATOR, 'gyro_noise', [*NOT_NUMBERS, '-0.1', '10']),
+    Parameter(SIMULATOR, 'seed', [*NOT_NUMBERS, '0.5', '1e12']),
+    Parameter(SIMULATOR, 'cmd_vel_timeout', [*NOT_NUMBERS, '-1', '1e6']),
+    Parameter(SIMULATOR, 'real_time_factor', [*NOT_NUMBERS, '-1', '1e-6', '2']),
+    Parameter(SIMULATOR, 'lockstep_rate', [*NOT_NUMBERS, '-1', '21', '10']),
+]
+
+
+def complaint(parameter, text):
+    """Return what the node says of _NAME:=TEXT; None if it takes it."""
+    try:
+        check_command_line([f'_{parameter.name}:={text}'])
+        rospy.set_param(f'~{parameter.name}', yaml.safe_load(text))
+        READERS[parameter.script]()
+    except ParameterError as error:
+        return str(error)
+    finally:
+        if rospy.has_param(f'~{parameter.name}'):
+            rospy.delete_param(f'~{parameter.name}')
+    return None
+
+
+@pytest.mark.parametrize('parameter', TABLE, ids=lambda row: row.node)
+def test_each_bad_value_is_refused_by_name(master, parameter):
+    """All values of the table, against the node's own reading code and a real master."""
+    for text in parameter.refused:
+        said = complaint(parameter, text)
+        assert said, f'{parameter.name}:={text} was taken'
+        assert said.startswith(f'parameter ~{parameter.name} is ') and 'must be' in said
+        assert '\n' not in said
+
+
+@pytest.mark.parametrize('parameter', TABLE, ids=lambda row: row.node)
+def test_a_node_with_a_bad_value_ends_with_one_line_and_status_2(master, parameter):
+    """The whole node as a user starts it, for one value of each parameter."""
+    package, program = parameter.script.split('/')[0], parameter.script.split('/')[-1]
+    with rosrun(package, program, f'__name:={parameter.node}',
+                f'_{parameter.name}:={parameter.refused[-1]}') as node:
+        assert node.wait() == EXIT_BAD_PARAMETER, node.output
+    assert f'parameter ~{parameter.name} is ' in node.stderr
+    assert len(node.stderr.splitlines()) == 1, node.stderr
+    left_behind = f'/{parameter.node}/{parameter.name}'
+    assert not rospy.has_param(left_behind), 'the next run would be refused too'
+
+
+@pytest.mark.parametrize('script', READERS)
+def test_the_table_has_every_parameter(script):
+    """A new parameter is in its node's documentation, and so has to be here."""
+    documented = set()
+    for line in re.findall(r'^    (~.*?) \(', load_script(script).__doc__, re.MULTILINE):
+        documented |= {name.strip('~ ') for name in line.split(',')}
+    assert documented == {row.name for row in TABLE if row.script == script}
+
+
+@pytest.mark.parametrize('value', ['no_such_file.urdf', 'room.txt', '/dev/null.sdf'])
+def test_a_world_that_cannot_be_loaded_ends_the_simulator(master, value):
+    """The line names the file."""
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', f'_world:={value}') as node:
+        assert node.wait() == EXIT_BAD_PARAMETER, node.output
+    assert value in node.stderr and len(node.stderr.splitlines()) == 1, node.stderr
+
+
+@pytest.mark.parametrize('display', ['', ':987'])
+def test_a_window_without_a_screen_is_refused(master, display):
+    """Most machines that run this have none."""
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_gui:=true',
+                env={'DISPLAY': display}) as node:
+        assert node.wait() == EXIT_BAD_PARAMETER, node.output
+    assert '~gui' in node.stderr and 'DISPLAY' in node.stderr
+    assert len(node.stderr.splitlines()) == 1, node.stderr
