@@ -17,7 +17,7 @@ REST = 1e-3
 
 @pytest.fixture(scope='module')
 def truth(master):
-    """The motion of a robot whose own watchdog is off."""
+    """Record the motion of a robot whose own watchdog is off."""
     with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_cmd_vel_timeout:=0'):
         recorder = Recorder('base_pose_ground_truth', Odometry)
         recorder.wait_for(timeout=20.0)
@@ -26,7 +26,7 @@ def truth(master):
 
 @pytest.fixture(params=['mover', 'rotator'])
 def driver(request, truth):
-    """A node that is moving the robot."""
+    """Start a node that moves the robot."""
     helpers = []
     if request.param == 'mover':
         helpers.append(rosrun('odom_movement_detector', 'odom_movement_detector.py'))

@@ -14,7 +14,7 @@ def command(line):
 
 @pytest.fixture
 def robot(master):
-    """A simulated robot, started as the README says."""
+    """Start a simulated robot as the README says."""
     with command('rosrun sim_turtlebot sim_turtlebot_node.py') as process:
         Recorder('odom', Odometry).wait_for(timeout=20.0)
         yield process
