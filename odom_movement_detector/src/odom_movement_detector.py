@@ -107,7 +107,8 @@ class MovementDetector:
             max_speed=get_number('~max_speed', 5.0, lambda v: v >= 0, 'a speed in m/s from 0'))
         self._lock = threading.Lock()
         self._wake_up = threading.Event()
-        rospy.on_shutdown(self._wake_up.set)
+        self._closed = False
+        rospy.on_shutdown(self._close)
         # The publisher comes first: a callback may run as soon as its subscriber exists.
         self._publisher = rospy.Publisher('moved_distance', Float64, queue_size=100)
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
@@ -123,6 +124,8 @@ class MovementDetector:
         stamp = message.header.stamp.to_sec()
         try:
             with self._lock:
+                if self._closed:
+                    return
                 jump = self._counter.add(position.x, position.y, stamp, rospy.get_time())
                 self._publisher.publish(self._counter.distance)
         except ValueError as error:
@@ -136,6 +139,12 @@ class MovementDetector:
         with self._lock:
             self._counter.reset()
         rospy.loginfo('counting from zero again')
+
+    def _close(self):
+        """Publish nothing more: rospy closes the topics next."""
+        with self._lock:
+            self._closed = True
+        self._wake_up.set()
 
 
 def _distance(a, b):

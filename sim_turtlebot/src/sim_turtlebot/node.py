@@ -65,6 +65,10 @@ class Simulator:
                 self._take_turn()
         except physics_stopped:
             rospy.loginfo('the window has been closed')
+        except rospy.ROSException:
+            # At shutdown rospy may close a topic while it is being published.
+            if not self._stopping:
+                raise
 
     def _take_turn(self):
         """Serve one request if there is one, else advance if it is time to."""
