@@ -34,7 +34,7 @@ from std_msgs.msg import Float64
 
 REST_BAND = math.radians(0.1)
 REST_DURATION = 0.5  # s
-PERIODS_UNTIL_LATE = 1.5  # without odometry, until the main loop stands in for it
+PERIODS_UNTIL_LATE = 2.5  # without odometry; the clock may be heard a period after it
 
 
 class RotateRobot:
