@@ -1,0 +1,1 @@
+"""The demo: a tutorial with a simulated robot, watched from its topics."""

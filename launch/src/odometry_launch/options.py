@@ -1,0 +1,58 @@
+"""The demo's command line."""
+
+import argparse
+import math
+
+MAX_SPEED = 0.7  # m/s, TurtleBot 2
+MIN_SPEED = 0.001  # m/s; slower than this no reader would wait
+
+
+def parse(arguments):
+    """Return the options; print help or a complaint and exit if there is nothing to run."""
+    parser = argparse.ArgumentParser(
+        prog='./ws demo', description='Run a tutorial with a simulated TurtleBot 2 and show how '
+        'it goes. A recording and a picture of the run are left in the folder runs.')
+    parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
+                        help='drive two metres, or turn to a heading (default: %(default)s)')
+    parser.add_argument('--distance', type=_number(0.01, 1000), default=2.0, metavar='M',
+                        help='move: where to stop (m; default: %(default)s)')
+    parser.add_argument('--speed', type=_speed, default=0.1, metavar='M/S',
+                        help='move: how fast (m/s; negative drives backwards; '
+                             'default: %(default)s)')
+    parser.add_argument('--target', type=_number(-1e6, 1e6), default=90.0, metavar='DEGREES',
+                        help='rotate: heading to turn to (default: %(default)s)')
+    parser.add_argument('--real-time-factor', type=_number(0, 100), default=1.0, metavar='N',
+                        help='simulated seconds per second; 0: as fast as possible, in '
+                             'lockstep (default: %(default)s)')
+    parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
+    return parser.parse_args(arguments)
+
+
+def launch_arguments(options):
+    """Return the launch file and its arguments for these options."""
+    arguments = {'gui': str(options.gui).lower(), 'real_time_factor': options.real_time_factor,
+                 'lockstep': str(options.real_time_factor == 0).lower()}
+    if options.tutorial == 'move':
+        arguments.update(distance=options.distance, speed=options.speed)
+        return 'move_two_meters.launch', arguments
+    return 'rotate.launch', {**arguments, 'target': options.target}
+
+
+def _number(lowest, highest):
+    def parse_number(text):
+        try:
+            value = float(text)
+        except ValueError:
+            value = math.nan
+        if not lowest <= value <= highest:
+            raise argparse.ArgumentTypeError(
+                f'{text!r} is not a number from {lowest:g} to {highest:g}')
+        return value
+    return parse_number
+
+
+def _speed(text):
+    value = _number(-MAX_SPEED, MAX_SPEED)(text)
+    if abs(value) < MIN_SPEED:
+        raise argparse.ArgumentTypeError(f'{text!r} is slower than {MIN_SPEED:g} m/s')
+    return value

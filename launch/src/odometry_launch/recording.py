@@ -1,0 +1,46 @@
+"""A bag and a picture of the run."""
+
+import threading
+import time
+from pathlib import Path
+
+import rosbag
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from std_msgs.msg import Float64
+
+TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
+          'cmd_vel': Twist}
+
+
+class Recording:
+    """Records the robot's topics from its making to its end."""
+
+    def __init__(self, runs):
+        """Make a new folder for this moment in the folder `runs`; raise OSError if it cannot."""
+        self.folder = Path(runs) / time.strftime('%Y-%m-%d_%H-%M-%S')
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self._bag = rosbag.Bag(str(self.folder / 'run.bag'), 'w')
+        self._lock = threading.Lock()
+        self._subscribers = [rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
+                             for topic, kind in TOPICS.items()]
+
+    def finish(self):
+        """Close the bag and draw the picture; return its path."""
+        for subscriber in self._subscribers:
+            subscriber.unregister()
+        with self._lock:
+            self._bag.close()
+            self._bag = None
+        # matplotlib takes a second to import, which the start of the demo need not wait for.
+        from sim_turtlebot.run_plot import draw, read_run
+        picture = self.folder / 'run.png'
+        draw(read_run(self.folder / 'run.bag'), picture)
+        return picture
+
+    def _keep(self, message, topic):
+        now = rospy.get_rostime()
+        with self._lock:
+            if self._bag:
+                self._bag.write(f'/{topic}', message, now)

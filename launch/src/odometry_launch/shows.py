@@ -1,0 +1,140 @@
+"""What there is to see of each tutorial: its progress, its end and its result."""
+
+import math
+
+import rospy
+from nav_msgs.msg import Odometry
+from rotate_robot.heading import euler_from_orientation, wrap_to_pi
+from std_msgs.msg import Float64
+
+BAR_WIDTH = 30
+REACTION_TIME = 0.1  # s; the robot may go on for so long once it has arrived
+BRAKING = 2.8  # m/s^2, measured on the simulated robot
+REST_SPEED = 1e-3  # m/s
+HEADING_TOLERANCE = 0.1  # degrees
+REST_TURN_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
+
+
+class Show:
+    """Follows the robot's true motion; subclasses know the tutorial."""
+
+    def __init__(self):
+        """Listen to the simulator."""
+        self.truth = None
+        self.start = None
+        self.end = None
+        rospy.Subscriber('base_pose_ground_truth', Odometry, self._on_truth, tcp_nodelay=True)
+
+    @property
+    def now(self):
+        """Simulated seconds since the first message."""
+        return (self.truth.header.stamp - self.start.header.stamp).to_sec()
+
+    @property
+    def duration(self):
+        """Simulated seconds from the first message until the robot had arrived."""
+        return (self.end - self.start.header.stamp).to_sec()
+
+    def arrived(self):
+        """Tell whether the robot has done what it was told, and stands."""
+        raise NotImplementedError
+
+    def _on_truth(self, message):
+        self.truth = message
+        if self.start is None:
+            self.start = message
+        if self.end is None and self.arrived():
+            self.end = message.header.stamp
+
+
+class MoveShow(Show):
+    """Two metres on the way."""
+
+    def __init__(self, options):
+        """Listen to the detector too."""
+        self._wanted = options.distance
+        self._speed = abs(options.speed)
+        self._moved = 0.0
+        super().__init__()
+        rospy.Subscriber('moved_distance', Float64, self._on_moved, tcp_nodelay=True)
+
+    def started(self):
+        """Tell whether the robot has begun to move."""
+        return self.truth is not None and self._moved > 0
+
+    def arrived(self):
+        """Tell whether the distance is reached and the robot stands."""
+        linear = self.truth.twist.twist.linear
+        return self._moved >= self._wanted and math.hypot(linear.x, linear.y) < REST_SPEED
+
+    def progress(self):
+        """Return one line."""
+        speed = self.truth.twist.twist.linear.x
+        return (f'{_bar(self._moved / self._wanted)} {self._moved:.2f} of {self._wanted:.2f} m, '
+                f'{speed:.2f} m/s, {self.now:.1f} s')
+
+    def result(self):
+        """Return the summary, and a complaint or None."""
+        start, end = self.start.pose.pose.position, self.truth.pose.pose.position
+        true_distance = math.hypot(end.x - start.x, end.y - start.y)
+        highest = self._wanted + self._speed * REACTION_TIME + self._speed**2 / (2 * BRAKING)
+        good = all(self._wanted <= value <= highest for value in (self._moved, true_distance))
+        summary = (f'moved distance  {self._moved:.3f} m, summed from /odom\n'
+                   f'true distance   {true_distance:.3f} m, in the simulated world')
+        return summary, None if good else f'not between {self._wanted:.3f} and {highest:.3f} m'
+
+    def _on_moved(self, message):
+        self._moved = message.data
+
+
+class RotateShow(Show):
+    """A heading on the way."""
+
+    def __init__(self, options):
+        """Listen to the odometry too, in whose frame the target is."""
+        self._target = math.radians(options.target)
+        self._yaw = None
+        self._first_error = None
+        super().__init__()
+        rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
+
+    def started(self):
+        """Tell whether the heading is known."""
+        return self.truth is not None and self._yaw is not None
+
+    def arrived(self):
+        """Tell whether the heading is reached and the robot hardly turns."""
+        return (self._yaw is not None and self._error() <= HEADING_TOLERANCE
+                and abs(self.truth.twist.twist.angular.z) < REST_TURN_SPEED)
+
+    def progress(self):
+        """Return one line."""
+        done = 1 - self._error() / self._first_error if self._first_error else 1.0
+        return (f'{_bar(done)} {math.degrees(self._yaw):.1f} degrees, '
+                f'{self._error():.1f} to go, {self.now:.1f} s')
+
+    def result(self):
+        """Return the summary, and a complaint or None."""
+        true_turn = wrap_to_pi(_yaw(self.truth) - _yaw(self.start))
+        true_error = abs(math.degrees(wrap_to_pi(true_turn - self._target)))
+        good = max(self._error(), true_error) <= HEADING_TOLERANCE + 0.01
+        summary = (f'heading         {math.degrees(self._yaw):.2f} degrees, from /odom\n'
+                   f'true turn       {math.degrees(true_turn):.2f} degrees, in the simulated world')
+        return summary, None if good else f'over {HEADING_TOLERANCE} degrees from the target'
+
+    def _error(self):
+        return abs(math.degrees(wrap_to_pi(self._target - self._yaw)))
+
+    def _on_odometry(self, message):
+        self._yaw = _yaw(message)
+        if self._first_error is None:
+            self._first_error = self._error()
+
+
+def _yaw(message):
+    return euler_from_orientation(message.pose.pose.orientation)[2]
+
+
+def _bar(share):
+    done = max(0, min(BAR_WIDTH, round(BAR_WIDTH * share)))
+    return f'[{"=" * done:{BAR_WIDTH}}]'

@@ -1,0 +1,145 @@
+"""A picture of a run, from a bag with odometry in it."""
+
+from typing import NamedTuple
+
+import numpy
+import rosbag
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from tf.transformations import euler_from_quaternion
+
+TWO_METRES = 2.0  # where the tutorial's robot stops
+FIGURE_SIZE = (11, 8)  # inches
+RESOLUTION = 100  # dots per inch
+
+
+class BagError(ValueError):
+    """A bag that no picture can be made of; the message is one line for the user."""
+
+
+class Track(NamedTuple):
+    """Odometry messages as arrays of the same length."""
+
+    time: numpy.ndarray  # s since the first message of the run
+    x: numpy.ndarray  # m
+    y: numpy.ndarray  # m
+    heading: numpy.ndarray  # degrees, without jumps
+    speed: numpy.ndarray  # m/s, forwards
+    turn_speed: numpy.ndarray  # rad/s
+
+    @property
+    def distance(self):
+        """Metres travelled until each message."""
+        steps = numpy.hypot(numpy.diff(self.x), numpy.diff(self.y))
+        return numpy.concatenate([[0.0], numpy.cumsum(steps)])
+
+
+class Run(NamedTuple):
+    """What a bag tells of a run."""
+
+    odometry: Track
+    truth: Track  # None if nobody published it
+    commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
+
+    def summary(self):
+        """Return distance, duration and speeds in words."""
+        track = self.odometry
+        duration = track.time[-1] - track.time[0]
+        mean = track.distance[-1] / duration if duration else 0.0
+        return (f'distance    {track.distance[-1]:.3f} m\n'
+                f'duration    {duration:.1f} s\n'
+                f'mean speed  {mean:.3f} m/s\n'
+                f'top speed   {numpy.abs(track.speed).max():.3f} m/s')
+
+
+def read_run(path, odometry_topic='/odom', truth_topic='/base_pose_ground_truth',
+             command_topic='/cmd_vel'):
+    """Return the Run in a bag.
+
+    :raises BagError: if it is no bag, or has no odometry on that topic
+    """
+    try:
+        with rosbag.Bag(str(path)) as bag:
+            odometry, truth, commands = (
+                list(bag.read_messages(topic))
+                for topic in (odometry_topic, truth_topic, command_topic))
+    except (OSError, rosbag.ROSBagException) as error:
+        raise BagError(f'{path} cannot be read: {error}') from None
+    if not odometry:
+        raise BagError(f'{path} has no messages on {odometry_topic}')
+    start = _stamp(odometry[0])
+    rows = [(row.timestamp.to_sec() - start, row.message.linear.x, row.message.angular.z)
+            for row in commands]
+    return Run(_track(odometry, start), _track(truth, start) if truth else None,
+               numpy.array(rows).reshape(-1, 3))
+
+
+def draw(run, path):
+    """Draw path, distance, speed and heading of a Run into a PNG file."""
+    figure = Figure(FIGURE_SIZE, dpi=RESOLUTION, layout='constrained')
+    FigureCanvasAgg(figure)
+    (path_axes, distance_axes), (speed_axes, heading_axes) = figure.subplots(2, 2)
+    tracks = [(run.odometry, 'odometry', '-')]
+    if run.truth is not None:
+        tracks.append((run.truth, 'truth', '--'))
+    _draw_path(path_axes, tracks)
+    _draw_distance(distance_axes, tracks)
+    _draw_speed(speed_axes, tracks, run.commands)
+    _draw_heading(heading_axes, tracks)
+    figure.savefig(str(path))
+
+
+def _draw_path(axes, tracks):
+    for track, label, style in tracks:
+        axes.plot(track.x, track.y, style, label=label)
+    first = tracks[0][0]
+    axes.plot(first.x[0], first.y[0], 'o', label='start')
+    axes.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
+    axes.set_aspect('equal', adjustable='datalim')
+    axes.legend()
+    axes.grid(True)
+
+
+def _draw_distance(axes, tracks):
+    for track, label, style in tracks:
+        axes.plot(track.time, track.distance, style, label=label)
+    axes.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
+    axes.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
+    axes.legend()
+    axes.grid(True)
+
+
+def _draw_speed(axes, tracks, commands):
+    if len(commands):
+        axes.step(commands[:, 0], commands[:, 1], where='post', color='grey', label='commanded')
+    for track, label, style in tracks:
+        axes.plot(track.time, track.speed, style, label=label)
+    axes.set(title='speed', xlabel='time (s)', ylabel='speed (m/s)')
+    axes.legend()
+    axes.grid(True)
+
+
+def _draw_heading(axes, tracks):
+    for track, label, style in tracks:
+        axes.plot(track.time, track.heading, style, label=label)
+    axes.set(title='heading', xlabel='time (s)', ylabel='heading (degrees)')
+    axes.legend()
+    axes.grid(True)
+
+
+def _track(rows, start):
+    columns = numpy.array([_numbers(row) for row in rows]).T
+    time, x, y, yaw, speed, turn_speed = columns
+    return Track(time - start, x, y, numpy.degrees(numpy.unwrap(yaw)), speed, turn_speed)
+
+
+def _numbers(row):
+    pose, twist = row.message.pose.pose, row.message.twist.twist
+    turn = pose.orientation
+    yaw = euler_from_quaternion([turn.x, turn.y, turn.z, turn.w])[2]
+    return (_stamp(row), pose.position.x, pose.position.y, yaw, twist.linear.x, twist.angular.z)
+
+
+def _stamp(row):
+    """Return when a message was measured, or recorded if its driver does not say (s)."""
+    return row.message.header.stamp.to_sec() or row.timestamp.to_sec()
