@@ -42,7 +42,7 @@ class Simulator:
         self._timeline = Timeline(settings.odom_rate)
         self._pacer = Pacer(settings.real_time_factor)
         self._world = World(self._timeline.step_rate, settings.gui, settings.world)
-        self._robots = _add_robots(self._world, settings)
+        self._robots = _add_robots(self._world, self._timeline.step_rate, settings)
         self._lockstep = None
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
@@ -115,7 +115,7 @@ class Simulator:
     def _advance(self):
         timeline = self._timeline
         for robot in self._robots:
-            robot.check_timeout(timeline.now)
+            robot.before_step(timeline.now)
         if not self._everything_rests:
             self._world.step()
         timeline.steps += 1
@@ -214,12 +214,12 @@ class Simulator:
         self._requests.put(lambda: None)
 
 
-def _add_robots(world, settings):
+def _add_robots(world, step_rate, settings):
     bodies = [world.add_turtlebot(settings.x, settings.y + index * ROBOT_SPACING, settings.yaw)
               for index in range(settings.robots)]
     world.settle()
     timeout = round(settings.cmd_vel_timeout * 1e9)
-    return [Robot(body, _new_odometry(settings, index), timeout)
+    return [Robot(body, step_rate, _new_odometry(settings, index), timeout)
             for index, body in enumerate(bodies)]
 
 

@@ -23,8 +23,9 @@ WHEEL_RADIUS = 0.035  # m, kobuki_description
 WHEEL_SEPARATION = 0.230  # m, kobuki_description
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
-# The rated load of a Kobuki motor (5 mN m) through its gear (49.5833), from the Kobuki user guide.
-WHEEL_TORQUE = 0.248  # N m
+# The stall torque of a Kobuki's motor, 33 mN m, through its gear of 49.5833 (Kobuki user guide):
+# enough for the wheels to slip before a wall.
+WHEEL_TORQUE = 1.64  # N m
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
@@ -92,13 +93,15 @@ class World:
         self._client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
 
     def _load(self, world_file):
-        load = {'.urdf': self._client.loadURDF, '.sdf': self._client.loadSDF,
-                '.world': self._client.loadSDF}.get(Path(world_file).suffix)
-        if load is None:
+        suffix = Path(world_file).suffix
+        if suffix not in ('.urdf', '.sdf', '.world'):
             raise WorldFileError('the name of a .urdf or .sdf file')
         try:
             with terminal_closed():
-                load(world_file)
+                if suffix == '.urdf':
+                    self._client.loadURDF(world_file, useFixedBase=True)
+                else:
+                    self._client.loadSDF(world_file)
         except pybullet.error as error:
             raise WorldFileError(f'a file that can be loaded ({error})') from None
 

@@ -3,9 +3,14 @@
 import math
 
 from sim_turtlebot.odometry import STILL, Motion, true_motion
+from sim_turtlebot.physics import WHEEL_SEPARATION
 
 MAX_LINEAR_SPEED = 0.7  # m/s, TurtleBot 2 specification
 MAX_ANGULAR_SPEED = math.pi  # rad/s, 180 degrees/s, TurtleBot 2 specification
+
+# m/s^2 of each wheel: what the motors' rated load of 5 mN m through their gear of 49.5833 gives
+# a robot of this mass (Kobuki user guide). Their stall torque would lift it off its wheels.
+MAX_WHEEL_ACCELERATION = 2.9
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
@@ -19,14 +24,17 @@ class Robot:
     Times are integer nanoseconds of simulated time.
     """
 
-    def __init__(self, body, odometry, cmd_vel_timeout):
+    def __init__(self, body, step_rate, odometry, cmd_vel_timeout):
         """Take over a body.
 
         :param body: sim_turtlebot.physics.TurtleBot, settled
+        :param step_rate: physics steps per second (Hz)
         :param odometry: WorldOdometry or EncoderOdometry
         :param cmd_vel_timeout: stop when no command has come for this long (ns); 0: never
         """
         self._body = body
+        self._speed_step = MAX_WHEEL_ACCELERATION / step_rate
+        self._driven = (0.0, 0.0)
         self._timeout = cmd_vel_timeout
         self._deadline = None
         self._commanded = (0.0, 0.0)
@@ -60,24 +68,26 @@ class Robot:
             self.stop()
             raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
         self._deadline = now + self._timeout if self._timeout else None
-        self._drive(_clamp(linear, MAX_LINEAR_SPEED), _clamp(angular, MAX_ANGULAR_SPEED))
+        self._obey(_clamp(linear, MAX_LINEAR_SPEED), _clamp(angular, MAX_ANGULAR_SPEED))
 
     def stop(self):
         """Command zero."""
         self._deadline = None
-        self._drive(0.0, 0.0)
+        self._obey(0.0, 0.0)
 
-    def check_timeout(self, now):
-        """Stop if commands have ceased."""
+    def before_step(self, now):
+        """Do what has to be done before each physics step: brake, speed up, time out."""
         if self._deadline is not None and now > self._deadline:
             self.stop()
+        if self._driven != self._commanded:
+            self._accelerate()
 
     def tick(self, now, duration):
         """Look where the robot is, `duration` seconds after the last look."""
         self._observe()
         if self._anchor is not None:
             self._hold(duration)
-        elif self._commanded == (0.0, 0.0):
+        elif self._commanded == self._driven == (0.0, 0.0):
             self._settle(now)
         self.odometry = self._odometry.update(self.truth, self._wheels[0], duration)
 
@@ -88,17 +98,27 @@ class Robot:
     def reset(self):
         """Go back to the start, at rest."""
         self.stop()
+        self._driven = (0.0, 0.0)
         self._anchor = self._slow_since = None
         self._body.place_at_start()
         self._observe()
         self.reset_odometry()
 
-    def _drive(self, linear, angular):
-        if (linear, angular) == self._commanded:
-            return
-        self._commanded = (linear, angular)
-        self._anchor = self._slow_since = None
-        self._body.drive(linear, angular)
+    def _obey(self, linear, angular):
+        if (linear, angular) != self._commanded:
+            self._commanded = (linear, angular)
+            self._anchor = self._slow_since = None
+
+    def _accelerate(self):
+        """Turn the wheels a little more as commanded, both by the same share of the way."""
+        linear, angular = (wanted - now for wanted, now in zip(self._commanded, self._driven))
+        way = abs(linear) + abs(angular) * WHEEL_SEPARATION / 2  # of the faster wheel
+        if way <= self._speed_step:
+            self._driven = self._commanded
+        else:
+            share = self._speed_step / way
+            self._driven = (self._driven[0] + share * linear, self._driven[1] + share * angular)
+        self._body.drive(*self._driven)
 
     def _observe(self):
         self.truth = true_motion(self._body)
