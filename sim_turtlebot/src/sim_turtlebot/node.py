@@ -4,6 +4,7 @@ ROS calls back on threads of its own. They only leave requests; everything that 
 robots happens on the main thread, between two physics steps.
 """
 
+import os
 import queue
 import threading
 import time
@@ -18,7 +19,6 @@ from tf2_msgs.msg import TFMessage
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 from sim_turtlebot.pacing import Lockstep, Pacer
 from sim_turtlebot.physics import NoScreenError, World, WorldFileError
-from sim_turtlebot.physics import error as physics_stopped
 from sim_turtlebot.robot import Robot
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.timeline import Timeline
@@ -63,8 +63,6 @@ class Simulator:
         try:
             while not self._stopping:
                 self._take_turn()
-        except physics_stopped:
-            rospy.loginfo('the window has been closed')
         except rospy.ROSException:
             # At shutdown rospy may close a topic while it is being published.
             if not self._stopping:
@@ -126,6 +124,15 @@ class Simulator:
                 robot.tick(timeline.now, 1.0 / timeline.odom_rate)
             self._update_rest()
             self._publish_robots()
+            if self._settings.gui:
+                self._update_window()
+
+    def _update_window(self):
+        if self._world.window_closed:
+            rospy.loginfo('the window has been closed')
+            self._stopping = True
+        else:
+            self._world.look_at(self._robots[0].body)
 
     def _update_rest(self):
         """Skip the physics while nothing moves: it is cheaper, and nothing can creep."""
@@ -243,6 +250,10 @@ def _simulate():
     except WorldFileError as error:
         raise ParameterError('~world', settings.world, error) from None
     simulator.run()
+    if settings.gui:
+        # PyBullet would wait for its window's thread, which may not end.
+        rospy.signal_shutdown('the simulation has ended')
+        os._exit(0)
 
 
 def main():

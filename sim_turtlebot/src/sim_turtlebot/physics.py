@@ -3,16 +3,14 @@
 The solver and its settings were chosen by measurement; the study is in this package's README.
 """
 
-import ctypes
 from pathlib import Path
 
 from sim_turtlebot.quiet import terminal_closed
+from sim_turtlebot.window import Window, has_screen
 
 with terminal_closed():
     import pybullet
     from pybullet_utils.bullet_client import BulletClient
-
-error = pybullet.error  # what every call raises once the connection is gone
 
 # In the source folder, or below the prefix of an installed package.
 URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
@@ -27,6 +25,7 @@ FLOOR_FRICTION = 1.0
 # enough for the wheels to slip before a wall.
 WHEEL_TORQUE = 1.64  # N m
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
+CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
 
@@ -55,6 +54,10 @@ class World:
         # With a mouse or with things that fall, there is motion that is no robot's.
         self.only_robots_move = not gui and not world_file
         self._configure()
+        self._window = None
+        if gui:
+            self._window = Window()
+            self._client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
         self._add_floor()
         if world_file:
             self._load(world_file)
@@ -72,9 +75,14 @@ class World:
         for robot in self._robots:
             robot.settle_here()
 
-    def close(self):
-        """Disconnect from PyBullet."""
-        self._client.disconnect()
+    def look_at(self, robot):
+        """Let the window's camera follow the robot."""
+        self._client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
+
+    @property
+    def window_closed(self):
+        """Whether there was a window and somebody has closed it."""
+        return self._window is not None and self._window.closed
 
     def _configure(self):
         client = self._client
@@ -187,20 +195,7 @@ def yaw_of(orientation):
 
 
 def _connect(gui):
-    if gui and not _has_screen():
+    if gui and not has_screen():
         raise NoScreenError
     with terminal_closed():
         return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
-
-
-def _has_screen():
-    """Ask X itself: PyBullet would end the whole process."""
-    try:
-        x11 = ctypes.CDLL('libX11.so.6')
-    except OSError:
-        return False
-    x11.XOpenDisplay.restype = ctypes.c_void_p
-    display = x11.XOpenDisplay(None)
-    if display:
-        x11.XCloseDisplay(ctypes.c_void_p(display))
-    return bool(display)

@@ -32,7 +32,7 @@ class Robot:
         :param odometry: WorldOdometry or EncoderOdometry
         :param cmd_vel_timeout: stop when no command has come for this long (ns); 0: never
         """
-        self._body = body
+        self.body = body
         self._speed_step = MAX_WHEEL_ACCELERATION / step_rate
         self._driven = (0.0, 0.0)
         self._timeout = cmd_vel_timeout
@@ -100,7 +100,7 @@ class Robot:
         self.stop()
         self._driven = (0.0, 0.0)
         self._anchor = self._slow_since = None
-        self._body.place_at_start()
+        self.body.place_at_start()
         self._observe()
         self.reset_odometry()
 
@@ -118,11 +118,11 @@ class Robot:
         else:
             share = self._speed_step / way
             self._driven = (self._driven[0] + share * linear, self._driven[1] + share * angular)
-        self._body.drive(*self._driven)
+        self.body.drive(*self._driven)
 
     def _observe(self):
-        self.truth = true_motion(self._body)
-        self._wheels = self._body.wheels()
+        self.truth = true_motion(self.body)
+        self._wheels = self.body.wheels()
 
     def _settle(self, now):
         """Find out whether the robot has come to rest."""
@@ -147,7 +147,7 @@ class Robot:
         if math.dist(self.truth.position, truth.position) > HOLD_SPEED * duration:
             self._anchor = self._slow_since = None
             return
-        self._body.place(truth.position, truth.orientation, wheels[0])
+        self.body.place(truth.position, truth.orientation, wheels[0])
         self.truth, self._wheels = truth, wheels
 
 
