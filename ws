@@ -12,18 +12,25 @@ DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-ros
     python3-roslaunch python3-rosnode python3-rospy python3-rosservice python3-rostest python3-rostopic
     python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
     librostest-dev rosbash rosout)
-TEST_PARTS=(catkin-lint)
+TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 xvfb)
+WINDOW_PARTS=(libgl1 libx11-6)
+RVIZ_PARTS=(ros-robot-state-publisher rviz)
 
 usage() {
     cat <<'TEXT'
-usage: ./ws COMMAND [ARGUMENT...]
+usage: ./ws [--host ADDRESS] COMMAND [ARGUMENT...]
 
   ./ws demo              drive a simulated TurtleBot 2 two metres; ./ws demo --help tells more
   ./ws test              run all tests; ./ws test --help tells more
+  ./ws bench             measure speed and delay, each as a ratio to its limit
+  ./ws soak              drive at random for a simulated day and check every step
   ./ws shell             open a shell in the workspace
   ./ws COMMAND...        run any command in the workspace, for example
                            ./ws roslaunch odometry_launch move_two_meters.launch
                            ./ws rostopic echo /odom -n1
+
+ROS listens on this machine only. --host ADDRESS lets other machines in, at this address of this
+machine; ROS 1 has no passwords, so that everybody there can drive the robot.
 
 The first use installs ROS from the system's packages and builds; later uses start at once.
 TEXT
@@ -70,12 +77,16 @@ has_parts() {
     ! grep -qv '^installed$' <<<"$states"
 }
 
+need_parts() {
+    has_parts "$@" || install_parts "$@"
+}
+
 install_parts() {
     if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
         fail "installing $* needs root or sudo"
     fi
     [ "$(id -u)" = 0 ] || sudo -v
-    run_step "installing ROS and build tools (${#} packages and what they need)" apt_install "$@"
+    run_step "installing $# system packages and what they need" apt_install "$@"
 }
 
 apt_install() {
@@ -157,17 +168,31 @@ set_up() {
         echo './ws: another set-up is running; waiting for it' >&2
         flock 9
     fi
-    has_parts "${PARTS[@]}" || install_parts "${PARTS[@]}"
+    need_parts "${PARTS[@]}"
     python_is_ready || run_step 'installing PyBullet' make_python
     load_ros
     build_is_ready || run_step 'building the packages' build
-    case ${1:-} in
-        test)
-            has_parts "${TEST_PARTS[@]}" || install_parts "${TEST_PARTS[@]}"
-            need_python tests "$ROOT/test/requirements.txt"
-            ;;
-    esac
+    set_up_extras "$@"
     exec 9>&-
+}
+
+# set_up_extras COMMAND ARGUMENT...: what only some commands need.
+set_up_extras() {
+    case " $* " in
+        ' test '*) need_parts "${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}"
+            need_python tests "$ROOT/test/requirements.txt"
+            need_python view "$ROOT/sim_turtlebot/requirements-view.txt" ;;
+    esac
+    case " $* " in
+        *' --view '* | *' view:=true '* | *' view.py '*)
+            need_python view "$ROOT/sim_turtlebot/requirements-view.txt" ;;
+    esac
+    case " $* " in
+        *' --gui '* | *' gui:=true '* | *' _gui:=true '*) need_parts "${WINDOW_PARTS[@]}" ;;
+    esac
+    case " $* " in
+        *' rviz:=true '*) need_parts "${RVIZ_PARTS[@]}" ;;
+    esac
 }
 
 load_ros() {
@@ -183,23 +208,32 @@ enter() {
     . "$WORKSPACE/devel/setup.bash"
     set -u
     export PATH=$VENV/bin:$PATH
-    # Without a name of its own ROS would listen to the whole network.
-    [ -n "${ROS_IP:-}${ROS_HOSTNAME:-}" ] || export ROS_HOSTNAME=localhost
+    if [ -z "${ROS_IP:-}${ROS_HOSTNAME:-}" ]; then
+        # Without a name of its own ROS would listen to the whole network.
+        export ROS_HOSTNAME=localhost ROS_ETC_DIR=$ROOT/launch/etc
+    fi
     export WORKSPACE_SETUP=$WORKSPACE/devel/setup.bash WORKSPACE_BIN=$VENV/bin
     cd "$CALLED_FROM"
 }
 
 main() {
+    if [ "${1:-}" = --host ]; then
+        [ -n "${2:-}" ] || fail '--host needs the address of this machine that others reach'
+        export ROS_IP=$2
+        shift 2
+    fi
     case ${1:-} in
         '' | -h | --help) usage; [ $# != 0 ]; exit ;;
     esac
     CALLED_FROM=$PWD
     cd "$ROOT"
     find_ros
-    set_up "$1"
+    set_up "$@"
     enter
     case $1 in
         demo) shift; exec "$ROOT/launch/scripts/demo.py" "$@" ;;
+        bench) shift; exec python3 "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
+        soak) shift; exec python3 "$ROOT/test/soak/run_soak.py" "$@" ;;
         test) shift; exec python3 "$ROOT/test/run_all.py" "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
         *) exec "$@" ;;

@@ -1,0 +1,26 @@
+#!/usr/bin/env python3
+"""Republish what all nodes log, in place of the C++ rosout.
+
+That one listens on all network interfaces, whatever ROS_HOSTNAME says.
+
+Subscribes:
+    /rosout (rosgraph_msgs/Log)
+
+Publishes:
+    /rosout_agg (rosgraph_msgs/Log)
+"""
+
+import rospy
+from odometry_common.node import run_node
+from rosgraph_msgs.msg import Log
+
+
+def main():
+    """Republish until shutdown."""
+    publisher = rospy.Publisher('/rosout_agg', Log, queue_size=100)
+    rospy.Subscriber('/rosout', Log, publisher.publish)
+    rospy.spin()
+
+
+if __name__ == '__main__':
+    run_node('rosout', main)
