@@ -77,9 +77,9 @@ class DistanceCounter:
         """Say why the way from the last position to this one is no movement, or None."""
         if self._position is None:
             return None
-        step = _distance((x, y), self._position)
-        if not math.isfinite(self._total + step):
-            return f'a step of {step} m is no movement'
+        uncounted = _distance((x, y), self._counted_position)
+        if not math.isfinite(self._total + uncounted):
+            return f'a step of {uncounted} m is no movement'
         if stamp < self._stamp:
             return f'the time stamp went back by {self._stamp - stamp:.3f} s'
         if self._max_speed == 0:
@@ -88,6 +88,7 @@ class DistanceCounter:
             available = stamp - self._stamp
         else:
             available = max(0.0, arrival - self._arrival) + self._spare_time
+        step = _distance((x, y), self._position)
         needed = step / self._max_speed
         if needed > available:
             return f'a step of {step:.3f} m in {available:.3f} s is faster than ~max_speed'

@@ -8,6 +8,7 @@ class Metronome:
         """Beat every `period` seconds."""
         self._period = period
         self._beat = None
+        self._due_at = None
 
     def is_due(self, now):
         """Tell whether `now` (s) begins a new period.
@@ -15,14 +16,14 @@ class Metronome:
         The same time again is due again: a simulator that waits for an answer repeats its
         message. When time goes backwards, or leaps, a new row of periods begins.
         """
-        if self._beat is None:
-            self._beat = now
+        if now == self._due_at:
             return True
-        since = now - self._beat
-        almost = 0.99 * self._period  # time stamps are rounded
-        if 0 < since < almost:
+        in_order = self._due_at is not None and now > self._due_at
+        if in_order and now - self._beat < 0.99 * self._period:  # time stamps are rounded
             return False
-        self._beat = self._beat + self._period if almost <= since < 2 * self._period else now
+        in_row = in_order and now - self._beat < 2 * self._period
+        self._beat = self._beat + self._period if in_row else now
+        self._due_at = now
         return True
 
 
