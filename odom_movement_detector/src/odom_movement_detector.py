@@ -111,7 +111,7 @@ class MovementDetector:
         self._closed = False
         rospy.on_shutdown(self._close)
         # The publisher comes first: a callback may run as soon as its subscriber exists.
-        self._publisher = rospy.Publisher('moved_distance', Float64, queue_size=100)
+        self._publisher = rospy.Publisher('moved_distance', Float64, queue_size=1000)
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
         rospy.Subscriber('moved_distance/reset', Empty, self._on_reset)
 

@@ -1,0 +1,71 @@
+"""The tutorials' nodes as processes, and what a test wants to know of the robot."""
+
+import math
+
+from nav_msgs.msg import Odometry
+
+from odometry_tests.processes import rosrun
+from odometry_tests.waiting import Recorder
+
+REST_SPEED = 1e-3  # m/s or rad/s
+
+
+def simulator(*arguments, **options):
+    """Start the simulated robot."""
+    return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
+
+
+def detector(*arguments, **options):
+    """Start the node that adds up the moves."""
+    return rosrun('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
+
+
+def mover(*arguments, **options):
+    """Start the node that drives two metres."""
+    return rosrun('test_movement', 'test_movement.py', *arguments, **options)
+
+
+def rotator(*arguments, **options):
+    """Start the node that turns to a heading."""
+    return rosrun('rotate_robot', 'rotate.py', *arguments, **options)
+
+
+def speed(message):
+    """Return the greater of the speeds along and about its axes (m/s, rad/s)."""
+    twist = message.twist.twist
+    return max(abs(twist.linear.x), abs(twist.angular.z))
+
+
+def heading(message):
+    """Return the yaw (degrees) of an Odometry on level ground."""
+    turn = message.pose.pose.orientation
+    return math.degrees(2 * math.atan2(turn.z, turn.w))
+
+
+class Truth(Recorder):
+    """The robot's true motion."""
+
+    def __init__(self, namespace=''):
+        """Listen to the simulator."""
+        super().__init__(f'{namespace}base_pose_ground_truth', Odometry)
+
+    @property
+    def stamp(self):
+        """When the robot was last seen (s)."""
+        return self.last.header.stamp.to_sec()
+
+    def wait_until_moving(self, timeout=20.0):
+        """Return once the robot moves."""
+        self.clear()
+        return self.wait_for(lambda m: speed(m) > 0.05, timeout, 'a moving robot')
+
+    def wait_until_resting(self, timeout=20.0):
+        """Return the first message of a robot at rest from now on."""
+        self.clear()
+        return self.wait_for(lambda m: speed(m) < REST_SPEED, timeout, 'a robot at rest')
+
+    def wait_seconds(self, seconds, timeout=30.0):
+        """Return once so many seconds of the robot's time have passed."""
+        end = self.stamp + seconds
+        return self.wait_for(lambda m: m.header.stamp.to_sec() >= end, timeout,
+                             f'{seconds} s of the robot\'s time')
