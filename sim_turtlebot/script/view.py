@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Show the robots in a browser, by their topics: simulated ones and real ones.
+
+Subscribes, for each robot, while a page is open:
+    odom (nav_msgs/Odometry): the robot's odometry
+    base_pose_ground_truth (nav_msgs/Odometry): where a simulated robot really is
+    joint_states (sensor_msgs/JointState): the wheels
+    moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
+    rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
+
+Publishes:
+    cmd_vel (geometry_msgs/Twist): while the pad is held; zero when it is released
+
+Calls:
+    sim_turtlebot/pause_physics, unpause_physics, reset_simulation (std_srvs/Empty)
+
+Parameters:
+    ~port (int, 8080): where the page is
+    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the network in, and
+        whoever sees the page can drive the robot
+"""
+
+from odometry_common.node import run_node
+from odometry_common.parameters import ParameterError
+
+
+class MissingPackageError(ParameterError):
+    """A Python package that the page needs is not installed."""
+
+    def __init__(self, package):
+        """Word the line from the package's name."""
+        ValueError.__init__(self, f'{package} is not installed; sim_turtlebot/requirements-view.txt '
+                            'lists what the page needs: pip install -r it')
+        self.name = '~'
+
+
+def main():
+    """View until shutdown."""
+    try:
+        from sim_turtlebot.viewer.node import view
+    except ModuleNotFoundError as error:
+        raise MissingPackageError(error.name) from None
+    view()
+
+
+if __name__ == '__main__':
+    # Simulated time may stand still, and the page has nothing to do with it.
+    run_node('view', main, anonymous=True, disable_rostime=True)

@@ -1,0 +1,1 @@
+"""The browser window: robots seen by their topics, drawn with viser."""

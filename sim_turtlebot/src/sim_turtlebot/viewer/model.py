@@ -1,0 +1,101 @@
+"""The robot's URDF as meshes: one for each link and colour, of boxes and cylinders."""
+
+from pathlib import Path
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+import numpy
+import trimesh
+from viser.transforms import SE3, SO3
+
+GREY = (128, 128, 128)
+CYLINDER_SECTIONS = 48
+
+
+class Mesh(NamedTuple):
+    """Triangles of one colour."""
+
+    colour: tuple  # red, green, blue (0 to 255)
+    vertices: numpy.ndarray  # rows of x, y, z (m)
+    faces: numpy.ndarray  # rows of three vertices, by number
+
+
+class Link(NamedTuple):
+    """A link, where it is, and what it looks like."""
+
+    path: str  # names of the links from the root down to this one
+    position: numpy.ndarray  # in the parent link (m)
+    rotation: SO3
+    joint: str  # by which it turns; '' if it is fixed
+    axis: numpy.ndarray  # about which it turns
+    meshes: list
+
+
+def load_links(path):
+    """Return the Links of a URDF file, parents first."""
+    root = ElementTree.fromstring(Path(path).read_text())
+    colours = {material.get('name'): _colour(material) for material in root.findall('material')}
+    joints = {joint.find('child').get('link'): joint for joint in root.findall('joint')}
+    links = []
+    paths = {}
+    # Parents come before their children in ours.
+    for element in root.findall('link'):
+        name = element.get('name')
+        joint = joints.get(name)
+        parent = '' if joint is None else paths[joint.find('parent').get('link')]
+        paths[name] = f'{parent}/{name}'
+        links.append(_link(paths[name], joint, _meshes(element, colours)))
+    return links
+
+
+def _link(path, joint, meshes):
+    if joint is None:
+        return Link(path, numpy.zeros(3), SO3.identity(), '', None, meshes)
+    origin = _origin(joint)
+    turns = joint.get('type') != 'fixed'
+    return Link(path, origin.translation(), origin.rotation(), joint.get('name') if turns else '',
+                _numbers(joint.find('axis').get('xyz')) if turns else None, meshes)
+
+
+def _meshes(link, colours):
+    parts = {}
+    for visual in link.findall('visual'):
+        part = _shape(visual.find('geometry')[0])
+        part.apply_transform(_origin(visual).as_matrix())
+        material = visual.find('material')
+        colour = GREY if material is None else colours.get(material.get('name'), GREY)
+        parts.setdefault(colour, []).append(part)
+    return [_join(colour, shapes) for colour, shapes in parts.items()]
+
+
+def _join(colour, shapes):
+    counts = numpy.cumsum([0] + [len(shape.vertices) for shape in shapes])
+    return Mesh(colour, numpy.concatenate([shape.vertices for shape in shapes]),
+                numpy.concatenate([shape.faces + count for shape, count in zip(shapes, counts)]))
+
+
+def _shape(element):
+    if element.tag == 'box':
+        return trimesh.creation.box(_numbers(element.get('size')))
+    if element.tag == 'cylinder':
+        return trimesh.creation.cylinder(
+            float(element.get('radius')), float(element.get('length')),
+            sections=CYLINDER_SECTIONS)
+    raise ValueError(f'<{element.tag}> is no shape that can be drawn')
+
+
+def _origin(element):
+    origin = element.find('origin')
+    if origin is None:
+        return SE3.identity()
+    return SE3.from_rotation_and_translation(
+        SO3.from_rpy_radians(*_numbers(origin.get('rpy', '0 0 0'))),
+        _numbers(origin.get('xyz', '0 0 0')))
+
+
+def _numbers(text):
+    return numpy.array([float(number) for number in text.split()])
+
+
+def _colour(material):
+    return tuple(round(255 * value) for value in _numbers(material.find('color').get('rgba'))[:3])

@@ -1,0 +1,153 @@
+"""The page: a viser server with the scene, the panel, the plots and the pad in it."""
+
+import contextlib
+import io
+import math
+import threading
+
+import viser
+from odometry_common.parameters import ParameterError
+
+from sim_turtlebot.viewer.pad import Pad, add_pad
+from sim_turtlebot.viewer.panel import Readings, Simulation
+from sim_turtlebot.viewer.plots import Plots
+from sim_turtlebot.viewer.scene import RobotFigure, furnish
+
+MAX_SPEED = 0.7  # m/s, TurtleBot 2
+MAX_TURN_SPEED = 180  # degrees/s, TurtleBot 2
+PANEL_WIDTH = 320  # pixels
+FIELD_OF_VIEW = 45  # degrees
+CAMERA_DISTANCE = 3.2  # m, from what it looks at, backwards and to the right
+CAMERA_HEIGHT = 1.6  # m
+
+
+class Page:
+    """What every browser shows; all pages show the same."""
+
+    def __init__(self, address, port, links):
+        """Serve the page.
+
+        :param address, port: free ones, to listen on
+        :param links: of the robot, from model.load_links()
+        """
+        self._links = links
+        self._figures = {}
+        self._framed = set()
+        self._changed = threading.Event()
+        with _silence():
+            self._server = viser.ViserServer(address, port, label='TurtleBot 2', verbose=False)
+        if self._server.get_port() != port:
+            self.close()
+            raise ParameterError('~port', port, 'a port that nobody listens on')
+        self._build()
+        self._server.on_client_connect(lambda _: self._changed.set())
+        self._server.on_client_disconnect(self._on_disconnect)
+
+    def _build(self):
+        server, gui = self._server, self._server.gui
+        gui.configure_theme(show_logo=False, show_share_button=False, control_width='medium')
+        furnish(server.scene)
+        self._readings = Readings(gui)
+        self._choice = gui.add_dropdown('robot', ('',), visible=False)
+        self._choice.on_update(lambda _: self.pad.choose(self.chosen))
+        self.simulation = Simulation(gui)
+        with gui.add_folder('drive: hold a button or an arrow key'):
+            self.pad = Pad(lambda: (self._speed.value, math.radians(self._turn_speed.value)))
+            add_pad(gui, self.pad)
+            self._speed = gui.add_slider('speed (m/s)', 0.05, MAX_SPEED, 0.05, 0.2)
+            self._turn_speed = gui.add_slider('turn (deg/s)', 5, MAX_TURN_SPEED, 5, 45)
+        panel = gui.add_panel()
+        self._plots = Plots(gui, panel.add_tab('plots'))
+        panel.dock_left()
+        panel.set_width(PANEL_WIDTH)
+        gui.main_panel.dock_right()
+        gui.main_panel.set_width(PANEL_WIDTH)
+        server.initial_camera.fov = math.radians(FIELD_OF_VIEW)
+
+    @property
+    def is_open(self):
+        """Whether there is a browser that shows the page."""
+        return bool(self._server.get_clients())
+
+    @property
+    def chosen(self):
+        """Namespace of the robot whose figures are shown and which the pad drives."""
+        return self._choice.value and f'{self._choice.value}/'
+
+    def wait(self):
+        """Return when a browser has come or gone, or wake() was called."""
+        self._changed.wait()
+        self._changed.clear()
+
+    def wake(self):
+        """End a wait()."""
+        self._changed.set()
+
+    def close(self):
+        """Serve no longer."""
+        with _silence():
+            self._server.stop()
+
+    def set_robots(self, namespaces):
+        """Show these robots and no others."""
+        for namespace in set(self._figures) - set(namespaces):
+            self._figures.pop(namespace).remove()
+        for namespace in namespaces:
+            if namespace not in self._figures:
+                self._figures[namespace] = RobotFigure(
+                    self._server.scene, namespace.strip('/') or 'robot', self._links,
+                    labelled=len(namespaces) > 1)
+        names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
+        if self._choice.options != names:
+            self._choice.options = names
+        self._choice.visible = len(names) > 1
+        if namespaces:
+            self.pad.choose(self.chosen)
+        else:
+            self._readings.show({})
+
+    def move(self, sights):
+        """Draw robots where they are: a dictionary of robots.Sight by namespace."""
+        with self._server.atomic():
+            for namespace, sight in sights.items():
+                self._figures[namespace].move(sight)
+        self._frame_new_clients(sights)
+
+    def draw(self, sights, rate):
+        """Draw what changes more slowly: trails, figures, plots."""
+        for namespace, sight in sights.items():
+            self._figures[namespace].draw_trail(sight.trail)
+        sight = sights.get(self.chosen)
+        if sight:
+            self._readings.show({**sight._asdict(), 'rate': rate})
+            self._plots.draw(sight.history)
+
+    def _frame_new_clients(self, sights):
+        """Point the camera of a new page at the robots, once they are known."""
+        clients = self._server.get_clients()
+        self._framed &= set(clients)
+        if not sights:
+            return
+        for number in set(clients) - self._framed:
+            self._framed.add(number)
+            _point_camera(clients[number].camera, sights.values())
+
+    async def _on_disconnect(self, client):
+        # Here, and not in a thread: the last hold of the same browser must not come later.
+        self.pad.release(client.client_id)
+        self._changed.set()
+
+
+def _silence():
+    """Keep to ourselves what viser prints when it starts and stops."""
+    return contextlib.redirect_stdout(io.StringIO())
+
+
+def _point_camera(camera, sights):
+    """Show where the robots begin and where two metres end."""
+    starts = [sight.origin for sight in sights]
+    middles = [(start.x + math.cos(start.yaw), start.y + math.sin(start.yaw)) for start in starts]
+    x, y = (sum(values) / len(middles) for values in zip(*middles))
+    distance = CAMERA_DISTANCE + max(math.dist(middle, (x, y)) for middle in middles)
+    camera.position = (x, y - distance, CAMERA_HEIGHT)
+    camera.look_at = (x, y, 0.1)

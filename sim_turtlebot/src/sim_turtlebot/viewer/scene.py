@@ -1,0 +1,115 @@
+"""The 3-D scene: a metric grid and robots on it."""
+
+import numpy
+from viser.transforms import SO3
+
+TWO_METRES = 2.0  # m, what the tutorial's robot drives
+GHOST_DISTANCE = 0.005  # m between odometry and truth from which on both are drawn
+GHOST_TURN = 0.01  # rad
+GHOST_COLOUR = (30, 120, 220)
+GHOST_OPACITY = 0.35
+TRAIL_COLOUR = (230, 120, 20)
+TRAIL_HEIGHT = 0.004  # m, above the floor
+START_COLOUR = (40, 160, 70)
+GOAL_COLOUR = (210, 40, 40)
+SPOKE_COLOUR = (235, 235, 235)
+SPOKE_WIDTH = 0.012  # m
+SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
+
+
+def furnish(scene):
+    """Put the floor, with a line at each metre, into an empty viser scene."""
+    scene.set_up_direction('+z')
+    scene.add_grid('/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
+                   section_size=1.0, section_color=(170, 170, 178), fade_distance=20.0,
+                   plane_color=(248, 248, 250), plane_opacity=1.0)
+
+
+class RobotFigure:
+    """One robot in the scene."""
+
+    def __init__(self, scene, name, links, labelled):
+        """Put it there.
+
+        :param scene: of viser
+        :param name: of the scene node, without slashes
+        :param links: what model.load_links() returned
+        :param labelled: whether the name is to be read beside the robot
+        """
+        self._scene = scene
+        self._root = f'/robots/{name}'
+        self._nodes = [scene.add_frame(self._root, show_axes=False)]
+        self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
+        # What belongs to the odometry's frame is drawn in it.
+        self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
+        self._ghost = scene.add_frame(
+            f'{self._root}/odometry/ghost', show_axes=False, visible=False)
+        self._wheels = {}
+        for link in links:
+            self._add_link(link)
+        if labelled:
+            scene.add_label(f'{self._root}/body/label', name, position=(0.0, 0.0, 0.55))
+        self._add_marks()
+        self._trail = None
+
+    def remove(self):
+        """Take it out of the scene, with all that belongs to it."""
+        for node in self._nodes:
+            node.remove()
+
+    def move(self, sight):
+        """Draw it as a robots.Sight tells."""
+        self._body.position, self._body.wxyz = sight.body
+        self._odometry.position = (sight.origin.x, sight.origin.y, 0.0)
+        self._odometry.wxyz = SO3.from_z_radians(sight.origin.yaw).wxyz
+        drift = sight.drift
+        self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
+                               or abs(drift.yaw) > GHOST_TURN)
+        if self._ghost.visible:
+            self._ghost.position, self._ghost.wxyz = sight.odometry
+        for joint, (frame, link) in self._wheels.items():
+            if joint in sight.wheels:
+                turn = SO3.exp(link.axis * sight.wheels[joint])
+                frame.wxyz = (link.rotation @ turn).wxyz
+
+    def draw_trail(self, points):
+        """Draw the way the robot has come: rows of x, y (m)."""
+        if len(points) < 2:
+            points = numpy.zeros((2, 2))
+        line = numpy.column_stack([points, numpy.full(len(points), TRAIL_HEIGHT)])
+        segments = numpy.stack([line[:-1], line[1:]], axis=1)
+        if self._trail is None:
+            self._trail = self._scene.add_line_segments(
+                f'{self._root}/trail', segments, TRAIL_COLOUR, thickness=3.0,
+                thickness_units='screen')
+        elif not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
+            self._trail.points = segments
+
+    def _add_link(self, link):
+        body, ghost = (
+            self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False,
+                                  position=link.position, wxyz=link.rotation.wxyz)
+            for parent in (self._body, self._ghost))
+        for number, mesh in enumerate(link.meshes):
+            self._scene.add_mesh_simple(f'{body.name}/{number}', mesh.vertices, mesh.faces,
+                                        color=mesh.colour, flat_shading=True)
+            self._scene.add_mesh_simple(f'{ghost.name}/{number}', mesh.vertices, mesh.faces,
+                                        color=GHOST_COLOUR, opacity=GHOST_OPACITY,
+                                        flat_shading=True, cast_shadow=False)
+        if link.joint:
+            self._wheels[link.joint] = body, link
+            self._add_spoke(body, link.meshes[0].vertices)
+
+    def _add_spoke(self, wheel, vertices):
+        """Mark a wheel, or nobody would see it turn."""
+        across, _, width = numpy.ptp(vertices, axis=0) + SPOKE_MARGIN
+        self._scene.add_box(f'{wheel.name}/spoke', SPOKE_COLOUR, (across, SPOKE_WIDTH, width),
+                            cast_shadow=False)
+
+    def _add_marks(self):
+        node = self._odometry.name
+        self._scene.add_cylinder(f'{node}/start', 0.05, 0.004, START_COLOUR, cast_shadow=False)
+        self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
+        self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 0.004),
+                            position=(TWO_METRES, 0.0, 0.0), cast_shadow=False)
+        self._scene.add_label(f'{node}/goal/label', '2 m', position=(0.0, 0.3, 0.0))

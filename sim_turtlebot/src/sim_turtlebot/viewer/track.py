@@ -1,0 +1,168 @@
+"""What a robot's poses add up to: its trail, its true distance, how far odometry is off."""
+
+import math
+from collections import deque
+from typing import NamedTuple
+
+import numpy
+
+TOP_SPEED = 5.0  # m/s; a pose that implies more is a reset, as for the movement detector
+STAMP_JITTER = 0.05  # s, by which stamps may misstate the time between two poses
+TRAIL_SPACING = 0.01  # m
+HISTORY_SPACING = 0.1  # s
+
+
+class Pose(NamedTuple):
+    """A pose in the plane: x, y (m), yaw (rad)."""
+
+    x: float
+    y: float
+    yaw: float
+
+    def then(self, other):
+        """Return where `other`, a pose relative to this one, is."""
+        cosine, sine = math.cos(self.yaw), math.sin(self.yaw)
+        return Pose(self.x + cosine * other.x - sine * other.y,
+                    self.y + sine * other.x + cosine * other.y,
+                    self.yaw + other.yaw)
+
+    def inverse(self):
+        """Return where the origin is, seen from this pose."""
+        cosine, sine = math.cos(self.yaw), math.sin(self.yaw)
+        return Pose(-cosine * self.x - sine * self.y, sine * self.x - cosine * self.y, -self.yaw)
+
+
+ORIGIN = Pose(0.0, 0.0, 0.0)
+
+
+class Samples:
+    """Rows of numbers along a run of any length, as evenly spaced as room allows."""
+
+    def __init__(self, spacing, width, limit=1000):
+        """Keep rows of `width` numbers, at most `limit` of them."""
+        self._spacing = spacing
+        self._width = width
+        self._limit = limit
+        self._last = -math.inf
+        self._rows = []
+
+    def add(self, at, row):
+        """Take a row at a time or place `at`, unless the last one is too close."""
+        if at - self._last < self._spacing:
+            return
+        self._last = at
+        self._rows.append(row)
+        if len(self._rows) > self._limit:
+            self._rows = self._rows[::2]
+            self._spacing *= 2
+
+    def array(self):
+        """Return all rows."""
+        return numpy.array(self._rows, dtype=float).reshape(-1, self._width)
+
+
+class Track:
+    """The way of one robot, from its odometry and, of a simulated robot, its true poses.
+
+    What is drawn are the true poses if there are any, else those of the odometry.
+    """
+
+    def __init__(self):
+        """Know nothing yet."""
+        self._restart()
+
+    def _restart(self):
+        self.origin = ORIGIN  # of the odometry, in the frame of what is drawn
+        self.true_distance = None  # m
+        self.drift = ORIGIN  # from the odometry's pose to the true one
+        self.heading = None  # rad, of the odometry, continuous
+        self.trail = Samples(TRAIL_SPACING, 2)
+        self.history = Samples(HISTORY_SPACING, 5)
+        self._travelled = 0.0
+        self._drawn = None
+        self._odometry = self._truth = None
+
+    def add_odometry(self, stamp, pose):
+        """Take the odometry's Pose at `stamp` (s)."""
+        if _is_reset(self._odometry, stamp, pose):
+            self._restart()
+        self._odometry = stamp, pose
+        if self.heading is None:
+            self.heading = pose.yaw
+        self.heading += math.remainder(pose.yaw - self.heading, 2 * math.pi)
+        if self._truth is None:
+            self._draw(pose)
+        self._compare()
+
+    def add_truth(self, stamp, pose):
+        """Take the true Pose at `stamp` (s)."""
+        if _is_reset(self._truth, stamp, pose):
+            self._restart()
+        if self._truth is None:
+            self.trail = Samples(TRAIL_SPACING, 2)
+            self._drawn = None
+        elif self.true_distance is not None:
+            self.true_distance += _distance(self._truth[1], pose)
+        self._truth = stamp, pose
+        self._draw(pose)
+        self._compare()
+
+    def note(self, time, moved, target):
+        """Add to the history: rows of time (s), moved and true distance (m), heading, target (deg).
+
+        :param target: heading to turn to (degrees) or None; the turn nearest to the heading is kept
+        """
+        if self.heading is None:
+            return
+        heading = math.degrees(self.heading)
+        if target is not None:
+            target = heading + math.remainder(target - heading, 360)
+        row = [time, moved, self.true_distance, heading, target]
+        self.history.add(time, [math.nan if value is None else value for value in row])
+
+    def _draw(self, pose):
+        if self._drawn is not None:
+            self._travelled += _distance(self._drawn, pose)
+        self._drawn = pose
+        self.trail.add(self._travelled, (pose.x, pose.y))
+
+    def _compare(self):
+        """Compare an odometry and a true pose of the same moment."""
+        if self._odometry is None or self._truth is None or self._odometry[0] != self._truth[0]:
+            return
+        odometry, truth = self._odometry[1], self._truth[1]
+        if self.true_distance is None:
+            self.origin = truth.then(odometry.inverse())
+            # Whoever comes late sees where the odometry began, but not by which way.
+            self.true_distance = _distance(ORIGIN, odometry)
+        self.drift = self.origin.then(odometry).inverse().then(truth)
+
+
+class RateGauge:
+    """Measures how fast a clock runs against another one."""
+
+    def __init__(self, window=2.0):
+        """Look back `window` seconds."""
+        self._window = window
+        self._samples = deque()
+
+    def rate(self, now, clock):
+        """Return clock seconds per second up to `now`, or None if it is too early to tell."""
+        if self._samples and clock < self._samples[-1][1]:
+            self._samples.clear()
+        self._samples.append((now, clock))
+        while now - self._samples[0][0] > self._window:
+            self._samples.popleft()
+        since, start = self._samples[0]
+        return (clock - start) / (now - since) if now - since > self._window / 2 else None
+
+
+def _is_reset(last, stamp, pose):
+    if last is None:
+        return False
+    passed = stamp - last[0]
+    return passed < 0 or _distance(last[1], pose) > TOP_SPEED * (passed + STAMP_JITTER)
+
+
+def _distance(one, other):
+    return math.hypot(other.x - one.x, other.y - one.y)
