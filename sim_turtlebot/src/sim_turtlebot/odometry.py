@@ -4,7 +4,8 @@ import math
 import random
 from typing import NamedTuple
 
-from sim_turtlebot.physics import WHEEL_RADIUS, WHEEL_SEPARATION, compose, invert, rotate, yaw_of
+from sim_turtlebot.physics import WHEEL_RADIUS, WHEEL_SEPARATION
+from sim_turtlebot.rotations import about_z, compose, inverse, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
 TICKS_PER_TURN = 2578.33  # of a Kobuki's wheel, from the Kobuki user guide
@@ -23,7 +24,7 @@ def true_motion(body):
     """Return the Motion of a sim_turtlebot.physics.TurtleBot in the world."""
     position, orientation = body.pose()
     linear, angular = body.velocity()
-    to_base = invert((0.0, 0.0, 0.0), orientation)[1]
+    to_base = inverse(orientation)
     return Motion(position, orientation, rotate(to_base, linear), rotate(to_base, angular))
 
 
@@ -35,16 +36,16 @@ class WorldOdometry:
 
     def reset(self, truth, wheel_angles):
         """Call this place zero; return the Motion in the odom frame."""
-        x, y, _ = truth.position
-        yaw = yaw_of(truth.orientation)
-        heading = (0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
-        self._to_odom = invert((x, y, 0.0), heading)
+        self._origin = truth.position[:2]
+        self._to_odom = about_z(-yaw_of(truth.orientation))
         return self.update(truth, wheel_angles, 0.0)
 
     def update(self, truth, _wheel_angles, _duration):
         """Return the Motion in the odom frame."""
-        pose = compose(*self._to_odom, truth.position, truth.orientation)
-        return Motion(*pose, truth.linear, truth.angular)
+        x, y, z = truth.position
+        from_origin = x - self._origin[0], y - self._origin[1], z
+        return Motion(rotate(self._to_odom, from_origin),
+                      compose(self._to_odom, truth.orientation), truth.linear, truth.angular)
 
 
 class EncoderOdometry:
@@ -84,8 +85,7 @@ class EncoderOdometry:
         self._x += travel * math.cos(self._yaw + turn / 2)
         self._y += travel * math.sin(self._yaw + turn / 2)
         self._yaw = math.remainder(self._yaw + turn, 2 * math.pi)
-        orientation = (0.0, 0.0, math.sin(self._yaw / 2), math.cos(self._yaw / 2))
-        return Motion((self._x, self._y, 0.0), orientation,
+        return Motion((self._x, self._y, 0.0), about_z(self._yaw),
                       (travel / duration, 0.0, 0.0), (0.0, 0.0, turn / duration))
 
     def _wheel_travel(self, wheel_angles):

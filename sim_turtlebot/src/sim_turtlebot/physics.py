@@ -173,27 +173,6 @@ class TurtleBot:
         self.place_at_start()
 
 
-def compose(position, orientation, inner_position, inner_orientation):
-    """Return the inner pose, given in the frame of the first pose, in that pose's own frame."""
-    return pybullet.multiplyTransforms(
-        position, orientation, inner_position, inner_orientation)
-
-
-def invert(position, orientation):
-    """Return the inverse of a pose."""
-    return pybullet.invertTransform(position, orientation)
-
-
-def rotate(orientation, vector):
-    """Return the vector turned by the orientation."""
-    return pybullet.rotateVector(orientation, vector)
-
-
-def yaw_of(orientation):
-    """Return the yaw (rad) of an orientation."""
-    return pybullet.getEulerFromQuaternion(orientation)[2]
-
-
 def _connect(gui):
     if gui and not has_screen():
         raise NoScreenError

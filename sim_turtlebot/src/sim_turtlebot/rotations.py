@@ -1,0 +1,38 @@
+"""Rotations as unit quaternions (x, y, z, w).
+
+PyBullet has functions for these too. They compute in single precision, which far from the
+origin makes a robot tremble by a millimetre.
+"""
+
+import math
+
+
+def about_z(yaw):
+    """Return the rotation by a yaw (rad)."""
+    return 0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)
+
+
+def yaw_of(rotation):
+    """Return the yaw (rad), from -pi to pi."""
+    x, y, z, w = rotation
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def inverse(rotation):
+    """Return the rotation back."""
+    x, y, z, w = rotation
+    return -x, -y, -z, w
+
+
+def compose(outer, inner):
+    """Return the rotation that does `inner` first and then `outer`."""
+    (ax, ay, az, aw), (bx, by, bz, bw) = outer, inner
+    return (aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+            aw * bw - ax * bx - ay * by - az * bz)
+
+
+def rotate(rotation, vector):
+    """Return the vector (three numbers) turned by the rotation."""
+    return compose(compose(rotation, (*vector, 0.0)), inverse(rotation))[:3]
