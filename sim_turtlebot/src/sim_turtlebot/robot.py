@@ -34,15 +34,10 @@ class Robot:
         """
         self.body = body
         self._speed_step = MAX_WHEEL_ACCELERATION / step_rate
-        self._driven = (0.0, 0.0)
         self._timeout = cmd_vel_timeout
         self._deadline = None
-        self._commanded = (0.0, 0.0)
-        self._slow_since = None
-        self._anchor = None
-        self._observe()
         self._odometry = odometry
-        self.reset_odometry()
+        self._begin()
 
     @property
     def covariance(self):
@@ -97,11 +92,16 @@ class Robot:
 
     def reset(self):
         """Go back to the start, at rest."""
-        self.stop()
-        self._driven = (0.0, 0.0)
-        self._anchor = self._slow_since = None
         self.body.place_at_start()
+        self._deadline = None
+        self._begin()
+
+    def _begin(self):
+        """Stand where the body was put."""
+        self._commanded = self._driven = (0.0, 0.0)
+        self._slow_since = None
         self._observe()
+        self._anchor = self._standing()
         self.reset_odometry()
 
     def _obey(self, linear, angular):

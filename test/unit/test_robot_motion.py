@@ -1,0 +1,197 @@
+"""How the robot in PyBullet moves, against what it was commanded."""
+
+import math
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from odometry_tests.simulation import Simulation
+from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from sim_turtlebot.rotations import rotate, yaw_of
+
+STOPPING = 1.0  # s, more than enough to stand
+STEP_RATE = 240  # Hz
+TEN_MINUTES = 600.0  # s
+SETTLED_HEIGHT = -0.00021  # m, of the footprint; wheels of rubber sink in a little
+UP = (0.0, 0.0, 1.0)
+REAR_CASTER_LEAN = 0.95  # degrees until the rear caster, 2.2 mm above the floor, touches it
+
+# A drive in the physics takes hundreds of times as long as a piece of arithmetic.
+few = settings(max_examples=settings.default.max_examples // 10, deadline=None)
+
+
+def distance_between(a, b):
+    """Return how far (m) the footprint has moved in the plane from Motion a to b."""
+    return math.dist(a.position[:2], b.position[:2])
+
+
+def total_turn(motions):
+    """Return the angle (rad) turned in a row of Motions, over all its circles."""
+    yaws = [yaw_of(motion.orientation) for motion in motions]
+    return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in pairwise(yaws))
+
+
+def lean(motion):
+    """Return by how many degrees the robot is not upright."""
+    return math.degrees(math.acos(min(1.0, rotate(motion.orientation, UP)[2])))
+
+
+@pytest.mark.parametrize('speed', [0.1, 0.5, -0.5])
+def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
+    """0.3 % of the distance, a millimetre to the side, a 20th of a degree."""
+    simulation = Simulation()
+    simulation.drive(speed, 0.0, 20.0)
+    simulation.drive(0.0, 0.0, STOPPING)
+    (x, y, _), orientation, _, _ = simulation.robot.truth
+    assert x == pytest.approx(speed * 20, rel=0.003)
+    assert abs(y) <= 0.001
+    assert abs(math.degrees(yaw_of(orientation))) <= 0.05
+
+
+@pytest.mark.parametrize('turn_speed', [0.5, 1.5, -1.5])
+def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
+    """0.3 % of the angle, and the middle between the wheels stays within 2 mm."""
+    simulation = Simulation()
+    start = simulation.robot.truth
+    spin = simulation.drive(0.0, turn_speed, 20.0).truth
+    spin += simulation.drive(0.0, 0.0, STOPPING).truth
+    assert total_turn([start, *spin]) == pytest.approx(turn_speed * 20, rel=0.003)
+    assert max(distance_between(start, motion) for motion in spin) <= 0.002
+
+
+@pytest.mark.parametrize('turn_speed', [0.5, -0.5])
+def test_three_laps_of_a_circle_end_where_they_began(turn_speed):
+    """Within 5 mm, and their diameter is that of the twist."""
+    simulation = Simulation()
+    start = simulation.robot.truth
+    laps = simulation.drive(0.2, turn_speed, 3 * 2 * math.pi / 0.5).truth
+    simulation.drive(0.0, 0.0, STOPPING)
+    assert distance_between(start, simulation.robot.truth) <= 0.005
+    assert max(distance_between(start, motion) for motion in laps) == pytest.approx(0.8, rel=0.01)
+
+
+@pytest.mark.parametrize('odometry', [WorldOdometry, EncoderOdometry])
+@pytest.mark.parametrize('before', [[], [(0.5, 0.0)], [(0.0, 2.0)], [(-0.3, 0.8), (0.7, 3.0)]])
+def test_at_rest_for_ten_minutes_it_does_not_creep(before, odometry):
+    """On arrival and after driving: the odometry is constant to the last bit."""
+    simulation = Simulation(odometry=odometry)
+    for twist in before:
+        simulation.drive(*twist, 2.0)
+    if before:
+        simulation.drive(0.0, 0.0, STOPPING)
+    start = simulation.robot.truth
+    record = simulation.drive(0.0, 0.0, TEN_MINUTES)
+    assert max(distance_between(start, motion) for motion in record.truth) <= 1e-6
+    assert len(set(record.odometry)) == 1
+
+
+def test_beside_a_driving_robot_a_standing_one_does_not_creep():
+    """The physics goes on for both, and the one that stands is held."""
+    simulation = Simulation((0, 0, 0), (0, 1, 0))
+    simulation.drive(0.3, 0.5, 2.0)
+    simulation.drive(0.0, 0.0, STOPPING)
+    start = simulation.robot.truth
+    simulation.command(0.3, 0.8, robot=1)
+    record = simulation.run(60.0)
+    assert max(distance_between(start, motion) for motion in record.truth) <= 1e-6
+    assert len(set(record.odometry)) == 1
+
+
+def test_speeding_up_and_braking_are_as_fast_as_the_motors_can():
+    """At most 2.9 m/s2, half a metre per second within a fifth, and nothing beyond it.
+
+    The tall robot leans on its rear caster on the way, and loses a little speed by that.
+    """
+    simulation = Simulation()
+    faster = [motion.linear[0] for motion in simulation.drive(0.5, 0.0, 1.0).truth]
+    slower = [motion.linear[0] for motion in simulation.drive(0.0, 0.0, 1.0).truth]
+    overshoot = 0.05 * 0.5
+    for number, (gained, left) in enumerate(zip(faster, slower), 1):
+        change = min(0.5, 2.9 * number / STEP_RATE)
+        assert gained <= change + overshoot
+        assert left >= 0.5 - change - overshoot
+    fifth = STEP_RATE // 5
+    assert (faster[fifth], slower[fifth]) == pytest.approx((0.5, 0.0), abs=0.01)
+
+
+@pytest.mark.parametrize('speed', [0.5, -0.5])
+def test_its_wheels_stay_on_the_floor_when_it_speeds_up_and_brakes(speed):
+    """It leans on its rear caster, which is a little off the floor, and on no more."""
+    simulation = Simulation()
+    motions = simulation.drive(speed, 0.0, 1.0).truth + simulation.drive(0.0, 0.0, 1.0).truth
+    assert max(map(lean, motions)) <= REAR_CASTER_LEAN
+    heights = [motion.position[2] for motion in motions]
+    assert min(heights) >= SETTLED_HEIGHT - 5e-5
+    assert max(heights) <= SETTLED_HEIGHT + 2e-4
+
+
+@pytest.mark.parametrize('speed, limit', [(0.1, 0.1), (0.5, 0.3), (0.7, 0.4)])
+def test_it_stops_in_no_time(speed, limit):
+    """From the tutorial's 0.1 m/s within a tenth of a second."""
+    simulation = Simulation()
+    simulation.drive(speed, 0.0, 2.0)
+    motions = simulation.drive(0.0, 0.0, STOPPING).truth
+    moving = [number for number, motion in enumerate(motions)
+              if math.hypot(*motion.linear) > 1e-3]
+    assert moving[-1] / STEP_RATE <= limit
+
+
+@pytest.mark.parametrize('odom_rate', [0.5, 50.0, 1000.0])
+def test_at_other_odometry_rates_it_moves_the_same(odom_rate):
+    """The physics then runs at 240, 250 and 1000 Hz."""
+    simulation = Simulation(odom_rate=odom_rate)
+    simulation.drive(0.3, 0.0, 4.0)
+    simulation.drive(0.0, 0.0, 4.0)
+    x, y, _ = simulation.robot.truth.position
+    assert x == pytest.approx(1.2, rel=0.003)
+    assert abs(y) <= 0.001
+    assert simulation.robot.resting
+
+
+starts = st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-6.28, 6.28))
+drives = st.lists(st.tuples(st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi),
+                            st.floats(0.05, 1.5)), min_size=1, max_size=5)
+
+
+@few
+@given(starts, drives)
+def test_whatever_it_is_told_it_never_tips_sinks_or_flies(start, twists):
+    """Any sequence of twists within its limits, from anywhere; and then it comes to rest."""
+    simulation = Simulation(start)
+    for twist in [*twists, (0.0, 0.0, 1.5)]:
+        for motion in simulation.drive(*twist).truth:
+            assert all(math.isfinite(number) for part in motion for number in part)
+            assert lean(motion) <= REAR_CASTER_LEAN
+            assert abs(motion.position[2] - SETTLED_HEIGHT) <= 2e-4
+    assert simulation.robot.resting
+
+
+@few
+@given(starts, drives)
+def test_whatever_it_is_told_its_odometry_is_the_way_from_its_start(start, twists):
+    """As long as the true way, from any start, to a micrometre."""
+    simulation = Simulation(start)
+    true_way, way = 0.0, 0.0
+    truth, odometry = simulation.robot.truth, simulation.robot.odometry
+    for twist in twists:
+        simulation.command(*twist[:2])
+        for _ in range(math.ceil(twist[2] / 0.05)):
+            simulation.run(0.05)
+            true_way += distance_between(truth, simulation.robot.truth)
+            way += distance_between(odometry, simulation.robot.odometry)
+            truth, odometry = simulation.robot.truth, simulation.robot.odometry
+    assert way == pytest.approx(true_way, abs=1e-6)
+
+
+@pytest.mark.parametrize('gyro, bound', [(False, 0.001), (True, 0.0005)])
+def test_encoders_find_the_way_round_a_square(gyro, bound):
+    """Four metres and four corners: a millimetre, and half of it with a gyro."""
+    simulation = Simulation(odometry=lambda: EncoderOdometry(gyro))
+    for _ in range(4):
+        for twist in [(0.25, 0.0, 4.0), (0.0, 0.0, 0.5), (0.0, 1.0, math.pi / 2), (0.0, 0.0, 0.5)]:
+            simulation.drive(*twist)
+    truth, odometry = simulation.robot.truth, simulation.robot.odometry
+    assert distance_between(truth, odometry) <= bound
+    yaw_error = math.remainder(yaw_of(truth.orientation) - yaw_of(odometry.orientation), math.tau)
+    assert abs(math.degrees(yaw_error)) <= (0.001 if gyro else 0.1)
