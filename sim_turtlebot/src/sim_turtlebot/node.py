@@ -75,11 +75,12 @@ class Simulator:
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
         else:
-            lead = self._pacer.lead(self._timeline.now)
+            now = self._timeline.now
+            lead = self._pacer.lead(now)
             if lead > SHORTEST_SLEEP:
                 self._serve(lead)
             else:
-                self._advance()
+                self._advance(now)
 
     def _serve(self, timeout):
         """Wait for a request for so long (s of wall time) and serve it; False if none came."""
@@ -110,22 +111,26 @@ class Simulator:
             while (left := end - time.monotonic()) > 0 and self._serve(left):
                 pass
 
-    def _advance(self):
+    def _advance(self, now):
+        """Take one physics step from the time `now` (ns) on, and publish what is due then."""
         timeline = self._timeline
         for robot in self._robots:
-            robot.before_step(timeline.now)
+            robot.before_step(now)
         if not self._everything_rests:
             self._world.step()
         timeline.steps += 1
         if timeline.clock_is_due:
             self._publish_clock()
-        if timeline.odometry_is_due:
-            for robot in self._robots:
-                robot.tick(timeline.now, 1.0 / timeline.odom_rate)
-            self._update_rest()
-            self._publish_robots()
-            if self._settings.gui:
-                self._update_window()
+            if timeline.odometry_is_due:
+                self._look_at_robots()
+
+    def _look_at_robots(self):
+        for robot in self._robots:
+            robot.tick(self._timeline.now, 1.0 / self._timeline.odom_rate)
+        self._update_rest()
+        self._publish_robots()
+        if self._settings.gui:
+            self._update_window()
 
     def _update_window(self):
         if self._world.window_closed:

@@ -45,7 +45,7 @@ class Lockstep:
 
     def restart(self):
         """Begin again at time zero."""
-        self._multiple = 0
+        self._wait_at(0)
         self._awaited = set(self._controllers)
 
     @property
@@ -60,12 +60,11 @@ class Lockstep:
 
     def must_wait(self, steps):
         """Tell whether the step after so many has to wait for a command."""
-        # The small term keeps a multiple that falls on a step from being rounded off it.
-        if steps + 1 <= int(self._multiple * self._steps_between + 1e-6):
+        if steps < self._last_step:
             return False
         if self._awaited:
             return True
-        self._multiple += 1
+        self._wait_at(self._multiple + 1)
         self._awaited = set(self._in_step)
         return False
 
@@ -75,3 +74,8 @@ class Lockstep:
         self._in_step -= self._awaited
         self._awaited.clear()
         return lost
+
+    def _wait_at(self, multiple):
+        self._multiple = multiple
+        # The small term keeps a multiple that falls on a step from being rounded off it.
+        self._last_step = int(multiple * self._steps_between + 1e-6)
