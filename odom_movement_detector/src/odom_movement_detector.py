@@ -117,7 +117,7 @@ class MovementDetector:
 
     def wait_for_odometry(self):
         """Return when the first odometry has come, or at shutdown; say so each second."""
-        while not self._wake_up.wait(timeout=1.0):
+        while not (self._wake_up.wait(timeout=1.0) or rospy.is_shutdown()):
             rospy.loginfo('waiting for odometry on %s', rospy.resolve_name('odom'))
 
     def _on_odometry(self, message):

@@ -1,10 +1,13 @@
 """How a node starts, prints and ends."""
 
+import logging
 import os
 import signal
 import sys
+import tempfile
 import threading
 
+import rospkg
 import rospy
 
 from odometry_common.parameters import ParameterError, check_command_line
@@ -24,9 +27,8 @@ def run_node(name, main, **init_node_options):
     """
     try:
         check_command_line()
-        _on_signals(_interrupt)
-        rospy.init_node(name, disable_signals=True, **init_node_options)
-        _on_signals(_shut_down)
+        _do_without_logs_if_need_be()
+        _start(name, init_node_options)
         main()
     except ParameterError as error:
         print(f'{name}: {error}', file=sys.stderr)
@@ -60,15 +62,45 @@ def _forget(name):
         rospy.delete_param(name)
 
 
+def _start(name, init_node_options):
+    """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
+
+    rospy tries to reach a missing master for ever, and hears nothing else. It also has places
+    that swallow every exception, so that the signal is remembered.
+    """
+    interrupted = threading.Event()
+
+    def interrupt(_signum, _frame):
+        interrupted.set()
+        raise KeyboardInterrupt
+
+    _on_signals(interrupt)
+    rospy.init_node(name, disable_signals=True, **init_node_options)
+    _on_signals(_shut_down)
+    if interrupted.is_set():
+        raise KeyboardInterrupt
+
+
+def _do_without_logs_if_need_be():
+    """Keep a full or read-only disk from ending the node.
+
+    rospy ends with a traceback if it cannot open its log file, but not if there is no folder
+    for it: then it warns. Once the disk is full, logging would print tracebacks.
+    """
+    logging.raiseExceptions = False
+    folder = rospkg.get_log_dir()
+    try:
+        os.makedirs(folder, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError:
+        os.environ['ROS_LOG_DIR'] = os.path.join(os.devnull, 'log')
+
+
 def _on_signals(handler):
     """Handle Ctrl-C, SIGTERM and a closed terminal."""
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, handler)
-
-
-def _interrupt(_signum, _frame):
-    """End the start: rospy tries to reach a missing master for ever, and hears nothing else."""
-    raise KeyboardInterrupt
 
 
 def _shut_down(signum, _frame):

@@ -61,7 +61,7 @@ class Simulator:
         self._publish_robots()
         self._pacer.restart(self._timeline.now)
         try:
-            while not self._stopping:
+            while not (self._stopping or rospy.is_shutdown()):
                 self._take_turn()
         except rospy.ROSException:
             # At shutdown rospy may close a topic while it is being published.
