@@ -193,7 +193,7 @@ def test_a_position_that_is_not_finite_is_refused_and_changes_nothing(x, y):
 
 def test_a_reset_counts_from_the_last_position():
     """Not from the last counted one: what was not counted yet is dropped too."""
-    counter = DistanceCounter(min_step=0.5)
+    counter = DistanceCounter(min_step=0.5, max_speed=0)
     count(counter, [(0, 0), (0.6, 0), (1.0, 0)])
     counter.reset()
     assert counter.distance == 0.0

@@ -50,7 +50,7 @@ def test_it_stops_when_commands_cease(velocity):
         assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
     simulation.run(0.1)
     assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
-    simulation.run(0.5)
+    simulation.run(0.3)
     assert speeds(simulation) == pytest.approx((0.0, 0.0), abs=1e-3)
     simulation.drive(*velocity, 0.5)
     assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
@@ -86,14 +86,13 @@ def test_it_starts_where_it_is_put_and_its_odometry_at_zero():
 
 
 def test_its_wheels_roll_as_far_as_it_moves():
-    """Left and right, forwards; their torque is within what the motors have."""
+    """Left and right, forwards, and the outer one faster."""
     simulation = Simulation()
     simulation.drive(0.3, 0.4, 3.0)
-    angles, velocities, torques = simulation.robot.wheels
+    angles, velocities, _ = simulation.robot.wheels
     rim = [velocity * 0.035 for velocity in velocities]
     assert rim == pytest.approx([0.3 - 0.4 * 0.115, 0.3 + 0.4 * 0.115], rel=0.01)
     assert sum(angles) / 2 * 0.035 == pytest.approx(0.9, rel=0.05)
-    assert max(map(abs, torques)) <= 1.64
 
 
 @pytest.mark.parametrize('odometry', [WorldOdometry, EncoderOdometry])
@@ -130,12 +129,12 @@ def test_a_reset_of_the_simulation_takes_it_back_to_its_start(odometry):
 
 
 def test_after_a_reset_an_old_command_is_forgotten():
-    """The robot waits for a new one, and no timeout of the old one comes due."""
-    simulation = Simulation(cmd_vel_timeout=0.6)
+    """The robot and its motors wait for a new one, though another robot drives."""
+    simulation = Simulation((0, 0, 0), (0, 1, 0), cmd_vel_timeout=0.6)
     simulation.drive(0.5, 0.0, 0.5)
     simulation.robot.reset()
-    simulation.drive(0.0, 0.0, 0.3)
-    assert simulation.robot.truth.position[:2] == (0.0, 0.0)
+    simulation.command(0.5, 0.0, robot=1)
+    assert {motion.position[:2] for motion in simulation.run(0.5).odometry} == {(0.0, 0.0)}
 
 
 def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
