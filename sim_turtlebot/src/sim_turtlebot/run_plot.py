@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from tf.transformations import euler_from_quaternion
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
+SMALLEST_SPAN = 2.0  # degrees of heading; less would make noise look like a turn
 FIGURE_SIZE = (11, 8)  # inches
 RESOLUTION = 100  # dots per inch
 
@@ -34,11 +35,21 @@ class Track(NamedTuple):
         return numpy.concatenate([[0.0], numpy.cumsum(steps)])
 
 
+    def moved_onto(self, other):
+        """Return the same way, turned and shifted so that it begins where another one does."""
+        turn = numpy.radians(other.heading[0] - self.heading[0])
+        x, y = self.x - self.x[0], self.y - self.y[0]
+        return self._replace(
+            x=other.x[0] + x * numpy.cos(turn) - y * numpy.sin(turn),
+            y=other.y[0] + x * numpy.sin(turn) + y * numpy.cos(turn),
+            heading=self.heading - self.heading[0] + other.heading[0])
+
+
 class Run(NamedTuple):
     """What a bag tells of a run."""
 
     odometry: Track
-    truth: Track  # None if nobody published it
+    truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
 
     def summary(self):
@@ -70,7 +81,8 @@ def read_run(path, odometry_topic='/odom', truth_topic='/base_pose_ground_truth'
     start = _stamp(odometry[0])
     rows = [(row.timestamp.to_sec() - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
-    return Run(_track(odometry, start), _track(truth, start) if truth else None,
+    track = _track(odometry, start)
+    return Run(track, _track(truth, start).moved_onto(track) if truth else None,
                numpy.array(rows).reshape(-1, 3))
 
 
@@ -123,6 +135,8 @@ def _draw_heading(axes, tracks):
     for track, label, style in tracks:
         axes.plot(track.time, track.heading, style, label=label)
     axes.set(title='heading', xlabel='time (s)', ylabel='heading (degrees)')
+    middle, span = numpy.mean(axes.get_ylim()), numpy.ptp(axes.get_ylim())
+    axes.set_ylim(middle - max(span, SMALLEST_SPAN) / 2, middle + max(span, SMALLEST_SPAN) / 2)
     axes.legend()
     axes.grid(True)
 

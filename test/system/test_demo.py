@@ -1,0 +1,147 @@
+"""The main job: ./ws demo, from its first line to the picture it leaves."""
+
+import os
+import pty
+import re
+import signal
+import subprocess
+import uuid
+from pathlib import Path
+
+import pytest
+import rosbag
+import rospy
+from odometry_tests.messages import odometry
+from odometry_tests.processes import Process
+from odometry_tests.scripts import ROOT
+
+PNG = b'\x89PNG'
+
+
+def demo(*arguments):
+    """Start ./ws demo as fast as the machine can."""
+    return Process(ROOT / 'ws', 'demo', '--real-time-factor', '0', *arguments)
+
+
+def number(text, output):
+    """Return the number after a text in the summary."""
+    found = re.search(rf'{text} +(-?[0-9.]+)', output)
+    assert found, f'no {text!r} in:\n{output}'
+    return float(found.group(1))
+
+
+def test_the_demo_drives_two_metres_and_leaves_a_picture():
+    """Exit status 0, both distances between 2.000 and 2.010 m, a bag and a PNG."""
+    run = demo()
+    assert run.wait(90.0) == 0, run.output
+    assert 2.0 <= number('moved distance', run.stdout) <= 2.01
+    assert 2.0 <= number('true distance', run.stdout) <= 2.01
+    assert 'of 2.00 m' in run.stdout.splitlines()[0], 'no progress in plain lines'
+    picture = re.search(r'picture +(.*)', run.stdout).group(1)
+    with open(picture, 'rb') as file:
+        assert file.read(4) == PNG
+    with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:
+        topics = set(bag.get_type_and_topic_info().topics)
+    assert topics == {'/odom', '/base_pose_ground_truth', '/moved_distance', '/cmd_vel'}
+
+
+def test_the_demo_takes_a_distance_and_a_speed():
+    """Backwards too."""
+    run = demo('--distance', '0.5', '--speed', '-0.2')
+    assert run.wait(90.0) == 0, run.output
+    assert 0.5 <= number('moved distance', run.stdout) <= 0.53
+
+
+def test_the_demo_turns_to_a_heading():
+    """./ws demo rotate --target."""
+    run = demo('rotate', '--target', '-135')
+    assert run.wait(90.0) == 0, run.output
+    assert number('heading', run.stdout) == pytest.approx(-135, abs=0.1)
+
+
+def test_the_progress_is_one_live_line_on_a_terminal():
+    """It is rewritten in place, and ends as a full bar."""
+    reader, terminal = pty.openpty()
+    with subprocess.Popen([ROOT / 'ws', 'demo', '--distance', '0.3', '--real-time-factor', '3'],
+                          stdout=terminal, stderr=terminal) as run:
+        os.close(terminal)
+        output = read_all(reader)
+    assert run.returncode == 0, output
+    assert output.count('\r\x1b[K[') > 3, output
+    assert re.search(r'\[=+\] 0\.3\d of 0\.30 m', output), output
+
+
+def read_all(descriptor):
+    """Return what is written to a terminal until everybody has closed it."""
+    chunks = []
+    try:
+        while chunk := os.read(descriptor, 4096):
+            chunks.append(chunk)
+    except OSError:
+        pass  # Linux's way to say that nobody is there any more
+    os.close(descriptor)
+    return b''.join(chunks).decode()
+
+
+def test_ctrl_c_ends_the_demo_and_all_its_nodes():
+    """Nothing is left running."""
+    mark = {'DEMO_UNDER_TEST': str(uuid.uuid4())}
+    run = Process(ROOT / 'ws', 'demo', '--distance', '100', env=mark)
+    run.wait_for_output('of 100.00 m', 60.0)
+    assert len(marked(mark)) > 4
+    assert run.end(signal.SIGINT, timeout=30.0) == 128 + signal.SIGINT, run.output
+    assert 'Traceback' not in run.output
+    assert not marked(mark)
+
+
+def marked(mark):
+    """Return the ids of the processes that have a variable in their environment."""
+    (name, value), = mark.items()
+    return [folder.name for folder in Path('/proc').glob('[0-9]*')
+            if f'{name}={value}' in environment(folder)]
+
+
+def environment(folder):
+    """Return the environment of a process, nothing if it has ended meanwhile."""
+    try:
+        return (folder / 'environ').read_text(errors='replace').split('\0')
+    except OSError:
+        return []
+
+
+@pytest.mark.parametrize('arguments', [
+    ['--speed', '0'], ['--speed', '2'], ['--distance', '-1'], ['--distance', 'far'],
+    ['--real-time-factor', 'nan'], ['rotate', '--target', 'north'], ['dance']])
+def test_bad_options_get_one_clear_line(arguments):
+    """And exit status 2, before anything is started."""
+    run = demo(*arguments)
+    assert run.wait(30.0) == 2
+    assert run.stderr.splitlines()[-1].startswith('./ws demo: error: argument')
+
+
+def test_plot_run_draws_any_bag_with_odometry(tmp_path):
+    """A real robot's bag has neither truth nor commands."""
+    bag_file, picture = tmp_path / 'real.bag', tmp_path / 'real.png'
+    with rosbag.Bag(str(bag_file), 'w') as bag:
+        for step in range(101):
+            message = odometry(x=0.01 * step, stamp=100 + 0.1 * step)
+            message.twist.twist.linear.x = 0.1
+            bag.write('/odom', message, rospy.Time.from_sec(100 + 0.1 * step))
+    plot = Process('rosrun', 'sim_turtlebot', 'plot_run.py', bag_file, '-o', picture)
+    assert plot.wait(30.0) == 0, plot.output
+    assert number('distance', plot.stdout) == 1.0
+    assert number('duration', plot.stdout) == 10.0
+    assert number('mean speed', plot.stdout) == 0.1
+    assert number('top speed', plot.stdout) == 0.1
+    assert picture.read_bytes().startswith(PNG)
+
+
+@pytest.mark.parametrize('content', [None, b'', b'no bag at all'])
+def test_plot_run_refuses_what_is_no_bag(tmp_path, content):
+    """One line that names the file."""
+    path = tmp_path / 'broken.bag'
+    if content is not None:
+        path.write_bytes(content)
+    plot = Process('rosrun', 'sim_turtlebot', 'plot_run.py', path)
+    assert plot.wait(30.0) == 2
+    assert len(plot.stderr.splitlines()) == 1 and str(path) in plot.stderr, plot.stderr
