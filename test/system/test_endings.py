@@ -6,7 +6,7 @@ import signal
 import pytest
 import rosnode
 from nav_msgs.msg import Odometry
-from odometry_tests.processes import rosrun
+from odometry_tests.processes import free_port, rosrun
 from odometry_tests.waiting import Recorder, wait_until
 
 STOPPING_TIME = 0.3  # s, from the signal to a robot at rest, by the robot's clock
@@ -88,6 +88,17 @@ def test_the_robot_is_at_rest_at_once(driver, truth, ending):
     assert took <= STOPPING_TIME + ODOMETRY_PERIOD, f'stopped after {took:.2f} s'
     assert driver.wait() == 0, driver.output
     assert 'Traceback' not in driver.output
+
+
+@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_node_without_a_master_says_so_and_ends_at_once(signum):
+    """With parameters to upload too, which rospy answers with a traceback."""
+    with rosrun('test_movement', 'test_movement.py', '_speed:=0.2',
+                env={'ROS_MASTER_URI': f'http://localhost:{free_port()}'}) as node:
+        node.wait_for_output('Unable to register with master node')
+        assert node.running
+        assert node.end(signum, timeout=2.0) == 0
+    assert 'Traceback' not in node.output
 
 
 @pytest.mark.parametrize('package, program', [

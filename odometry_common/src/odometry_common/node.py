@@ -6,13 +6,16 @@ import signal
 import sys
 import tempfile
 import threading
+import time
 
+import rosgraph
 import rospkg
 import rospy
 
 from odometry_common.parameters import ParameterError, check_command_line
 
 EXIT_BAD_PARAMETER = 2
+MASTER_RETRY_PERIOD = 0.5  # s
 
 
 def run_node(name, main, **init_node_options):
@@ -65,8 +68,7 @@ def _forget(name):
 def _start(name, init_node_options):
     """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
 
-    rospy tries to reach a missing master for ever, and hears nothing else. It also has places
-    that swallow every exception, so that the signal is remembered.
+    rospy has places that swallow every exception, so that the signal is remembered.
     """
     interrupted = threading.Event()
 
@@ -75,10 +77,20 @@ def _start(name, init_node_options):
         raise KeyboardInterrupt
 
     _on_signals(interrupt)
+    _wait_for_master()
     rospy.init_node(name, disable_signals=True, **init_node_options)
     _on_signals(_shut_down)
     if interrupted.is_set():
         raise KeyboardInterrupt
+
+
+def _wait_for_master():
+    """Wait as rospy does, which ends with a traceback if it has parameters to upload."""
+    if not rosgraph.is_master_online():
+        print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
+              'not be running yet. Will keep trying.', file=sys.stderr)
+    while not rosgraph.is_master_online():
+        time.sleep(MASTER_RETRY_PERIOD)
 
 
 def _do_without_logs_if_need_be():
