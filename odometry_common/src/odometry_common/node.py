@@ -6,7 +6,6 @@ import signal
 import sys
 import tempfile
 import threading
-import time
 
 import rosgraph
 import rospkg
@@ -68,7 +67,7 @@ def _forget(name):
 def _start(name, init_node_options):
     """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
 
-    rospy has places that swallow every exception, so that the signal is remembered.
+    rospy and rosgraph swallow exceptions in places, so that the signal is remembered.
     """
     interrupted = threading.Event()
 
@@ -77,20 +76,22 @@ def _start(name, init_node_options):
         raise KeyboardInterrupt
 
     _on_signals(interrupt)
-    _wait_for_master()
-    rospy.init_node(name, disable_signals=True, **init_node_options)
+    _wait_for_master(interrupted)
+    if not interrupted.is_set():
+        rospy.init_node(name, disable_signals=True, **init_node_options)
     _on_signals(_shut_down)
     if interrupted.is_set():
         raise KeyboardInterrupt
 
 
-def _wait_for_master():
+def _wait_for_master(interrupted):
     """Wait as rospy does, which ends with a traceback if it has parameters to upload."""
-    if not rosgraph.is_master_online():
-        print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
-              'not be running yet. Will keep trying.', file=sys.stderr)
-    while not rosgraph.is_master_online():
-        time.sleep(MASTER_RETRY_PERIOD)
+    if rosgraph.is_master_online():
+        return
+    print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
+          'not be running yet. Will keep trying.', file=sys.stderr)
+    while not (interrupted.wait(MASTER_RETRY_PERIOD) or rosgraph.is_master_online()):
+        pass
 
 
 def _do_without_logs_if_need_be():
