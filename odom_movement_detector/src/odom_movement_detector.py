@@ -22,9 +22,11 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
+from odometry_common.publishing import advertise
 from std_msgs.msg import Empty, Float64
 
 SMALLEST_DISTANCE = 1e-6  # m; a smaller total is published as zero, as in the tutorial
+CLOSE_TIMEOUT = 0.5  # s, for a subscriber that has stopped reading
 DELIVERY_JITTER = 0.05  # s, by which arrival times may misstate the time between messages
 
 
@@ -111,7 +113,7 @@ class MovementDetector:
         self._closed = False
         rospy.on_shutdown(self._close)
         # The publisher comes first: a callback may run as soon as its subscriber exists.
-        self._publisher = rospy.Publisher('moved_distance', Float64, queue_size=1000)
+        self._publisher = advertise('moved_distance', Float64)
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
         rospy.Subscriber('moved_distance/reset', Empty, self._on_reset)
 
@@ -143,8 +145,11 @@ class MovementDetector:
 
     def _close(self):
         """Publish nothing more: rospy closes the topics next."""
-        with self._lock:
-            self._closed = True
+        # A subscriber that has stopped reading may hold the lock up.
+        locked = self._lock.acquire(timeout=CLOSE_TIMEOUT)
+        self._closed = True
+        if locked:
+            self._lock.release()
         self._wake_up.set()
 
 

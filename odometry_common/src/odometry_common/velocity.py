@@ -1,10 +1,11 @@
 """A velocity command publisher whose last word is zero."""
 
 import threading
-import warnings
 
 import rospy
 from geometry_msgs.msg import Twist
+
+from odometry_common.publishing import advertise
 
 CLOSE_TIMEOUT = 0.5  # s, for a subscriber that has stopped reading
 
@@ -18,10 +19,7 @@ class VelocityPublisher:
 
     def __init__(self, topic='cmd_vel'):
         """Advertise `topic` and hook into rospy's shutdown."""
-        with warnings.catch_warnings():
-            # rospy takes a publisher without a queue for an oversight; here it is the point.
-            warnings.simplefilter('ignore', SyntaxWarning)
-            self._publisher = rospy.Publisher(topic, Twist, tcp_nodelay=True, queue_size=None)
+        self._publisher = advertise(topic, Twist)
         self._lock = threading.Lock()
         self._closed = False
         rospy.on_shutdown(self._close)

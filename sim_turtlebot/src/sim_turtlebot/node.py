@@ -12,6 +12,7 @@ import time
 import rospy
 from odometry_common.node import run_node
 from odometry_common.parameters import ParameterError
+from odometry_common.publishing import advertise
 from rosgraph_msgs.msg import Clock
 from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
@@ -22,7 +23,7 @@ from sim_turtlebot.physics import NoScreenError, World, WorldFileError
 from sim_turtlebot.robot import Robot
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.timeline import Timeline
-from sim_turtlebot.topics import RobotTopics, advertise
+from sim_turtlebot.topics import RobotTopics
 
 ROBOT_SPACING = 1.0  # m, from one robot's start to the next one's on its left
 QUEUE_SIZE = 10

@@ -1,10 +1,9 @@
 """The topics of one robot."""
 
-import warnings
-
 import rospy
 from geometry_msgs.msg import TransformStamped, Twist
 from nav_msgs.msg import Odometry
+from odometry_common.publishing import advertise
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Empty
 
@@ -72,14 +71,6 @@ class RobotTopics:
             message.header.seq = number
             publisher.publish(message)
         return self._transform
-
-
-def advertise(topic, message_class, queue_size):
-    """Return a publisher that sends each message at once."""
-    with warnings.catch_warnings():
-        # rospy takes a publisher without a queue for an oversight; here it may be meant.
-        warnings.simplefilter('ignore', SyntaxWarning)
-        return rospy.Publisher(topic, message_class, tcp_nodelay=True, queue_size=queue_size)
 
 
 def _new_odometry(frame, child_frame):
