@@ -8,7 +8,7 @@ import time
 from odometry_common.velocity import VelocityPublisher
 
 HOLD_RATE = 10.0  # Hz, at which the page says that a button is still held
-HOLD_TIMEOUT = 0.4  # s; who has not said so for this long holds it no more
+HOLD_TIMEOUT = 0.5  # s; who has not said so for this long holds it no more
 COMMAND_PERIOD = 0.05  # s
 
 FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
@@ -24,14 +24,14 @@ class Holds:
         """Nobody holds any."""
         self._deadlines = {}
 
-    def hold(self, client, direction, now):
-        """Take note that a client holds a direction."""
-        self._deadlines[client, direction] = now + HOLD_TIMEOUT
+    def hold(self, client, button, now):
+        """Take note that a client holds a button."""
+        self._deadlines[client, button] = now + HOLD_TIMEOUT
 
-    def release(self, client, direction=None):
-        """Take note that a client has let go of a direction, or of all."""
+    def release(self, client, button=None):
+        """Take note that a client has let go of a button, or of all."""
         self._deadlines = {held: deadline for held, deadline in self._deadlines.items()
-                           if held[0] != client or direction not in (None, held[1])}
+                           if held[0] != client or button not in (None, held[1])}
 
     def clear(self):
         """Forget all."""
@@ -41,52 +41,48 @@ class Holds:
         """Return the shares of speed forwards and to the left, or None if nothing is held."""
         self._deadlines = {held: deadline for held, deadline in self._deadlines.items()
                            if deadline > now}
-        held = [DIRECTIONS[direction] for direction in {key[1] for key in self._deadlines}]
-        return tuple(map(sum, zip(*held))) if held else None
+        buttons = {button for _, button in self._deadlines}
+        if STOP in buttons:
+            return 0, 0
+        directions = [DIRECTIONS[button] for button in buttons]
+        return tuple(map(sum, zip(*directions))) if directions else None
 
 
 class Pad:
-    """Publishes velocities on the chosen robot's cmd_vel while something is held."""
+    """Publishes velocities on the chosen robot's cmd_vel while something is held.
+
+    A robot that it has not driven never hears of it, not even when the node ends.
+    """
 
     def __init__(self, speeds):
         """Take a function that returns the speed (m/s) and the turning speed (rad/s)."""
         self._speeds = speeds
         self._holds = Holds()
+        self._namespace = None
         self._publishers = {}
-        self._publisher = None
         self._lock = threading.Lock()
         self._changed = threading.Event()
         threading.Thread(target=self._drive, daemon=True).start()
 
     def choose(self, namespace):
         """Drive the robot in this namespace from now on."""
-        if namespace not in self._publishers:
-            self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')
         with self._lock:
-            if self._publisher is not self._publishers[namespace]:
+            if namespace != self._namespace:
                 self._holds.clear()
-            self._publisher = self._publishers[namespace]
+            self._namespace = namespace
         self._changed.set()
 
-    def hold(self, client, direction):
-        """Drive on for a short while."""
+    def hold(self, client, button):
+        """Do what the button says for a short while."""
         with self._lock:
-            self._holds.hold(client, direction, time.monotonic())
+            self._holds.hold(client, button, time.monotonic())
         self._changed.set()
 
-    def release(self, client, direction=None):
-        """Let go of a direction, or of all."""
+    def release(self, client, button=None):
+        """Let go of a button, or of all."""
         with self._lock:
-            self._holds.release(client, direction)
+            self._holds.release(client, button)
         self._changed.set()
-
-    def stop(self):
-        """Let go of everything and command zero, whether or not the pad has driven."""
-        with self._lock:
-            self._holds.clear()
-            publisher = self._publisher
-        if publisher:
-            publisher.stop()
 
     def _drive(self):
         driven = None
@@ -94,15 +90,20 @@ class Pad:
             self._changed.wait(COMMAND_PERIOD if driven else None)
             self._changed.clear()
             with self._lock:
-                publisher, command = self._publisher, self._holds.command(time.monotonic())
-            if driven and (command is None or publisher is not driven):
+                command, namespace = self._holds.command(time.monotonic()), self._namespace
+            wanted = self._publisher(namespace) if command and namespace is not None else None
+            if driven and wanted is not driven:
                 driven.stop()
-                driven = None
-            if command and publisher:
+            driven = wanted
+            if driven:
                 forward, left = command
                 speed, turn_speed = self._speeds()
-                publisher.publish(forward * speed, left * turn_speed)
-                driven = publisher
+                driven.publish(forward * speed, left * turn_speed)
+
+    def _publisher(self, namespace):
+        if namespace not in self._publishers:
+            self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')
+        return self._publishers[namespace]
 
 
 def add_pad(gui, pad):
@@ -110,7 +111,7 @@ def add_pad(gui, pad):
     gui.add_html(LAYOUT)
     for label in (FORWARD, LEFT, STOP, RIGHT, BACK):
         if label == STOP:
-            gui.add_button(STOP, color='red').on_click(lambda _: pad.stop())
+            _add_stop(gui, pad)
         else:
             _add_direction(gui, pad, label)
 
@@ -126,6 +127,13 @@ def _add_direction(gui, pad, direction):
     @button.on_click
     async def _(event):
         pad.release(event.client_id, direction)
+
+
+def _add_stop(gui, pad):
+    @gui.add_button(STOP, color='red').on_click
+    async def _(event):
+        # For as long as a hold lasts, so that it gets through to a robot not driven before.
+        pad.hold(event.client_id, STOP)
 
 
 # viser tells of keys that go down, not of keys that come up. So the page itself turns the arrow

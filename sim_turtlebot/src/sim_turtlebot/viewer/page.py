@@ -11,7 +11,8 @@ from odometry_common.parameters import ParameterError
 from sim_turtlebot.viewer.pad import Pad, add_pad
 from sim_turtlebot.viewer.panel import Readings, Simulation
 from sim_turtlebot.viewer.plots import Plots
-from sim_turtlebot.viewer.scene import RobotFigure, furnish
+from sim_turtlebot.viewer.scene import TWO_METRES, RobotFigure, furnish
+from sim_turtlebot.viewer.track import Pose
 
 MAX_SPEED = 0.7  # m/s, TurtleBot 2
 MAX_TURN_SPEED = 180  # degrees/s, TurtleBot 2
@@ -19,6 +20,8 @@ PANEL_WIDTH = 320  # pixels
 FIELD_OF_VIEW = 45  # degrees
 CAMERA_DISTANCE = 3.2  # m, from what it looks at, backwards and to the right
 CAMERA_HEIGHT = 1.6  # m
+HALF_WAY = Pose(TWO_METRES / 2, 0.0, 0.0)
+FAR = 3.0  # m
 
 
 class Page:
@@ -63,6 +66,7 @@ class Page:
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
         server.initial_camera.fov = math.radians(FIELD_OF_VIEW)
+        _point_camera(server.initial_camera, [HALF_WAY[:2]])
 
     @property
     def is_open(self):
@@ -119,7 +123,7 @@ class Page:
             self._figures[namespace].draw_trail(sight.trail)
         sight = sights.get(self.chosen)
         if sight:
-            self._readings.show({**sight._asdict(), 'rate': rate})
+            self._readings.show({**sight._asdict(), 'real_time_factor': rate})
             self._plots.draw(sight.history)
 
     def _frame_new_clients(self, sights):
@@ -130,7 +134,7 @@ class Page:
             return
         for number in set(clients) - self._framed:
             self._framed.add(number)
-            _point_camera(clients[number].camera, sights.values())
+            _point_camera(clients[number].camera, [_middle(sight) for sight in sights.values()])
 
     async def _on_disconnect(self, client):
         # Here, and not in a thread: the last hold of the same browser must not come later.
@@ -143,11 +147,15 @@ def _silence():
     return contextlib.redirect_stdout(io.StringIO())
 
 
-def _point_camera(camera, sights):
-    """Show where the robots begin and where two metres end."""
-    starts = [sight.origin for sight in sights]
-    middles = [(start.x + math.cos(start.yaw), start.y + math.sin(start.yaw)) for start in starts]
-    x, y = (sum(values) / len(middles) for values in zip(*middles))
-    distance = CAMERA_DISTANCE + max(math.dist(middle, (x, y)) for middle in middles)
+def _middle(sight):
+    """Return x, y (m) of half way between start and two metres, or of a robot far from there."""
+    half_way, robot = sight.origin.then(HALF_WAY)[:2], sight.body.position[:2]
+    return half_way if math.dist(half_way, robot) < FAR else robot
+
+
+def _point_camera(camera, places):
+    """Show places, a list of x, y (m)."""
+    x, y = (sum(values) / len(places) for values in zip(*places))
+    distance = CAMERA_DISTANCE + max(math.dist(place, (x, y)) for place in places)
     camera.position = (x, y - distance, CAMERA_HEIGHT)
     camera.look_at = (x, y, 0.1)

@@ -13,7 +13,8 @@ TRAIL_HEIGHT = 0.004  # m, above the floor
 START_COLOUR = (40, 160, 70)
 GOAL_COLOUR = (210, 40, 40)
 SPOKE_COLOUR = (235, 235, 235)
-SPOKE_WIDTH = 0.012  # m
+SPOKES = 3  # from rim to rim
+SPOKE_WIDTH = 0.008  # m
 SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 
 
@@ -98,13 +99,15 @@ class RobotFigure:
                                         flat_shading=True, cast_shadow=False)
         if link.joint:
             self._wheels[link.joint] = body, link
-            self._add_spoke(body, link.meshes[0].vertices)
+            self._add_spokes(body, link.meshes[0].vertices)
 
-    def _add_spoke(self, wheel, vertices):
-        """Mark a wheel, or nobody would see it turn."""
+    def _add_spokes(self, wheel, vertices):
+        """Mark a wheel, or nobody would see it turn; a bit of it shows below the base."""
         across, _, width = numpy.ptp(vertices, axis=0) + SPOKE_MARGIN
-        self._scene.add_box(f'{wheel.name}/spoke', SPOKE_COLOUR, (across, SPOKE_WIDTH, width),
-                            cast_shadow=False)
+        for number in range(SPOKES):
+            turn = SO3.from_z_radians(numpy.pi * number / SPOKES)
+            self._scene.add_box(f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
+                                (across, SPOKE_WIDTH, width), wxyz=turn.wxyz, cast_shadow=False)
 
     def _add_marks(self):
         node = self._odometry.name

@@ -1,0 +1,178 @@
+"""A headless Chromium that looks at the browser window, as a user does."""
+
+import io
+import re
+import shutil
+
+import numpy
+from PIL import Image
+from selenium import webdriver
+from selenium.webdriver import ActionChains
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+from odometry_tests.waiting import wait_until
+
+CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
+# Without a graphics card Chromium draws with the processor, if it is told that it may.
+SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle',
+            '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+            # A window that no other one covers is still hidden to Chromium.
+            '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
+PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
+DOWN = Keys.ARROW_DOWN
+DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
+
+
+class Browser:
+    """A context in which Chromium runs."""
+
+    def __init__(self, width=1000, height=640):
+        """Take the size of its windows in pixels."""
+        self._size = width, height
+
+    def __enter__(self):
+        """Start it."""
+        options = webdriver.ChromeOptions()
+        options.binary_location = CHROMIUM
+        for switch in SWITCHES:
+            options.add_argument(switch)
+        options.add_argument('--window-size={},{}'.format(*self._size))
+        self._driver = webdriver.Chrome(options=options, service=Service(DRIVER))
+        self._first = self._driver.current_window_handle
+        return self
+
+    def __exit__(self, *_):
+        """End it, with all its pages."""
+        self._driver.quit()
+
+    def open(self, url):
+        """Open a page in a window of its own and return it once it shows the panel."""
+        self._driver.switch_to.window(self._first)
+        self._driver.switch_to.new_window('window')
+        self._driver.set_window_size(*self._size)
+        self._driver.get(url)
+        return Page(self._driver)
+
+
+class Page:
+    """One window with the page."""
+
+    def __init__(self, driver):
+        """Take over the driver's current window."""
+        self._driver = driver
+        self._window = driver.current_window_handle
+        wait_until(lambda: self.run('return !!document.getElementById("readings")'),
+                   PAGE_TIMEOUT, 'a page with readings')
+
+    def __enter__(self):
+        """Use it as a context, at whose end the window is closed."""
+        return self
+
+    def __exit__(self, *_):
+        """Close the window unless it is closed already."""
+        if self._window in self._driver.window_handles:
+            self.close()
+
+    def close(self):
+        """Close the window, as a user does."""
+        self._select()
+        self._driver.close()
+
+    def run(self, script):
+        """Return what a piece of JavaScript returns."""
+        self._select()
+        return self._driver.execute_script(script)
+
+    @property
+    def text(self):
+        """All text that is to be read."""
+        return self.run('return document.body.innerText')
+
+    def reading(self, name):
+        """Return a number of the panel by its id; None if it is a dash."""
+        text = self.run(f'return document.getElementById("{name}").textContent')
+        return float(re.match('-?[0-9.]+', text)[0]) if text != '–' else None
+
+    def wait_for_reading(self, name, accepts, timeout=PAGE_TIMEOUT):
+        """Return a number of the panel once it is there and is accepted."""
+        def accepted():
+            value = self.reading(name)
+            return value is not None and accepts(value)
+        wait_until(accepted, timeout, lambda: f'{name}; it is {self.reading(name)}')
+        return self.reading(name)
+
+    def wait_for_text(self, text, timeout=PAGE_TIMEOUT):
+        """Return once the text is to be read."""
+        wait_until(lambda: text in self.text, timeout,
+                   lambda: f'{text!r} in the page, which says:\n{self.text}')
+
+    def click(self, label):
+        """Click a button."""
+        self._button(label).click()
+
+    def hold(self, label):
+        """Press a button and hold it."""
+        ActionChains(self._driver, duration=0).click_and_hold(self._button(label)).perform()
+
+    def release(self):
+        """Let go of the button."""
+        self._select()
+        ActionChains(self._driver, duration=0).release().perform()
+
+    def press_key(self, key):
+        """Press a key and hold it."""
+        self._select()
+        ActionChains(self._driver, duration=0).key_down(key).perform()
+
+    def release_key(self, key):
+        """Let go of the key."""
+        self._select()
+        ActionChains(self._driver, duration=0).key_up(key).perform()
+
+    def choose(self, label, option):
+        """Choose an option of a list."""
+        self._select()
+        lists = wait_until(lambda: self._driver.find_elements(
+            By.XPATH, f'//label[.="{label}"]/following::input'), PAGE_TIMEOUT, f'a list {label!r}')
+        lists[0].click()
+        wait_until(lambda: self._options(option), PAGE_TIMEOUT, f'{option!r} in the list')
+        self._options(option)[0].click()
+
+    def _options(self, text):
+        return [option for option in
+                self._driver.find_elements(By.CSS_SELECTOR, '[role=option]')
+                if option.text == text]
+
+    def dismiss_notices(self):
+        """Close what viser says, for instance of the lack of a graphics card."""
+        self.run('document.querySelectorAll("[class*=Notification-closeButton]")'
+                 '.forEach((button) => button.click())')
+        wait_until(lambda: not self.run(
+            'return document.querySelector("[class*=Notification-root]")'),
+            PAGE_TIMEOUT, 'a page without notices')
+
+    def photograph(self):
+        """Return the whole page as an image."""
+        self._select()
+        return Image.open(io.BytesIO(self._driver.get_screenshot_as_png())).convert('RGB')
+
+    def scene(self):
+        """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
+        box = self.run('const box = document.querySelector("canvas").getBoundingClientRect();'
+                       'return [box.left, box.top, box.right, box.bottom]')
+        return numpy.asarray(self.photograph().crop([round(edge) for edge in box]), dtype=int)
+
+    def _button(self, label):
+        self._select()
+        return next(button for button in self._driver.find_elements(By.TAG_NAME, 'button')
+                    if button.text.strip() == label)
+
+    def _select(self):
+        self._driver.switch_to.window(self._window)
+
+
+def dark_pixels(picture):
+    """Return rows and columns of the pixels that are as dark as the robot."""
+    return numpy.nonzero(picture.max(axis=2) < DARK)
