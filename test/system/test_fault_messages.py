@@ -206,7 +206,7 @@ def test_a_subscriber_that_is_stopped_stops_nobody_else(ns):
         truth = Truth(ns)
         truth.wait_for(timeout=20.0)
         with rosrun('rotate_robot', 'main.py') as sleeper:
-            sleeper.wait_for_output('e-')
+            sleeper.wait_for_output('0.0')
             sleeper.send(signal.SIGSTOP)
             try:
                 truth.wait_seconds(3.0)
