@@ -1,0 +1,141 @@
+"""The detector's sum under any sequence of messages, gaps, resets and strange values."""
+
+import math
+
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
+from odometry_tests.fuzzing import any_number
+from odometry_tests.scripts import load_script
+
+DETECTOR = load_script('odom_movement_detector/src/odom_movement_detector.py')
+
+limits = st.one_of(st.just(0.0), st.floats(0, 10), st.floats(0, 1.7e308))
+durations = st.one_of(st.sampled_from([0.0, 0.05]), st.floats(0, 100))
+
+
+class DetectorMachine(RuleBasedStateMachine):
+    """A robot that drives, jumps, falls silent and lies, beside a model of the sum.
+
+    The model keeps every counted step in a list. Whether a step counts it decides only where
+    the contract does; how far messages without stamps may be late is the detector's choice.
+    """
+
+    @initialize(min_step=limits, max_speed=st.one_of(st.just(5.0), limits))
+    def start(self, min_step, max_speed):
+        """Set the parameters; no message has come yet."""
+        self.min_step, self.max_speed = min_step, max_speed
+        self.counter = DETECTOR.DistanceCounter(min_step, max_speed)
+        self.stamp = self.arrival = 100.0
+        self.stamped = True
+        self.last = self.reference = None
+        self.steps = []
+        self.previous = 0.0
+
+    @rule(duration=durations)
+    def time_passes(self, duration):
+        """Leave a gap between two messages."""
+        self.arrival += duration
+        if self.stamped:
+            self.stamp += duration
+
+    @rule(duration=durations)
+    def the_clock_goes_back(self, duration):
+        """Reset the simulator, or loop a bag."""
+        self.stamp = max(0.0, self.stamp - duration)
+
+    @rule()
+    def the_driver_changes(self):
+        """From one that stamps its messages to one that does not, or the other way."""
+        self.stamped = not self.stamped
+
+    @rule(speed=st.floats(0, 10), direction=st.floats(0, math.tau), duration=durations)
+    def drive(self, speed, direction, duration):
+        """Go on from the last position, at a speed that may be too high to be true."""
+        self.time_passes(duration)
+        x, y = self.last[:2] if self.last else (0.0, 0.0)
+        way = speed * duration
+        self.hear(x + way * math.cos(direction), y + way * math.sin(direction))
+
+    @rule(x=any_number, y=any_number)
+    def jump(self, x, y):
+        """Be anywhere, or nowhere."""
+        self.hear(x, y)
+
+    @precondition(lambda self: self.reference)
+    @rule()
+    def drive_exactly_min_step(self):
+        """Go just far enough to be counted."""
+        self.time_passes(1.0)
+        self.hear(self.reference[0] + self.min_step, self.reference[1])
+
+    @precondition(lambda self: self.last)
+    @rule()
+    def repeat(self):
+        """Hear the last message again, as a simulator in lockstep repeats it."""
+        self.hear(*self.last[:2])
+
+    @rule()
+    def reset(self):
+        """Start counting from zero."""
+        self.counter.reset()
+        self.steps.clear()
+        self.previous = 0.0
+        self.reference = self.last and self.last[:2]
+
+    @invariant()
+    def it_never_falls_and_is_always_a_number(self):
+        """But for a reset."""
+        distance = self.counter.distance
+        assert self.previous <= distance < math.inf
+        self.previous = distance
+
+    @invariant()
+    def it_is_the_sum_of_the_model(self):
+        """To the last bit, and zero below a micrometre."""
+        total = 0.0
+        for step in self.steps:
+            total += step
+        assert self.counter.distance == (total if total >= 1e-6 else 0.0)
+
+    def hear(self, x, y):
+        """Pass a message to the detector and to the model."""
+        message = x, y, self.stamp, self.arrival
+        try:
+            refused = self.counter.add(*message)
+        except ValueError:
+            assert not (math.isfinite(x) and math.isfinite(y)), 'a good position was refused'
+            return
+        assert math.isfinite(x) and math.isfinite(y), 'a bad position was accepted'
+        expected = self.must_be_refused(message)
+        assert expected in (bool(refused), None), refused or 'a jump was counted'
+        self.count(x, y, refused)
+        self.last = message
+
+    def must_be_refused(self, message):
+        """Tell whether the contract calls this message a jump; None: it leaves that open."""
+        x, y, stamp, arrival = message
+        if self.last is None:
+            return False
+        uncounted = math.hypot(x - self.reference[0], y - self.reference[1])
+        if stamp < self.last[2] or not math.isfinite(sum(self.steps) + uncounted):
+            return True
+        if self.max_speed == 0:
+            return False
+        needed = math.hypot(x - self.last[0], y - self.last[1]) / self.max_speed
+        if stamp > self.last[2]:
+            return needed > stamp - self.last[2]
+        late = needed - (arrival - self.last[3])
+        return None if 0 < late <= DETECTOR.DELIVERY_JITTER else late > 0
+
+    def count(self, x, y, refused):
+        """Add the step to the list, or only go to its end."""
+        if refused or self.reference is None:
+            self.reference = x, y
+            return
+        step = math.hypot(x - self.reference[0], y - self.reference[1])
+        if step >= self.min_step:
+            self.steps.append(step)
+            self.reference = x, y
+
+
+TestDetector = DetectorMachine.TestCase
