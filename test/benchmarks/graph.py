@@ -1,0 +1,147 @@
+"""The whole graph, or its robot alone, in processes of their own, quiet until it is measured."""
+
+import contextlib
+import os
+import threading
+import time
+import xmlrpc.client
+from typing import NamedTuple
+
+import rosgraph
+import rospy
+from odometry_tests.processes import rosrun
+from odometry_tests.waiting import wait_until
+from rosgraph_msgs.msg import Clock
+from std_srvs.srv import Empty
+
+FAR = 1e6  # m; nobody arrives there
+TIMEOUT = 30.0  # s of wall time
+TICKS_PER_SECOND = os.sysconf('SC_CLK_TCK')
+MEGABYTE = 2**20
+
+
+class Sample(NamedTuple):
+    """The state of the processes at one moment; all in seconds."""
+
+    wall: float
+    simulated: float
+    cpu: float
+
+
+class Graph:
+    """Processes around a simulator; simulated time stands still but for the measurements."""
+
+    def __init__(self, *arguments, movers=True, distance=FAR):
+        """Start them; use it as a context.
+
+        :param arguments: for the simulator, such as '_robots:=5'
+        :param movers: whether to start the detector and the mover, which drives so far (m)
+        """
+        forget_parameters()
+        self._stack = contextlib.ExitStack()
+        self._processes = [self._start('sim_turtlebot', 'sim_turtlebot_node.py', *arguments)]
+        # Nothing may pass before it is measured.
+        self._call('pause_physics')
+        if movers:
+            self._processes += [
+                self._start('odom_movement_detector', 'odom_movement_detector.py'),
+                self._start('test_movement', 'test_movement.py', f'_distance:={distance}')]
+            for topic in ('/odom', '/moved_distance', '/cmd_vel'):
+                wait_until(lambda topic=topic: _has_listener(topic), TIMEOUT,
+                           f'a subscriber of {topic}')
+
+    def __enter__(self):
+        """Use it as a context."""
+        return self
+
+    def __exit__(self, *_):
+        """End all processes."""
+        self._stack.close()
+
+    @contextlib.contextmanager
+    def running(self):
+        """Let time pass within this context."""
+        self._call('unpause_physics')
+        yield
+        self._call('pause_physics')
+
+    def watch(self, window):
+        """Let time pass for `window` s of wall time; return the differences as a Sample."""
+        with self.running():
+            start = self._sample()
+            time.sleep(window)
+            end = self._sample()
+        return Sample(*(after - before for before, after in zip(start, end)))
+
+    def run_until(self, simulated, look_every):
+        """Let time pass until `simulated` s; look at the clock every so many s of wall time."""
+        with self.running():
+            while _now() < simulated:
+                time.sleep(look_every)
+
+    def memory(self):
+        """Return the resident memory of all processes (MB)."""
+        return sum(_resident(process.pid) for process in self._processes)
+
+    def _start(self, *command):
+        return self._stack.enter_context(rosrun(*command))
+
+    def _sample(self):
+        simulated = _now()
+        return Sample(time.perf_counter(), simulated,
+                      sum(_cpu_time(process.pid) for process in self._processes))
+
+    def _call(self, service):
+        name = f'/sim_turtlebot/{service}'
+        rospy.wait_for_service(name, TIMEOUT)
+        rospy.ServiceProxy(name, Empty)()
+
+
+def forget_parameters():
+    """Take back what an earlier process was given on its command line."""
+    master = rosgraph.Master('/bench')
+    for node in ('/sim_turtlebot', '/test_movement'):
+        if master.hasParam(node):
+            master.deleteParam(node)
+
+
+def _has_listener(topic):
+    """Tell whether the topic's publisher is connected to a subscriber."""
+    master = rosgraph.Master('/bench')
+    publishers = dict(master.getSystemState()[0]).get(topic, [])
+    return any(_is_connected(master.lookupNode(node), topic) for node in publishers)
+
+
+def _is_connected(node_uri, topic):
+    _, _, connections = xmlrpc.client.ServerProxy(node_uri).getBusInfo('/bench')
+    return any(direction == 'o' and name == topic
+               for _, _, direction, _, name, *_ in connections)
+
+
+def _now():
+    """Return the simulated time (s), from a subscriber that slows nobody down afterwards."""
+    heard, times = threading.Event(), []
+
+    def on_clock(message):
+        times.append(message.clock.to_sec())
+        heard.set()
+
+    subscriber = rospy.Subscriber('/clock', Clock, on_clock, tcp_nodelay=True)
+    try:
+        if not heard.wait(TIMEOUT):
+            raise TimeoutError(f'no message on /clock within {TIMEOUT:g} s')
+    finally:
+        subscriber.unregister()
+    return times[-1]
+
+
+def _cpu_time(pid):
+    """Return the CPU time (s) that a process has used."""
+    with open(f'/proc/{pid}/stat') as file:
+        fields = file.read().rpartition(')')[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS_PER_SECOND
+
+
+def _resident(pid):
+    with open(f'/proc/{pid}/statm') as file:
+        return int(file.read().split()[1]) * os.sysconf('SC_PAGE_SIZE') / MEGABYTE

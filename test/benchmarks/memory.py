@@ -1,0 +1,25 @@
+"""Whether memory stays what it was."""
+
+
+from graph import Graph
+from measuring import Target, compare
+from speed import UNPACED
+
+MINUTE = 60.0  # s
+
+
+def memory(options):
+    """Measure all processes after a simulated minute and after many."""
+    pairs = [_memory(options.minutes) for _ in range(options.runs)]
+    yield compare('memory after a simulated minute', 'MB', [(early, early) for _, early in pairs])
+    yield compare(f'memory after {options.minutes} simulated minutes', 'MB', pairs,
+                  Target('<=', 1.01))
+
+
+def _memory(minutes):
+    """Return the memory late and early (MB) in one run."""
+    with Graph(*UNPACED) as graph:
+        graph.run_until(MINUTE, 0.01)
+        early = graph.memory()
+        graph.run_until(minutes * MINUTE, 0.2)
+        return graph.memory(), early
