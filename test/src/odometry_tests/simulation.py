@@ -20,16 +20,18 @@ class Record(NamedTuple):
 class Simulation:
     """Robots in one world, in simulated time, as fast as PyBullet can."""
 
-    def __init__(self, *starts, odometry=WorldOdometry, cmd_vel_timeout=0.0, odom_rate=20.0):
+    def __init__(self, *starts, odometry=WorldOdometry, cmd_vel_timeout=0.0, odom_rate=20.0,
+                 world_file=''):
         """Put robots down.
 
         :param starts: x, y (m) and yaw (rad) of each robot; none: one robot at zero
         :param odometry: function that returns a robot's odometry
         :param cmd_vel_timeout: seconds, 0: never
         :param odom_rate: Hz
+        :param world_file: path of a URDF or SDF file to load beside the floor
         """
         self._timeline = Timeline(odom_rate)
-        self._world = World(self._timeline.step_rate)
+        self._world = World(self._timeline.step_rate, world_file=world_file)
         bodies = [self._world.add_turtlebot(*start) for start in starts or [AT_ZERO]]
         self._world.settle()
         timeout = round(cmd_vel_timeout * 1e9)
@@ -56,6 +58,12 @@ class Simulation:
         """Command the first robot and run; return the Record."""
         self.command(linear, angular)
         return self.run(duration)
+
+    def reset(self):
+        """Take time and robots back to the start."""
+        self._timeline.steps = 0
+        for robot in self.robots:
+            robot.reset()
 
     def _step(self):
         """Advance time, and the physics unless everything rests; tell whether it was needed."""

@@ -1,0 +1,139 @@
+"""Robots in a room under any commands: they bump, push, are reset, and stay robots."""
+
+import math
+
+import pytest
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
+from odometry_tests.fuzzing import any_number, physics_settings
+from odometry_tests.scripts import ROOT
+from odometry_tests.simulation import Simulation
+from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from sim_turtlebot.physics import WHEEL_RADIUS, WHEEL_SEPARATION
+from sim_turtlebot.robot import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
+from sim_turtlebot.rotations import rotate, yaw_of
+
+ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
+PERIOD = 0.05  # s between two looks at the robots
+FASTEST_WHEEL = (MAX_LINEAR_SPEED + MAX_ANGULAR_SPEED * WHEEL_SEPARATION / 2) / WHEEL_RADIUS
+OVERSHOOT = 1.1  # of a wheel that comes free from a wall, say
+LARGEST_LEAN = 25.0  # degrees, with the wheels up against another robot
+LOWEST, HIGHEST = -0.001, 0.05  # m, of the footprint
+STANDING = (0.0, 0.0)
+STEPS = 15  # events in a sequence
+
+SOURCES = {
+    'world': WorldOdometry,
+    'encoder': EncoderOdometry,
+    'gyro': lambda: EncoderOdometry(gyro=True),
+    'noisy': lambda: EncoderOdometry(True, wheel_slip=0.05, wheel_noise=0.02, gyro_noise=0.02),
+}
+
+yaws = st.floats(-math.pi, math.pi)
+robots = st.integers(0, 1)
+speeds = st.one_of(st.sampled_from([0.7, -0.7, 0.1, 0.0]), st.floats(-1, 1), any_number)
+turn_speeds = st.one_of(st.sampled_from([math.pi, -math.pi, 0.0]), st.floats(-4, 4), any_number)
+
+
+def numbers_of(robot):
+    """Return every number that a robot shows."""
+    yield from (number for motion in (robot.truth, robot.odometry)
+                for part in motion for number in part)
+    yield from (number for part in robot.wheels for number in part)
+
+
+def lean(motion):
+    """Return by how many degrees a robot is not upright."""
+    return math.degrees(math.acos(min(1.0, rotate(motion.orientation, (0.0, 0.0, 1.0))[2])))
+
+
+class RobotMachine(RuleBasedStateMachine):
+    """Two robots, one behind the other, in a room of four metres."""
+
+    @initialize(first=yaws, second=yaws, source=st.sampled_from(sorted(SOURCES)),
+                timeout=st.sampled_from([0.0, 0.6]))
+    def start(self, first, second, source, timeout):
+        """Put the robots down."""
+        self.source = source
+        self.simulation = Simulation(
+            (0.0, 0.0, first), (-0.6, 0.0, second), odometry=SOURCES[source],
+            cmd_vel_timeout=timeout, world_file=ROOM)
+        self.note_origins()
+        self.look()
+
+    @rule(robot=robots, linear=speeds, angular=turn_speeds)
+    def command(self, robot, linear, angular):
+        """Command a twist; one that is not finite is refused."""
+        if math.isfinite(linear) and math.isfinite(angular):
+            self.simulation.command(linear, angular, robot)
+        else:
+            with pytest.raises(ValueError, match='is not finite'):
+                self.simulation.command(linear, angular, robot)
+
+    @rule(periods=st.integers(1, 20))
+    def run_on(self, periods):
+        """Let time pass; between two of these it stands, as while the simulation is paused."""
+        for _ in range(periods):
+            self.simulation.run(PERIOD)
+            self.look()
+
+    @rule(robot=robots)
+    def reset_odometry(self, robot):
+        """Call the robot's place zero."""
+        self.simulation.robots[robot].reset_odometry()
+        self.note_origin(robot)
+        x, y, _ = self.simulation.robots[robot].odometry.position
+        assert (x, y) == (0.0, 0.0)
+
+    @rule()
+    def reset_simulation(self):
+        """Take everything back to the start, whatever has happened."""
+        self.simulation.reset()
+        for robot, start in zip(self.simulation.robots, ((0.0, 0.0), (-0.6, 0.0))):
+            assert robot.truth.position[:2] == start
+            assert robot.resting
+        self.note_origins()
+        self.look()
+
+    @rule()
+    def stop_and_wait(self):
+        """Command zero, not always for the first time, and wait until the robots have braked."""
+        for robot in range(len(self.simulation.robots)):
+            self.simulation.command(*STANDING, robot)
+        self.run_on(20)
+        for robot in self.simulation.robots:
+            assert math.hypot(*robot.truth.linear) < 0.05
+
+    def note_origins(self):
+        """Remember where each odometry has begun."""
+        self.origins = [robot.truth for robot in self.simulation.robots]
+
+    def note_origin(self, robot):
+        """Remember where one odometry has begun again."""
+        self.origins[robot] = self.simulation.robots[robot].truth
+
+    def look(self):
+        """Check all that must hold for each robot at any time."""
+        for robot, origin in zip(self.simulation.robots, self.origins):
+            assert all(map(math.isfinite, numbers_of(robot)))
+            assert max(map(abs, robot.wheels[1])) <= FASTEST_WHEEL * OVERSHOOT
+            assert lean(robot.truth) <= LARGEST_LEAN
+            assert LOWEST <= robot.truth.position[2] <= HIGHEST
+            assert math.hypot(*robot.odometry.orientation) == pytest.approx(1.0, abs=1e-6)
+            if self.source == 'world':
+                self.compare(robot, origin)
+
+    def compare(self, robot, origin):
+        """Check a world odometry against the way from where it has begun."""
+        x, y, _ = robot.odometry.position
+        true_x, true_y = (now - then for now, then in
+                          zip(robot.truth.position[:2], origin.position[:2]))
+        assert math.hypot(x, y) == pytest.approx(math.hypot(true_x, true_y), abs=1e-9)
+        turn = yaw_of(robot.truth.orientation) - yaw_of(origin.orientation)
+        error = math.remainder(yaw_of(robot.odometry.orientation) - turn, math.tau)
+        assert error == pytest.approx(0.0, abs=1e-3 if lean(robot.truth) > 1 else 1e-6)
+
+
+TestRobot = RobotMachine.TestCase
+TestRobot.settings = settings(physics_settings(), stateful_step_count=STEPS)
