@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""The mover's side of the contract, over real topics."""
+
+import math
+import random
+import sys
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import Twist, Vector3
+from odometry_tests.partners import NodeLog, Partner, SteppedClock
+from odometry_tests.tutorial import mover
+from odometry_tests.waiting import wait_until
+from std_msgs.msg import Float64
+
+NODES = 3
+FAR = 1e6  # m, beyond every goal
+
+
+def commands(*speeds):
+    """Return Twists that are zero but for their speed ahead (m/s)."""
+    return [Twist(linear=Vector3(x=speed)) for speed in speeds]
+
+
+class Talk(Partner):
+    """Distances to a mover, commands from it."""
+
+    def __init__(self, namespace=''):
+        """Take a namespace that ends in a slash, or none."""
+        super().__init__(f'/{namespace}moved_distance', Float64, f'/{namespace}cmd_vel', Twist)
+
+    def begin(self):
+        """Return with a mover that drives, and with all its commands so far heard."""
+        self.say_until(lambda: Float64(FAR), lambda m: m.linear.x == 0, 'a stop')
+        self.say(Float64(0.0))
+        self.answers.wait_for(lambda m: m.linear.x != 0, what='a start')
+
+    def tell(self, *distances):
+        """Send distances (m) and return the commands that answer them."""
+        return self.ask(*map(Float64, distances))
+
+
+class MoverTest(unittest.TestCase):
+    """Given moved distances, the mover commands the robot."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Be the clock, hear the log, and talk to the mover whose parameters are the defaults."""
+        cls.log = NodeLog()
+        cls.clock = SteppedClock(NODES)
+        cls.talk = Talk()
+
+    def setUp(self):
+        """Start it off."""
+        self.talk.begin()
+
+    def test_each_distance_alone_decides_on_one_command(self):
+        """A thousand distances in any order: as many commands, and not one more."""
+        numbers = random.Random(1)
+        distances = [numbers.uniform(0.0, 4.0) for _ in range(1000)]
+        expected = commands(*(0.1 if distance < 2.0 else 0.0 for distance in distances))
+        self.assertEqual(self.talk.tell(*distances, 2.0), expected + commands(0.0))
+        self.assertEqual(self.talk.tell(0.0), commands(0.1))
+
+    def test_it_stops_at_two_metres_and_not_before(self):
+        """To the bit."""
+        distances = 0.0, 1.999999, math.nextafter(2.0, 0.0), 2.0, 2.5
+        self.assertEqual(self.talk.tell(*distances), commands(0.1, 0.1, 0.1, 0.0, 0.0))
+
+    def test_a_reset_of_the_distance_sends_the_robot_off_again(self):
+        """It has no memory of having arrived."""
+        self.assertEqual(self.talk.tell(2.1, 0.0, 1.0, 2.0), commands(0.0, 0.1, 0.1, 0.0))
+
+    def test_a_distance_that_is_no_number_stops_it_and_is_warned_of(self):
+        """The next good one sends it on."""
+        distances = math.nan, 1.0, math.inf, 1.0, -math.inf
+        self.assertEqual(self.talk.tell(*distances), commands(0.0, 0.1, 0.0, 0.1, 0.0))
+        self.log.wait_for_warning('/test_movement', 'the moved distance nan is not finite')
+
+    def test_silence_stops_it_until_distances_return(self):
+        """After one second; a standing robot is not stopped again."""
+        self.talk.answers.clear()
+        self.clock.advance(*[0.1] * 12)
+        self.assertEqual(self.talk.answers.wait_for_count(1), commands(0.0))
+        self.log.wait_for_warning('/test_movement', 'no moved_distance arrives')
+        self.clock.advance(*[0.1] * 30)
+        self.talk.say(Float64(1.0))
+        self.assertEqual(self.talk.answers.wait_for_count(2), commands(0.0, 0.1))
+
+    def test_slow_distances_are_no_silence(self):
+        """Three in a second."""
+        self.talk.answers.clear()
+        for count in range(1, 11):
+            self.clock.advance(0.33)
+            self.talk.say(Float64(1.0))
+            self.talk.answers.wait_for_count(count)
+        self.assertEqual(self.talk.answers.messages, commands(*[0.1] * 10))
+
+    def test_it_drives_backwards_as_far_as_it_is_told(self):
+        """In a namespace; the mover outside hears nothing of it."""
+        back = Talk('back/')
+        back.begin()
+        self.talk.answers.clear()
+        self.assertEqual(back.tell(0.0, 0.499, 0.5, 3.0), commands(-0.2, -0.2, 0.0, 0.0))
+        self.talk.say(Float64(FAR))
+        self.talk.answers.wait_for(lambda m: m == Twist())
+        self.assertEqual(self.talk.answers.messages, commands(0.0))
+
+    def test_without_a_timeout_silence_does_not_stop_it(self):
+        """The mover beside it, which has one, is stopped meanwhile."""
+        back = Talk('back/')
+        back.begin()
+        self.talk.answers.clear()
+        back.answers.clear()
+        self.clock.advance(*[0.5] * 20)
+        self.talk.answers.wait_for(lambda m: m == Twist())
+        self.assertEqual(back.tell(0.1, 0.7), commands(-0.2, 0.0))
+
+    def test_relative_counts_from_the_first_distance(self):
+        """It would be beyond the goal for any other mover."""
+        relative = Talk('relative/')
+        relative.say_until(lambda: Float64(10.0), lambda m: m.linear.x == 0.1, 'a start')
+        relative.say(Float64(FAR))
+        relative.answers.wait_for(lambda m: m.linear.x == 0, what='a stop')
+        self.assertEqual(relative.tell(11.999, 12.0, 0.0), commands(0.1, 0.0, 0.1))
+
+    def test_exit_when_done_ends_it_once_the_robot_stands(self):
+        """With exit status 0, and not while the distance still grows."""
+        done = Talk('done/')
+        with mover('_exit_when_done:=true', env={'ROS_NAMESPACE': 'done'}) as node:
+            done.begin()
+            for distance in (2.0, 2.01, 2.02, 2.03):
+                self.clock.advance(0.4)
+                self.assertEqual(done.tell(distance), commands(0.0))
+            self.assertTrue(node.running)
+            wait_until(lambda: self.rest(done) or not node.running, 10.0, 'its end')
+            self.assertEqual(node.wait(), 0, node.output)
+        self.assertEqual(done.answers.last, Twist())
+
+    def rest(self, talk):
+        """Let the robot stand for a moment."""
+        self.clock.advance(0.1)
+        talk.say(Float64(2.03))
+
+
+if __name__ == '__main__':
+    rospy.init_node('mover_test', disable_rostime=True)
+    rostest.rosrun('odometry_tests', 'mover', MoverTest, sys.argv)

@@ -1,0 +1,78 @@
+"""What a test is to a node that runs alone: the one it talks with, and the keeper of its time."""
+
+import rospy
+from rosgraph_msgs.msg import Clock, Log
+
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+
+QUEUE_SIZE = 5000  # messages; nothing that a test says is lost
+START_TIME = 1000  # s
+
+
+class Partner:
+    """Publishes what a node listens to, and hears what it answers."""
+
+    def __init__(self, topic, kind, answer_topic, answer_kind):
+        """Take both topics with their message classes."""
+        self._publisher = rospy.Publisher(topic, kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
+        self.answers = Recorder(answer_topic, answer_kind)
+
+    def say(self, *messages):
+        """Publish messages."""
+        for message in messages:
+            self._publisher.publish(message)
+
+    def say_until(self, make, accepts, what, timeout=20.0):
+        """Publish make() again and again until an answer is accepted; return that answer.
+
+        The first messages to a node that has just started, or the answers to them, may be lost.
+        """
+        wait_for_subscribers(self._publisher)
+        self.answers.clear()
+
+        def accepted():
+            self.say(make())
+            return self.answers.last is not None and accepts(self.answers.last)
+
+        wait_until(accepted, timeout, lambda: f'{what}; the last was:\n{self.answers.last}')
+        return self.answers.last
+
+    def ask(self, *messages):
+        """Publish messages that are all answered; return the answers."""
+        self.answers.clear()
+        self.say(*messages)
+        return self.answers.wait_for_count(len(messages))
+
+
+class NodeLog(Recorder):
+    """What the nodes log."""
+
+    def __init__(self):
+        """Listen; what a node has said last is heard also if it was before."""
+        super().__init__('/rosout', Log)
+
+    def has_warning(self, node, text):
+        """Tell whether a node (a full name) has warned in words with this text."""
+        return any((m.name, m.level) == (node, Log.WARN) and text in m.msg for m in self.messages)
+
+    def wait_for_warning(self, node, text, timeout=10.0):
+        """Return once the node has warned so."""
+        wait_until(lambda: self.has_warning(node, text), timeout,
+                   f'a warning of {node}: {text!r}')
+
+
+class SteppedClock:
+    """The clock of nodes in simulated time: it stands still unless the test advances it."""
+
+    def __init__(self, listeners):
+        """Return once so many nodes have read it."""
+        self._now = rospy.Time(START_TIME)
+        self._publisher = rospy.Publisher('/clock', Clock, queue_size=QUEUE_SIZE, latch=True)
+        self._publisher.publish(Clock(self._now))
+        wait_for_subscribers(self._publisher, listeners, timeout=20.0)
+
+    def advance(self, *durations):
+        """Let so many seconds pass, one duration after the other."""
+        for duration in durations:
+            self._now += rospy.Duration.from_sec(duration)
+            self._publisher.publish(Clock(self._now))
