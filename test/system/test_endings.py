@@ -77,7 +77,10 @@ def rosnode_kill(_node):
     assert rosnode.kill_nodes(['/driver']) == (['/driver'], [])
 
 
-@pytest.mark.parametrize('ending', [ctrl_c, terminate, hang_up, rosnode_kill])
+ENDINGS = [ctrl_c, terminate, hang_up, rosnode_kill]
+
+
+@pytest.mark.parametrize('ending', ENDINGS)
 def test_the_robot_is_at_rest_at_once(driver, truth, ending):
     """The node's last command is zero; nothing else could stop this robot."""
     ended = truth.last.header.stamp
@@ -88,6 +91,18 @@ def test_the_robot_is_at_rest_at_once(driver, truth, ending):
     assert took <= STOPPING_TIME + ODOMETRY_PERIOD, f'stopped after {took:.2f} s'
     assert driver.wait() == 0, driver.output
     assert 'Traceback' not in driver.output
+
+
+@pytest.mark.parametrize('ending', ENDINGS)
+def test_a_node_that_has_arrived_ends_quietly(truth, ending):
+    """After arrival the robot stays at rest."""
+    with rosrun('odom_movement_detector', 'odom_movement_detector.py'), \
+            rosrun('test_movement', 'test_movement.py', '__name:=driver', '_distance:=0.02') as node:
+        node.wait_for_output('stopped')
+        ending(node)
+        assert node.wait() == 0, node.output
+    assert 'Traceback' not in node.output
+    truth.wait_for(lambda m: speed(m) < REST, what='a robot at rest')
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])

@@ -2,7 +2,6 @@
 
 import itertools
 import math
-import signal
 import threading
 
 import pytest
@@ -198,32 +197,6 @@ def test_the_robot_obeys_the_last_of_two_thousand_commands_a_second(ns):
             thread.join()
         truth.wait_until_resting()
         assert node.running
-
-
-def test_a_subscriber_that_is_stopped_stops_nobody_else(ns):
-    """The simulator keeps its pace and its memory while a listener to /odom sleeps."""
-    with simulator('_odom_rate:=500') as robot:
-        truth = Truth(ns)
-        truth.wait_for(timeout=20.0)
-        with rosrun('rotate_robot', 'main.py') as sleeper:
-            sleeper.wait_for_output('0.0')
-            sleeper.send(signal.SIGSTOP)
-            try:
-                truth.wait_seconds(3.0)
-                before = resident_memory(robot)
-                # Over a second's worth for the socket and the queue: 500 Hz of 700 bytes.
-                truth.wait_seconds(15.0, timeout=25.0)
-                grown = resident_memory(robot) - before
-            finally:
-                sleeper.send(signal.SIGCONT)
-        assert grown < 2e6, f'{grown} bytes more'
-
-
-def resident_memory(process):
-    """Return the resident memory (bytes) of a process."""
-    with open(f'/proc/{process.pid}/status') as status:
-        line = next(line for line in status if line.startswith('VmRSS'))
-    return int(line.split()[1]) * 1024
 
 
 def test_a_kidnapped_robot_goes_on_to_two_metres(ns):
