@@ -16,6 +16,7 @@ from std_msgs.msg import Float64
 
 NODES = 3
 FAR = 1e6  # m, beyond every goal
+JUST_BEFORE_TWO = 2.0 - 2.0**-52  # m
 
 
 def commands(*speeds):
@@ -65,7 +66,7 @@ class MoverTest(unittest.TestCase):
 
     def test_it_stops_at_two_metres_and_not_before(self):
         """To the bit."""
-        distances = 0.0, 1.999999, math.nextafter(2.0, 0.0), 2.0, 2.5
+        distances = 0.0, 1.999999, JUST_BEFORE_TWO, 2.0, 2.5
         self.assertEqual(self.talk.tell(*distances), commands(0.1, 0.1, 0.1, 0.0, 0.0))
 
     def test_a_reset_of_the_distance_sends_the_robot_off_again(self):
