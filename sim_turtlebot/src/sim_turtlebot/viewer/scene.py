@@ -12,6 +12,9 @@ TRAIL_COLOUR = (230, 120, 20)
 TRAIL_HEIGHT = 0.004  # m, above the floor
 START_COLOUR = (40, 160, 70)
 GOAL_COLOUR = (210, 40, 40)
+MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
+DAYLIGHT = 3.0
+DUSK_COLOUR = (110, 110, 120)  # of the light from below
 SPOKE_COLOUR = (235, 235, 235)
 SPOKES = 3  # from rim to rim
 SPOKE_WIDTH = 0.008  # m
@@ -21,6 +24,10 @@ SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 def furnish(scene):
     """Put the floor, with a line at each metre, into an empty viser scene."""
     scene.set_up_direction('+z')
+    # Reflections and shadows would leave a computer without a graphics card one frame a second.
+    scene.configure_environment_map(None)
+    scene.configure_default_lights(cast_shadow=False)
+    scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)
     scene.add_grid('/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
                    section_size=1.0, section_color=(170, 170, 178), fade_distance=20.0,
                    plane_color=(248, 248, 250), plane_opacity=1.0)
@@ -96,7 +103,7 @@ class RobotFigure:
                                         color=mesh.colour, flat_shading=True)
             self._scene.add_mesh_simple(f'{ghost.name}/{number}', mesh.vertices, mesh.faces,
                                         color=GHOST_COLOUR, opacity=GHOST_OPACITY,
-                                        flat_shading=True, cast_shadow=False)
+                                        flat_shading=True)
         if link.joint:
             self._wheels[link.joint] = body, link
             self._add_spokes(body, link.meshes[0].vertices)
@@ -107,12 +114,12 @@ class RobotFigure:
         for number in range(SPOKES):
             turn = SO3.from_z_radians(numpy.pi * number / SPOKES)
             self._scene.add_box(f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
-                                (across, SPOKE_WIDTH, width), wxyz=turn.wxyz, cast_shadow=False)
+                                (across, SPOKE_WIDTH, width), wxyz=turn.wxyz)
 
     def _add_marks(self):
         node = self._odometry.name
-        self._scene.add_cylinder(f'{node}/start', 0.05, 0.004, START_COLOUR, cast_shadow=False)
+        self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
-        self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 0.004),
-                            position=(TWO_METRES, 0.0, 0.0), cast_shadow=False)
+        self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
+                            position=(TWO_METRES, 0.0, 0.0))
         self._scene.add_label(f'{node}/goal/label', '2 m', position=(0.0, 0.3, 0.0))
