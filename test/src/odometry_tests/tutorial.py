@@ -52,6 +52,7 @@ class Truth(Recorder):
     @property
     def stamp(self):
         """When the robot was last seen (s)."""
+        self.wait_for(timeout=20.0, what='the robot')
         return self.last.header.stamp.to_sec()
 
     def wait_until_moving(self, timeout=20.0):
