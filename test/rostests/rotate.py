@@ -110,7 +110,8 @@ class RotateTest(unittest.TestCase):
             self.talk.answers.wait_for_count(count)
         commands = self.talk.answers.messages
         self.assertTrue(all(turns_at(m, math.pi / 4) for m in commands), commands)
-        self.assertEqual(len(commands), 7)
+        # The node may make up for the two periods in which it still waited.
+        self.assertLessEqual(len(commands), 9)
         self.talk.answers.clear()
         self.clock.advance(0.1, 0.1)
         self.talk.answers.wait_for(lambda m: m == Twist(), what='a stop')

@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+"""The simulator's side of the contract, over real topics."""
+
+import math
+import sys
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import Twist
+from odometry_tests.partners import NodeLog
+from odometry_tests.robots import Robot, place
+from odometry_tests.tutorial import REST_SPEED, heading, speed
+from odometry_tests.waiting import Recorder
+from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
+
+START = 1.0, -2.0, 1.5  # m, m, rad; where the robot in the corner starts
+WHEEL_RADIUS = 0.035  # m, kobuki_description
+TOP_SPEED, TOP_TURN = 0.7, math.pi  # m/s, rad/s, TurtleBot 2 specification
+TUTORIAL_VARIANCES = [1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001]
+
+
+class SimulatorTest(unittest.TestCase):
+    """Given commands, the simulator reports a TurtleBot 2."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Hear everything from the start on."""
+        cls.log = NodeLog()
+        cls.clock, cls.tf = Recorder('/clock', Clock), Recorder('/tf', TFMessage)
+        cls.robot, cls.corner = Robot(), Robot('corner/')
+        cls.pair = Robot('shared/robot_1/'), Robot('shared/robot_2/')
+        for robot in (cls.robot, cls.corner, *cls.pair):
+            robot.wait_until_ready()
+
+    def setUp(self):
+        """Begin with robots at rest."""
+        for robot in self.robot, self.corner:
+            robot.stop()
+
+    def test_odometry_has_the_fields_of_the_tutorial(self):
+        """Frames, covariances, and a robot at rest at zero."""
+        message, _ = self.robot.restart()
+        self.assertEqual(message.header.frame_id, 'odom')
+        self.assertEqual(message.child_frame_id, 'base_footprint')
+        self.assertEqual(list(message.pose.covariance[::7]), TUTORIAL_VARIANCES)
+        self.assertEqual(sum(map(abs, message.pose.covariance)), sum(TUTORIAL_VARIANCES))
+        self.assertEqual(set(message.twist.covariance), {0.0})
+        self.assertEqual(place(message), (0.0, 0.0, 0.0))
+        turn = message.pose.pose.orientation
+        self.assertAlmostEqual(math.hypot(turn.x, turn.y, turn.z, turn.w), 1.0)
+        self.assertEqual(message.twist.twist, Twist())
+
+    def test_number_and_stamp_advance_twenty_times_a_second(self):
+        """The number is the stamp's: 20 for each second since the start."""
+        self.robot.odometry.clear()
+        for message in self.robot.odometry.wait_for_count(40):
+            self.assertEqual(message.header.stamp.to_nsec(), message.header.seq * 50_000_000)
+        numbers = [message.header.seq for message in self.robot.odometry.messages]
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
+
+    def test_it_starts_where_it_is_told_and_odometry_starts_at_zero(self):
+        """Ground truth is in the world, odometry from the start on."""
+        message, truth = self.corner.restart()
+        self.assertEqual((truth.header.frame_id, truth.child_frame_id), ('world', 'base_footprint'))
+        self.assertEqual(place(truth), START)
+        self.assertEqual(place(message), (0.0, 0.0, 0.0))
+        self.corner.drive(0.5)
+        self.corner.odometry.wait_for(lambda m: place(m)[0] >= 0.5, what='half a metre')
+        self.assertEqual(place(self.corner.odometry.last)[1:], (0.0, 0.0))
+
+    def test_tf_repeats_the_odometry(self):
+        """From odom to base_footprint, with the same stamp."""
+        self.tf.clear()
+        self.corner.drive(0.2, 0.5)
+        self.corner.odometry.clear()
+        message = self.corner.odometry.wait_for_count(3)[-1]
+        found = self.tf.wait_for(lambda m: sender(m) == '/corner/sim_turtlebot' and
+                                 m.transforms[0].header.stamp == message.header.stamp)
+        self.assertEqual(len(found.transforms), 1)
+        transform, pose = found.transforms[0], message.pose.pose
+        self.assertEqual(transform.header.frame_id, 'odom')
+        self.assertEqual(transform.child_frame_id, 'base_footprint')
+        self.assertEqual(transform.transform.rotation, pose.orientation)
+        for axis in 'xyz':
+            self.assertEqual(getattr(transform.transform.translation, axis),
+                             getattr(pose.position, axis))
+
+    def test_the_wheels_turn_as_the_robot_moves(self):
+        """Both alike on a straight way."""
+        self.corner.drive(0.35)
+        self.corner.joints.wait_for(lambda m: all(abs(v - 0.35 / WHEEL_RADIUS) < 0.2
+                                                  for v in m.velocity), what='turning wheels')
+        last = self.corner.joints.last
+        self.assertEqual(last.name, ['wheel_left_joint', 'wheel_right_joint'])
+        self.assertEqual([len(last.position), len(last.effort)], [2, 2])
+
+    def test_the_clock_runs_with_the_odometry(self):
+        """At least as fine, and it never goes back."""
+        self.clock.clear()
+        self.robot.odometry.clear()
+        stamps = [message.header.stamp for message in self.robot.odometry.wait_for_count(20)]
+        self.clock.wait_for(lambda m: sender(m) == '/sim_turtlebot' and m.clock > stamps[-1])
+        times = [m.clock for m in self.clock.messages if sender(m) == '/sim_turtlebot']
+        self.assertEqual(times, sorted(set(times)))
+        self.assertLessEqual(set(stamps[1:]), set(times))
+
+    def test_both_velocity_topics_move_it(self):
+        """The last command wins."""
+        self.corner.drive(0.2)
+        self.corner.wait_for_speeds(0.2)
+        self.corner.drive_base(-0.3)
+        self.corner.wait_for_speeds(-0.3)
+
+    def test_it_is_no_faster_than_a_turtlebot(self):
+        """Ahead, back, left and right."""
+        for asked, possible in [((5.0, 0.0), (TOP_SPEED, 0.0)), ((-1e9, 0.0), (-TOP_SPEED, 0.0)),
+                                ((0.0, 20.0), (0.0, TOP_TURN)), ((0.0, -4.0), (0.0, -TOP_TURN))]:
+            with self.subTest(asked=asked):
+                self.corner.drive(*asked)
+                self.corner.wait_for_speeds(*possible)
+
+    def test_what_a_turtlebot_cannot_do_is_ignored(self):
+        """It neither slides, flies nor rolls."""
+        impossible = {'sideways': 0.5, 'up': 0.5, 'roll': 1.0, 'pitch': 1.0}
+        self.corner.drive(0.2, 0.5, **impossible)
+        self.corner.wait_for_speeds(0.2, 0.5)
+        self.corner.drive(0.0, **impossible)
+        self.corner.truth.wait_until_resting()
+
+    def test_a_command_that_is_no_number_stops_it_and_is_warned_of(self):
+        """In either velocity."""
+        for command in (math.nan, 0.0), (0.0, math.inf):
+            with self.subTest(command=command):
+                self.corner.drive(0.3)
+                self.corner.wait_for_speeds(0.3)
+                self.corner.drive(*command)
+                self.corner.truth.wait_until_resting()
+        self.log.wait_for_warning('/corner/sim_turtlebot', 'is not finite')
+
+    def test_it_stops_when_commands_cease(self):
+        """After 0.6 s by its own clock, unless that is turned off."""
+        self.corner.drive(0.3)
+        self.robot.truth.clear()
+        self.robot.drive(0.3)
+        moving = self.robot.truth.wait_for(lambda m: speed(m) > 0.01).header.stamp
+        resting = self.robot.truth.wait_for(
+            lambda m: m.header.stamp > moving and speed(m) < REST_SPEED, what='rest').header.stamp
+        self.assertTrue(0.55 < (resting - moving).to_sec() < 0.95, resting - moving)
+        self.corner.truth.wait_seconds(2.0)
+        self.corner.wait_for_speeds(0.3)
+
+    def test_at_rest_it_is_at_rest(self):
+        """Its place stays the same to the bit, after it has moved."""
+        self.corner.drive(0.3, 1.0)
+        self.corner.truth.wait_until_moving()
+        self.corner.stop()
+        self.corner.odometry.clear()
+        poses = [message.pose for message in self.corner.odometry.wait_for_count(40)]
+        self.assertEqual(poses, poses[:1] * 40)
+
+    def test_a_reset_of_the_odometry_leaves_the_robot_where_it_is(self):
+        """Odometry counts from zero; the truth does not change."""
+        self.corner.drive(0.5, 1.0)
+        self.corner.odometry.wait_for(lambda m: abs(heading(m)) > 45, what='a turn')
+        self.corner.stop()
+        truth = self.corner.truth.last.pose
+        self.corner.odometry.clear()
+        self.corner.reset_odometry()
+        self.corner.odometry.wait_for(lambda m: place(m) == (0.0, 0.0, 0.0), what='zero')
+        self.assertEqual(self.corner.truth.last.pose, truth)
+
+    def test_the_services_pause_and_go_on(self):
+        """Time stands still meanwhile."""
+        self.corner.drive(0.1)
+        self.corner.truth.wait_until_moving()
+        # A second pause is answered only after all that was under way before it.
+        for _ in range(2):
+            self.corner.call('pause_physics')
+        paused = self.corner.truth.last
+        self.corner.call('pause_physics')
+        self.assertEqual(self.corner.truth.last, paused)
+        self.corner.call('unpause_physics')
+        self.corner.truth.wait_for(lambda m: m.header.stamp > paused.header.stamp)
+
+    def test_the_services_reset_robot_and_time(self):
+        """It stands at the start again."""
+        self.corner.drive(0.5, 1.0)
+        self.corner.truth.wait_until_moving()
+        _, truth = self.corner.restart()
+        self.assertEqual((place(truth), speed(truth)), (START, 0.0))
+        self.corner.truth.wait_seconds(1.0)
+        self.assertEqual(place(self.corner.truth.last), START)
+
+    def test_two_robots_share_a_world(self):
+        """Each with its own namespace and frames; each obeys its own commands only."""
+        first, second = self.pair
+        frames = [(robot.odometry.last.header.frame_id, robot.odometry.last.child_frame_id)
+                  for robot in self.pair]
+        self.assertEqual(frames, [('robot_1/odom', 'robot_1/base_footprint'),
+                                  ('robot_2/odom', 'robot_2/base_footprint')])
+        found = self.tf.wait_for(lambda m: sender(m) == '/shared/sim_turtlebot')
+        self.assertEqual(frames, [(transform.header.frame_id, transform.child_frame_id)
+                                  for transform in found.transforms])
+        self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
+        self.assertEqual(place(second.truth.last), (0.0, 1.0, 0.0))
+        second.drive(0.3)
+        second.truth.wait_until_moving()
+        self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
+
+
+def sender(message):
+    """Return the name of the node that has published a message."""
+    return message._connection_header['callerid']
+
+
+if __name__ == '__main__':
+    rospy.init_node('simulator_test', disable_rostime=True)
+    rostest.rosrun('odometry_tests', 'simulator', SimulatorTest, sys.argv)

@@ -1,0 +1,90 @@
+"""A simulated robot as a test sees it: what it publishes, and what it can be told."""
+
+import math
+
+import rospy
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Empty as EmptyMessage
+from std_srvs.srv import Empty
+
+from odometry_tests.tutorial import Truth, heading, speed
+from odometry_tests.waiting import Recorder, wait_for_subscribers
+
+
+class Robot:
+    """The topics and services of a simulated robot."""
+
+    def __init__(self, namespace=''):
+        """Take a namespace that ends in a slash, or none."""
+        self._namespace = f'/{namespace}'
+        self.odometry = Recorder(f'{self._namespace}odom', Odometry)
+        self.truth = Truth(self._namespace)
+        self.joints = Recorder(f'{self._namespace}joint_states', JointState)
+        self._velocity = self._publisher('cmd_vel', Twist)
+        self._base_velocity = self._publisher('mobile_base/commands/velocity', Twist)
+        self._reset_odometry = self._publisher('mobile_base/commands/reset_odometry', EmptyMessage)
+
+    def _publisher(self, topic, kind):
+        return rospy.Publisher(self._namespace + topic, kind, queue_size=10)
+
+    def wait_until_ready(self):
+        """Return once it listens and is heard."""
+        for publisher in self._velocity, self._base_velocity, self._reset_odometry:
+            wait_for_subscribers(publisher, timeout=20.0)
+        for recorder in self.odometry, self.truth, self.joints:
+            recorder.wait_for()
+
+    def drive(self, forwards, left=0.0, **others):
+        """Command velocities (m/s, rad/s); `others` are axes that it cannot move along."""
+        self._velocity.publish(twist(forwards, left, **others))
+
+    def drive_base(self, forwards):
+        """Command a velocity (m/s) on TurtleBot 2's own topic."""
+        self._base_velocity.publish(twist(forwards))
+
+    def reset_odometry(self):
+        """Have the odometry start from zero."""
+        self._reset_odometry.publish(EmptyMessage())
+
+    def stop(self):
+        """Return once it stands quite still."""
+        self.drive(0.0)
+        self.truth.clear()
+        self.truth.wait_for(lambda m: speed(m) == 0, what='rest')
+
+    def wait_for_speeds(self, forwards, left=0.0):
+        """Return once it moves at these speeds (m/s, rad/s)."""
+        def accepts(message):
+            moving = message.twist.twist
+            return (abs(moving.linear.x - forwards) < 0.02 and abs(moving.linear.y) < 0.02
+                    and abs(moving.angular.z - left) < 0.05)
+        self.truth.clear()
+        self.truth.wait_for(accepts, what=f'{forwards} m/s ahead, {left} rad/s to the left')
+
+    def restart(self):
+        """Reset robot and time; return the first odometry and truth after that."""
+        recorders = self.odometry, self.truth
+        for recorder in recorders:
+            recorder.clear()
+        self.call('reset_simulation')
+        return [recorder.wait_for(lambda m: m.header.seq == 0) for recorder in recorders]
+
+    def call(self, service):
+        """Call a service of its simulator."""
+        name = f'{self._namespace}sim_turtlebot/{service}'
+        rospy.wait_for_service(name, 10.0)
+        rospy.ServiceProxy(name, Empty)()
+
+
+def twist(forwards, left=0.0, sideways=0.0, up=0.0, roll=0.0, pitch=0.0):
+    """Return a Twist (m/s, rad/s)."""
+    return Twist(Vector3(forwards, sideways, up), Vector3(roll, pitch, left))
+
+
+def place(message):
+    """Return x, y (m) and yaw (rad) of an Odometry, rounded to a hundredth."""
+    position = message.pose.pose.position
+    return tuple(round(number, 2) + 0.0 for number in
+                 (position.x, position.y, math.radians(heading(message))))
