@@ -90,7 +90,6 @@ def view():
     page = Page(_find_address(host, port), port, load_links(_urdf()))
     print_line(f'view: http://{host}:{port}')
     Viewer(page).run()
-    page.close()
 
 
 def _urdf():

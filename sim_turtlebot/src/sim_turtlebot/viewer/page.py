@@ -1,5 +1,6 @@
 """The page: a viser server with the scene, the panel, the plots and the pad in it."""
 
+import atexit
 import contextlib
 import io
 import math
@@ -28,7 +29,7 @@ class Page:
     """What every browser shows; all pages show the same."""
 
     def __init__(self, address, port, links):
-        """Serve the page.
+        """Serve the page until the process ends.
 
         :param address, port: free ones, to listen on
         :param links: of the robot, from model.load_links()
@@ -39,8 +40,9 @@ class Page:
         self._changed = threading.Event()
         with _silence():
             self._server = viser.ViserServer(address, port, label='TurtleBot 2', verbose=False)
+        # With it viser would wait for busy browsers to say goodbye, for seconds.
+        atexit.unregister(self._server.stop)
         if self._server.get_port() != port:
-            self.close()
             raise ParameterError('~port', port, 'a port that nobody listens on')
         self._build()
         self._server.on_client_connect(lambda _: self._changed.set())
@@ -86,11 +88,6 @@ class Page:
     def wake(self):
         """End a wait()."""
         self._changed.set()
-
-    def close(self):
-        """Serve no longer."""
-        with _silence():
-            self._server.stop()
 
     def set_robots(self, namespaces):
         """Show these robots and no others."""
@@ -143,7 +140,7 @@ class Page:
 
 
 def _silence():
-    """Keep to ourselves what viser prints when it starts and stops."""
+    """Keep to ourselves what viser prints when it starts."""
     return contextlib.redirect_stdout(io.StringIO())
 
 
