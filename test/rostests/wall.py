@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""Wheels that slip before a wall: odometry tells a way that the robot has not gone."""
+
+import sys
+import unittest
+
+import rospy
+import rostest
+from nav_msgs.msg import Odometry
+from odometry_tests.tutorial import Truth, speed
+from odometry_tests.waiting import Recorder
+from std_msgs.msg import Float64
+
+START = 1.0  # m, where the robot begins
+WALL = 2.0  # m, the face of the wall
+RADIUS = 0.18  # m, of the robot
+DISTANCE = 1.5  # m, which it is told to go
+
+
+class WallTest(unittest.TestCase):
+    """Given a wall on its way, the robot is stopped, and its encoders are not."""
+
+    def test_the_encoders_count_on_before_the_wall(self):
+        """All the way; the robot itself stands where it touches the wall."""
+        moved, odometry = Recorder('moved_distance', Float64), Recorder('odom', Odometry)
+        truth = Truth()
+        moved.wait_for(lambda m: m.data >= DISTANCE, 40.0, 'the whole way')
+        truth.clear()
+        place = truth.wait_for(lambda m: speed(m) < 0.01, what='rest').pose.pose.position
+        self.assertAlmostEqual(place.x, WALL - RADIUS, delta=0.05)
+        self.assertLess(moved.last.data, DISTANCE + 0.02)
+        believed = odometry.last.pose.pose.position.x
+        self.assertGreater(believed, place.x - START + 0.5)
+
+
+if __name__ == '__main__':
+    rospy.init_node('wall_test', disable_rostime=True)
+    rostest.rosrun('odometry_tests', 'wall', WallTest, sys.argv)
