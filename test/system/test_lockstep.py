@@ -3,6 +3,7 @@
 import itertools
 import signal
 
+import numpy
 import pytest
 import rosbag
 import rosgraph
@@ -64,16 +65,32 @@ def test_two_runs_are_the_same_bytes(master, tmp_path, launch_file, counts):
         assert not different, f'{topic}: message {different[0]} is the first that differs'
 
 
-def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(master, tmp_path):
+@pytest.fixture(scope='module')
+def drive(master, tmp_path_factory):
+    """Record a drive of two metres; return its odometry and its distances."""
+    path = tmp_path_factory.mktemp('drive') / 'run.bag'
+    rosgraph.Master('/test').setParam('/use_sim_time', True)
+    record(path, 'move_two_meters.launch')
+    with rosbag.Bag(str(path)) as bag:
+        return ([message for _, message, _ in bag.read_messages('/odom')],
+                [message.data for _, message, _ in bag.read_messages('/moved_distance')])
+
+
+def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(drive):
     """No control delay: the robot brakes from the very odometry on that has seen two metres."""
-    record(tmp_path / 'run.bag', 'move_two_meters.launch')
-    with rosbag.Bag(str(tmp_path / 'run.bag')) as bag:
-        odometry = [message for _, message, _ in bag.read_messages('/odom')]
-        distances = [message.data for _, message, _ in bag.read_messages('/moved_distance')]
+    odometry, distances = drive
     arrived = next(m for m in odometry if m.pose.pose.position.x >= 2.0)
     following = next(m for m in odometry if m.header.seq == arrived.header.seq + 1)
     assert following.twist.twist.linear.x < 0.05, 'still driving one period later'
     assert 2.0 <= distances[-1] <= 2.006
+
+
+def test_the_distance_is_the_sum_of_the_recorded_steps(drive):
+    """Added up once more with numpy, from the bag."""
+    odometry, distances = drive
+    positions = [message.pose.pose.position for message in odometry]
+    ways = numpy.diff([(position.x, position.y) for position in positions], axis=0)
+    assert distances[-1] == pytest.approx(numpy.hypot(*ways.T).sum(), rel=1e-12)
 
 
 def test_a_controller_that_falls_silent_does_not_stop_the_time(master):
