@@ -8,6 +8,7 @@ from pathlib import Path
 
 import rospy
 
+from odometry_launch import page
 from odometry_launch.graph import DemoError, Graph
 from odometry_launch.options import launch_arguments, parse
 from odometry_launch.recording import Recording
@@ -32,22 +33,33 @@ def main():
 
 
 def _run(options):
+    if options.view:
+        page.check_port()
     with Graph(*launch_arguments(options)) as graph:
-        rospy.init_node('demo', anonymous=True, disable_signals=True)
-        recording = _record()
-        show = SHOWS[options.tutorial](options)
-        graph.wait_for(show.started, 'the robot does not begin to move')
-        wall_start = time.monotonic()
-        _watch(show, graph)
-        wall_time = time.monotonic() - wall_start
-        summary, complaint = show.result()
-        picture = recording and recording.finish()
+        complaint = _show(options, graph)
+        if options.view and sys.stdout.isatty():
+            page.stay(graph)
+    return not complaint
+
+
+def _show(options, graph):
+    """Follow the robot to its end, tell how it went, and return a complaint or None."""
+    rospy.init_node('demo', anonymous=True, disable_signals=True)
+    recording = _record()
+    show = SHOWS[options.tutorial](options)
+    graph.wait_for(show.started, 'the robot does not begin to move')
+    wall_start = time.monotonic()
+    if options.view:
+        page.announce(graph)
+    _watch(show, graph)
+    wall_time = time.monotonic() - wall_start
+    summary, complaint = show.result()
     print(f'{summary}\ntime            {show.duration:.1f} s simulated, {wall_time:.1f} s real')
-    if picture:
-        print(f'picture         {picture}')
+    if recording:
+        print(f'picture         {recording.finish()}')
     if complaint:
         print(f'demo: {complaint}', file=sys.stderr)
-    return not complaint
+    return complaint
 
 
 def _record():

@@ -3,7 +3,10 @@
 import argparse
 import math
 
+from odometry_launch.page import URL
+
 MAX_SPEED = 0.7  # m/s, TurtleBot 2
+VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; slower than this no reader would wait
 
 
@@ -25,17 +28,29 @@ def parse(arguments):
                         help='simulated seconds per second; 0: as fast as possible, in '
                              'lockstep (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
+    parser.add_argument('--view', action='store_true',
+                        help=f'show the robot in a browser, at {URL}; on a terminal the page '
+                             'stays after the run, and its pad drives the robot, until Ctrl-C')
     return parser.parse_args(arguments)
 
 
 def launch_arguments(options):
     """Return the launch file and its arguments for these options."""
-    arguments = {'gui': str(options.gui).lower(), 'real_time_factor': options.real_time_factor,
-                 'lockstep': str(options.real_time_factor == 0).lower()}
+    arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
+                 'real_time_factor': options.real_time_factor,
+                 'lockstep': _flag(options.real_time_factor == 0)}
+    # Beside a page the tutorial's node ends once it has arrived, or it would go on to command
+    # zero, against the page's pad.
     if options.tutorial == 'move':
-        arguments.update(distance=options.distance, speed=options.speed)
+        arguments.update(distance=options.distance, speed=options.speed,
+                         exit_when_done=_flag(options.view))
         return 'move_two_meters.launch', arguments
-    return 'rotate.launch', {**arguments, 'target': options.target}
+    arguments.update(target=options.target, tolerance=VIEW_TOLERANCE if options.view else 0.0)
+    return 'rotate.launch', arguments
+
+
+def _flag(value):
+    return str(value).lower()
 
 
 def _number(lowest, highest):

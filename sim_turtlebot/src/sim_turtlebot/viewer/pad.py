@@ -130,7 +130,9 @@ def _add_direction(gui, pad, direction):
 
 
 def _add_stop(gui, pad):
-    @gui.add_button(STOP, color='red').on_click
+    button = gui.add_button(STOP, color='red')
+
+    @button.on_click
     async def _(event):
         # For as long as a hold lasts, so that it gets through to a robot not driven before.
         pad.hold(event.client_id, STOP)

@@ -9,7 +9,8 @@ SERVICES = {'pause': f'{NODE}/pause_physics', 'resume': f'{NODE}/unpause_physics
 ROWS = [('moved_distance', 'moved distance', '{:.3f} m'),
         ('true_distance', 'true distance', '{:.3f} m'),
         ('speed', 'speed', '{:.2f} m/s'), ('heading', 'heading', '{:.1f}°'),
-        ('simulated_time', 'simulated time', '{:.1f} s'), ('real_time_factor', 'real-time factor', '{:.2f}')]
+        ('simulated_time', 'simulated time', '{:.1f} s'),
+        ('real_time_factor', 'real-time factor', '{:.2f}')]
 STYLE = ('<style>#readings{width:100%;font-size:0.95em;padding:0 0.8em}'
          '#readings td+td{text-align:right;font-weight:600;font-variant-numeric:tabular-nums}'
          '#status{padding:0 1em 0.6em;font-size:0.85em;color:#b05010}</style>')
