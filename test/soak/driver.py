@@ -1,0 +1,99 @@
+"""One step of the soak after the other: hear, check, do, command."""
+
+import signal
+from collections import Counter
+
+from checks import DistanceCheck, PoseCheck, UsageCheck, Violation
+from course import KILL, PAUSE, PERIOD, RESET_DISTANCE, RESET_ODOMETRY, RESET_SIMULATION, RESTART
+
+USAGE_PERIOD = 200  # steps between two measurements of memory, threads and files
+WARM_UP_SHARE = 0.25  # of the run, before the first of them
+LONGEST_WARM_UP = 12000  # steps, ten simulated minutes
+STAMP_TOLERANCE = 1e-6  # s
+
+
+class Driver:
+    """The controller that the simulation is in lockstep with.
+
+    After each step the simulation stands until there is a command: everything that belongs to
+    the step has come by then, and whatever is done before the command is done between two steps.
+    """
+
+    def __init__(self, nodes, steps):
+        """Drive these nodes; so many steps are intended."""
+        self._nodes = nodes
+        self._warm_up = min(LONGEST_WARM_UP, WARM_UP_SHARE * steps)
+        self._distance = DistanceCheck()
+        self._pose = PoseCheck()
+        self._number = 0
+        self._actions = {
+            RESET_DISTANCE: self._reset_distance, RESET_ODOMETRY: self._reset_odometry,
+            RESET_SIMULATION: self._nodes.reset_simulation, PAUSE: self._nodes.pause,
+            RESTART: lambda: self._restart(signal.SIGINT),
+            KILL: lambda: self._restart(signal.SIGKILL)}
+        self.usage = UsageCheck()
+        self.events = Counter({name: 0 for name in self._actions})
+        self.steps = 0
+        self.metres = 0.0
+
+    @property
+    def seconds(self):
+        """Simulated time so far (s), not counting from its resets."""
+        return self.steps * PERIOD
+
+    def step(self, linear, angular, event):
+        """Do what is due, let the simulation go on to the next odometry, and check it.
+
+        :param linear, angular: velocity to command (m/s, rad/s)
+        :param event: what else to do; None: nothing
+        """
+        paused = self.steps == 0
+        if event:
+            self._actions[event]()
+            self.events[event] += 1
+            paused = event in (PAUSE, RESTART, KILL)
+        if event == RESET_SIMULATION:
+            # It sends its first odometry without a command.
+            self._number = 0
+            self._pose.start()
+        else:
+            self._number += 1
+            self._nodes.command(linear, angular)
+        if paused:
+            self._nodes.odometry.check_silence()
+            self._nodes.unpause()
+        self._check()
+
+    def _check(self):
+        odometry, truth = self._next(self._nodes.odometry), self._next(self._nodes.truth)
+        distance = self._nodes.distance.next().data
+        self._distance.check(odometry, distance)
+        self._pose.check(odometry, truth)
+        self.steps += 1
+        self.metres += abs(truth.twist.twist.linear.x) * PERIOD
+        if self.steps >= self._warm_up and self.steps % USAGE_PERIOD == 0:
+            self.usage.check(self._nodes.pids)
+
+    def _next(self, stream):
+        """Return the message of this step; only before the first one there are repetitions."""
+        message = stream.next()
+        while self.steps == 0 and message.header.seq == 0:
+            message = stream.next()
+        header, expected = message.header, self._number * PERIOD
+        if header.seq != self._number or abs(header.stamp.to_sec() - expected) > STAMP_TOLERANCE:
+            raise Violation(f'number {header.seq} at {header.stamp.to_sec()} s instead of '
+                            f'number {self._number} at {expected:.3f} s:\n{message}')
+        return message
+
+    def _reset_distance(self):
+        self._distance.expect_reset()
+        self._nodes.reset_distance()
+
+    def _reset_odometry(self):
+        self._pose.expect_reset()
+        self._nodes.reset_odometry()
+
+    def _restart(self, signum):
+        self._nodes.pause()
+        self._nodes.restart_detector(signum)
+        self._distance = DistanceCheck()

@@ -1,0 +1,167 @@
+"""The ROS master and the nodes of the soak, and what connects them with it."""
+
+import os
+import queue
+import xmlrpc.client
+
+import rosgraph
+import rospy
+from checks import Violation
+from course import RATE
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from odometry_common.publishing import advertise
+from odometry_tests.processes import Master
+from odometry_tests.tutorial import detector, simulator
+from odometry_tests.waiting import wait_for_subscribers, wait_until
+from std_msgs.msg import Empty, Float64
+from std_srvs.srv import Empty as EmptyService
+
+NAME = '/soak'
+DETECTOR = '/detector'
+SIMULATOR = '/sim_turtlebot'
+START_TIMEOUT = 30.0  # s
+SILENCE = 30.0  # s of wall time without a message that must come
+PAUSE_LOOK = 0.05  # s of wall time to see that nothing moves
+
+
+class Stream:
+    """The messages on a topic, one after the other."""
+
+    def __init__(self, topic, message_class):
+        """Subscribe."""
+        self._topic = topic
+        self._messages = queue.SimpleQueue()
+        rospy.Subscriber(topic, message_class, self._messages.put, tcp_nodelay=True)
+
+    def next(self, timeout=SILENCE):
+        """Return the next message, or raise Violation if there is none."""
+        try:
+            return self._messages.get(timeout=timeout)
+        except queue.Empty:
+            raise Violation(f'nothing comes on {self._topic} for {timeout:g} s') from None
+
+    def check_silence(self):
+        """Raise Violation if a message comes now."""
+        try:
+            message = self._messages.get(timeout=PAUSE_LOOK)
+        except queue.Empty:
+            return
+        raise Violation(f'{self._topic} goes on during a pause:\n{message}')
+
+
+class Nodes:
+    """A context in which the simulator and the detector run, and this process is a node."""
+
+    def __init__(self):
+        """Start a master and join it."""
+        self.master = Master(use_sim_time=True)
+        rospy.init_node(NAME[1:], disable_signals=True, disable_rostime=True)
+        self.odometry = Stream('odom', Odometry)
+        self.truth = Stream('base_pose_ground_truth', Odometry)
+        self.distance = Stream('moved_distance', Float64)
+        self._velocity = advertise('cmd_vel', Twist)
+        self._distance_reset = advertise('moved_distance/reset', Empty)
+        self._odometry_reset = advertise('mobile_base/commands/reset_odometry', Empty)
+        self._simulator = self._detector = None
+
+    def __enter__(self):
+        """Start the nodes; simulated time stands still until the first command."""
+        try:
+            self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
+                                        '_real_time_factor:=0')
+            self._services = {name: self._service(name) for name in
+                              ('pause_physics', 'unpause_physics', 'reset_simulation')}
+            for publisher in (self._velocity, self._odometry_reset):
+                wait_for_subscribers(publisher, timeout=START_TIMEOUT)
+            self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
+            self.pause()
+            self._start_detector()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *_):
+        """End everything."""
+        rospy.signal_shutdown('the soak has ended')
+        for process in (self._detector, self._simulator, self.master):
+            if process is not None:
+                process.__exit__()
+
+    @property
+    def pids(self):
+        """Process ids by name."""
+        children = f'/proc/{self.master.pid}/task/{self.master.pid}/children'
+        with open(children, encoding='ascii') as listing:
+            rosmaster, rosout = map(int, listing.read().split())
+        return {'simulator': self._simulator.pid, 'detector': self._detector.pid,
+                'rosmaster': rosmaster, 'rosout': rosout, 'this program': os.getpid()}
+
+    def command(self, linear, angular):
+        """Command the robot, which lets the simulation go on."""
+        command = Twist()
+        command.linear.x, command.angular.z = linear, angular
+        self._velocity.publish(command)
+
+    def reset_distance(self):
+        """Ask the detector to count from zero."""
+        self._distance_reset.publish()
+
+    def reset_odometry(self):
+        """Ask the simulator for odometry from zero."""
+        self._odometry_reset.publish()
+
+    def reset_simulation(self):
+        """Take the simulation back to its start."""
+        self._services['reset_simulation']()
+
+    def pause(self):
+        """Stop the simulation, whatever is commanded."""
+        self._services['pause_physics']()
+
+    def unpause(self):
+        """Let the simulation go on."""
+        self._services['unpause_physics']()
+
+    def restart_detector(self, signum):
+        """End the detector by a signal and start another, while the simulation is paused."""
+        self._detector.end(signum)
+        self._start_detector()
+
+    def _start_detector(self):
+        """Start a detector and return once it hears and is heard."""
+        stale = {node: _links(node) for node in (SIMULATOR, NAME)}
+        self._detector = detector(f'__name:={DETECTOR[1:]}')
+        wait_until(lambda: _is_online(DETECTOR), START_TIMEOUT, 'a detector')
+        self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
+        self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale[SIMULATOR])
+        self._wait_for_links(NAME, {('/moved_distance/reset', DETECTOR)}, stale[NAME])
+
+    @staticmethod
+    def _service(name):
+        rospy.wait_for_service(f'{SIMULATOR}/{name}', START_TIMEOUT)
+        return rospy.ServiceProxy(f'{SIMULATOR}/{name}', EmptyService)
+
+    @staticmethod
+    def _wait_for_links(node, wanted, stale=frozenset()):
+        """Return once a node sends to others, by (topic, node), over links that are not stale."""
+        wait_until(lambda: wanted <= {link[:2] for link in _links(node) - stale}, START_TIMEOUT,
+                   lambda: f'{wanted} from {node}; there is {_links(node)}')
+
+
+def _links(node):
+    """Return (topic, receiving node, number) of each connection over which a node sends."""
+    uri = rosgraph.Master(NAME).lookupNode(node)
+    _, _, connections = xmlrpc.client.ServerProxy(uri).getBusInfo(NAME)
+    return {(topic, peer, number) for number, peer, direction, _, topic, *_ in connections
+            if direction == 'o'}
+
+
+def _is_online(node):
+    """Tell whether a node has registered and answers."""
+    try:
+        _links(node)
+    except (rosgraph.MasterError, OSError):
+        return False
+    return True

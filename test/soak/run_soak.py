@@ -1,0 +1,79 @@
+"""Drive a simulated robot at random for a day of its time, and check every step.
+
+The simulator runs in lockstep with this program, which commands the robot, resets it, pauses it
+and restarts the detector as a seed says. At the first thing that is not as it must be, it says
+what, at which step, and how to repeat the run, and exits 1.
+"""
+
+import argparse
+import os
+import signal
+import sys
+import time
+
+from course import PERIOD, course
+from driver import Driver
+from nodes import Nodes, Violation
+from report import Progress, summary
+
+SECONDS_PER_HOUR = 3600
+EXIT_VIOLATION = 1
+EXIT_INTERRUPTED = 130
+
+
+def main():
+    """Exit 0 after the whole time without a violation."""
+    options = _parse()
+    for signum in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(signum, signal.default_int_handler)
+    steps = round(options.hours * SECONDS_PER_HOUR / PERIOD)
+    try:
+        status = _soak(options, steps)
+    except KeyboardInterrupt:
+        status = EXIT_INTERRUPTED
+    sys.exit(status)
+
+
+def _soak(options, steps):
+    start = time.monotonic()
+    with Nodes() as nodes:
+        print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
+              f'ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
+        driver = Driver(nodes, steps)
+        progress = Progress()
+        violation = None
+        try:
+            for linear, angular, event in course(options.seed):
+                if driver.steps == steps:
+                    break
+                driver.step(linear, angular, event)
+                progress.show(driver)
+        except Violation as found:
+            violation = found
+        finally:
+            progress.end()
+            print(summary(driver, violation, time.monotonic() - start), flush=True)
+    if violation is None:
+        return 0
+    print(f'replay: ./ws soak --seed {options.seed} --hours {options.hours:g}')
+    return EXIT_VIOLATION
+
+
+def _parse():
+    parser = argparse.ArgumentParser(prog='./ws soak', description=__doc__)
+    parser.add_argument('--hours', type=_positive, default=24.0,
+                        help='simulated hours, also a fraction (default: 24, some 15 minutes)')
+    parser.add_argument('--seed', type=int, default=0,
+                        help='another seed drives another course (default: 0)')
+    return parser.parse_args()
+
+
+def _positive(text):
+    value = float(text)
+    if not 0 < value < float('inf'):
+        raise argparse.ArgumentTypeError(f'{text} is not a number of hours above 0')
+    return value
+
+
+if __name__ == '__main__':
+    main()
