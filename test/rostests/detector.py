@@ -10,7 +10,7 @@ import rospy
 import rostest
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
-from odometry_tests.partners import NodeLog, Partner
+from odometry_tests.partners import NodeLog, Partner, differences
 from odometry_tests.tutorial import detector
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from std_msgs.msg import Empty, Float64
@@ -48,7 +48,7 @@ class Talk(Partner):
         self._time += LONG_TIME
         self.walk(0.0)
         self._reset.publish(Empty())
-        wait_until(lambda: self.tell(self.position(0.0)) == [0.0], 10.0, 'a reset')
+        wait_until(lambda: self.tell(self.position(0.0)) == [0.0], 3.0, 'a reset')
 
     def tell(self, *messages):
         """Send odometry messages and return the distances that answer them."""
@@ -83,7 +83,7 @@ class DetectorTest(unittest.TestCase):
             expected.append(total)
             x, y = new_x, new_y
             messages.append(self.talk.position(x, y, z=numbers.random()))
-        self.assertEqual(self.talk.tell(*messages), expected)
+        self.assertEqual(differences(self.talk.tell(*messages), expected)[:1], [])
         self.assertEqual(len(self.talk.answers.messages), 2000)
 
     def test_a_reset_counts_from_zero(self):

@@ -9,7 +9,7 @@ import unittest
 import rospy
 import rostest
 from geometry_msgs.msg import Twist, Vector3
-from odometry_tests.partners import NodeLog, Partner, SteppedClock
+from odometry_tests.partners import NodeLog, Partner, SteppedClock, differences
 from odometry_tests.tutorial import mover
 from odometry_tests.waiting import wait_until
 from std_msgs.msg import Float64
@@ -61,8 +61,8 @@ class MoverTest(unittest.TestCase):
         numbers = random.Random(1)
         distances = [numbers.uniform(0.0, 4.0) for _ in range(1000)]
         expected = commands(*(0.1 if distance < 2.0 else 0.0 for distance in distances))
-        self.assertEqual(self.talk.tell(*distances, 2.0), expected + commands(0.0))
-        self.assertEqual(self.talk.tell(0.0), commands(0.1))
+        self.assertEqual(differences(self.talk.tell(*distances), expected)[:1], [])
+        self.assertEqual(self.talk.tell(2.0, 0.0), commands(0.0, 0.1))
 
     def test_it_stops_at_two_metres_and_not_before(self):
         """To the bit."""
