@@ -47,7 +47,12 @@ class Stream:
             message = self._messages.get(timeout=PAUSE_LOOK)
         except queue.Empty:
             return
-        raise Violation(f'{self._topic} goes on during a pause:\n{message}')
+        raise Violation(f'{self._topic} goes on during a pause, with number {message.header.seq}')
+
+    def clear(self):
+        """Forget what has come so far."""
+        while not self._messages.empty():
+            self._messages.get()
 
 
 class Nodes:
@@ -77,6 +82,9 @@ class Nodes:
             self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
             self.pause()
             self._start_detector()
+            # Until it was paused, the simulator repeated its first odometry.
+            self.odometry.clear()
+            self.truth.clear()
         except BaseException:
             self.__exit__()
             raise
