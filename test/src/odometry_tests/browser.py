@@ -21,8 +21,6 @@ SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-
             # A window that no other one covers is still hidden to Chromium.
             '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
-DOWN = Keys.ARROW_DOWN
-DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
 
 
 class Browser:
@@ -41,6 +39,7 @@ class Browser:
         options.add_argument('--window-size={},{}'.format(*self._size))
         self._driver = webdriver.Chrome(options=options, service=Service(DRIVER))
         self._first = self._driver.current_window_handle
+        self._pages = []
         return self
 
     def __exit__(self, *_):
@@ -53,14 +52,21 @@ class Browser:
         self._driver.switch_to.new_window('window')
         self._driver.set_window_size(*self._size)
         self._driver.get(url)
-        return Page(self._driver)
+        page = Page(self._driver, url)
+        self._pages.append(page)
+        return page
+
+    def find(self, url):
+        """Return a page at this address that is still open, or None."""
+        return next((page for page in self._pages if page.url == url and page.is_open), None)
 
 
 class Page:
     """One window with the page."""
 
-    def __init__(self, driver):
+    def __init__(self, driver, url):
         """Take over the driver's current window."""
+        self.url = url
         self._driver = driver
         self._window = driver.current_window_handle
         wait_until(lambda: self.run('return !!document.getElementById("readings")'),
@@ -72,8 +78,13 @@ class Page:
 
     def __exit__(self, *_):
         """Close the window unless it is closed already."""
-        if self._window in self._driver.window_handles:
+        if self.is_open:
             self.close()
+
+    @property
+    def is_open(self):
+        """Whether the window is still there."""
+        return self._window in self._driver.window_handles
 
     def close(self):
         """Close the window, as a user does."""
@@ -121,15 +132,20 @@ class Page:
         self._select()
         ActionChains(self._driver, duration=0).release().perform()
 
-    def press_key(self, key):
+    def press_key(self, name):
         """Press a key and hold it."""
         self._select()
-        ActionChains(self._driver, duration=0).key_down(key).perform()
+        ActionChains(self._driver, duration=0).key_down(getattr(Keys, name)).perform()
 
-    def release_key(self, key):
+    def release_key(self, name):
         """Let go of the key."""
         self._select()
-        ActionChains(self._driver, duration=0).key_up(key).perform()
+        ActionChains(self._driver, duration=0).key_up(getattr(Keys, name)).perform()
+
+    def let_go(self):
+        """Let go of all buttons and keys."""
+        self._select()
+        ActionChains(self._driver).reset_actions()
 
     def choose(self, label, option):
         """Choose an option of a list."""
@@ -171,8 +187,3 @@ class Page:
 
     def _select(self):
         self._driver.switch_to.window(self._window)
-
-
-def dark_pixels(picture):
-    """Return rows and columns of the pixels that are as dark as the robot."""
-    return numpy.nonzero(picture.max(axis=2) < DARK)

@@ -1,0 +1,43 @@
+"""Fixtures for tests that name this plugin: a viewer, a robot, a browser with the page."""
+
+import pytest
+import rospy
+
+from odometry_tests.processes import rosrun
+from odometry_tests.viewing import Motion, View
+
+
+@pytest.fixture(scope='module')
+def browser():
+    """Start a browser."""
+    chromium = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
+    if not (chromium.CHROMIUM and chromium.DRIVER):
+        pytest.skip('chromium and chromedriver are not installed')
+    with chromium.Browser() as running:
+        yield running
+
+
+@pytest.fixture(scope='module')
+def view(master):
+    """Start a viewer."""
+    pytest.importorskip('viser', reason='viser is not installed')
+    with View() as running:
+        yield running
+
+
+@pytest.fixture(scope='module')
+def robot(master):
+    """Start a robot that nothing but a command stops, with a detector."""
+    rospy.set_param('/use_sim_time', True)
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_cmd_vel_timeout:=0'), \
+            rosrun('odom_movement_detector', 'odom_movement_detector.py'):
+        yield Motion()
+
+
+@pytest.fixture
+def page(browser, view):
+    """Return the viewer's page, which stays open for the next test."""
+    found = browser.find(view.url) or browser.open(view.url)
+    yield found
+    if found.is_open:
+        found.let_go()

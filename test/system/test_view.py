@@ -1,0 +1,112 @@
+"""What the browser window shows, in a real browser: robots, numbers, plots."""
+
+import pytest
+import rosgraph
+from odometry_tests.processes import rosrun
+from odometry_tests.viewing import ROBOT_PIXELS, dark_pixels
+from odometry_tests.waiting import wait_until
+
+pytest_plugins = 'odometry_tests.view_fixtures'
+
+
+def subscribers(topic):
+    """Return the nodes that subscribe to a topic."""
+    _, subscriptions, _ = rosgraph.Master('/test').getSystemState()
+    return next((nodes for name, nodes in subscriptions if name == topic), [])
+
+
+def viewers(topic='/odom'):
+    """Return the viewers that subscribe to a topic."""
+    return [node for node in subscribers(topic) if node.startswith('/view')]
+
+
+def test_a_page_without_a_robot_says_what_it_waits_for(page):
+    """The floor is there, and nothing on it."""
+    page.wait_for_text('waiting for odometry on /odom')
+    page.dismiss_notices()
+    scene = page.scene()
+    assert scene.std() > 1, 'the picture is blank'
+    assert len(dark_pixels(scene)[0]) < ROBOT_PIXELS / 10
+    assert page.reading('moved_distance') is None
+
+
+def test_the_page_shows_the_robot_drive_two_metres(robot, page):
+    """From the start mark to the two-metre mark, in numbers and in the picture."""
+    page.wait_for_reading('moved_distance', lambda metres: metres == 0)
+    page.dismiss_notices()
+    rows, columns = dark_pixels(page.scene())
+    assert len(rows) > ROBOT_PIXELS, f'{len(rows)} dark pixels are no robot'
+    with rosrun('test_movement', 'test_movement.py', '_speed:=0.5',
+                '_exit_when_done:=true') as mover:
+        page.wait_for_reading('speed', lambda speed: speed > 0.4)
+        page.wait_for_reading('moved_distance', lambda metres: metres >= 2.0)
+        assert mover.wait() == 0, mover.output
+    robot.wait_until_resting()
+    went = pytest.approx(robot.last.pose.pose.position.x, abs=0.002)
+    page.wait_for_reading('moved_distance', lambda metres: metres == went)
+    page.wait_for_reading('true_distance', lambda metres: metres == went)
+    page.wait_for_reading('real_time_factor', lambda rate: rate == pytest.approx(1.0, abs=0.2))
+    assert page.reading('simulated_time') == pytest.approx(robot.stamp, abs=2.0)
+    end_rows, end_columns = dark_pixels(page.scene())
+    assert len(end_rows) > ROBOT_PIXELS, f'{len(end_rows)} dark pixels are no robot'
+    # Two metres are about half the width of what the camera sees.
+    assert end_columns.mean() - columns.mean() > 150
+    assert abs(end_rows.mean() - rows.mean()) < 30
+
+
+def test_two_pages_show_the_same(robot, browser, view, page):
+    """The second one can go and the first one goes on."""
+    moved = robot_distance(page)
+    with browser.open(view.url) as second:
+        second.wait_for_reading('moved_distance', lambda metres: metres == moved)
+        second.hold('back')
+        robot.wait_until_moving()
+        page.wait_for_reading('moved_distance', lambda metres: metres > moved + 0.1)
+        second.release()
+        robot.wait_until_resting()
+        moved = robot_distance(page)
+        second.wait_for_reading('moved_distance', lambda metres: metres == moved)
+    page.hold('forward')
+    page.wait_for_reading('moved_distance', lambda metres: metres > moved + 0.1)
+    page.release()
+    robot.wait_until_resting()
+
+
+def robot_distance(page):
+    """Return the moved distance of a robot that stands."""
+    page.wait_for_reading('speed', lambda speed: speed == 0)
+    return page.reading('moved_distance')
+
+
+def test_the_page_shows_a_heading_and_its_target(robot, page):
+    """The P-controller's target is drawn beside the heading."""
+    page.wait_for_reading('heading', lambda degrees: abs(degrees) < 90)
+    with rosrun('rotate_robot', 'rotate.py', '_target:=30', '_tolerance:=2', '_kp:=2') as rotator:
+        page.wait_for_text('target')
+        page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(30, abs=2))
+        assert rotator.wait(20.0) == 0, rotator.output
+
+
+def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
+    """A paused robot says nothing; a reset one is where it began."""
+    page.wait_for_text('pause')
+    page.wait_for_reading('real_time_factor', lambda rate: rate > 0.8)
+    before = page.reading('simulated_time')
+    page.click('pause')
+    page.wait_for_reading('real_time_factor', lambda rate: rate == 0)
+    page.click('resume')
+    page.wait_for_reading('real_time_factor', lambda rate: rate > 0.8)
+    page.click('reset')
+    page.wait_for_reading('simulated_time', lambda seconds: seconds < before)
+    wait_until(lambda: abs(robot.last.pose.pose.position.x) < 1e-3, 10.0,
+               'a robot at its start')
+    page.wait_for_reading('true_distance', lambda metres: metres == 0)
+
+
+def test_nobody_listens_while_no_page_is_open(robot, page):
+    """The simulation then pays for no subscriber."""
+    wait_until(viewers, 10.0, 'a viewer on /odom')
+    page.close()
+    for topic in ('/odom', '/base_pose_ground_truth', '/joint_states', '/moved_distance'):
+        wait_until(lambda topic=topic: not viewers(topic), 10.0, f'no viewer on {topic}')
+    assert not viewers('/clock')

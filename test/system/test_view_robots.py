@@ -1,0 +1,66 @@
+"""Other robots in the browser window: a real one, one whose wheels slip, two in a world."""
+
+import math
+
+import numpy
+import pytest
+import rospy
+from nav_msgs.msg import Odometry
+from odometry_tests.messages import odometry
+from odometry_tests.processes import rosrun
+from odometry_tests.viewing import REACTION_TIME, ROBOT_PIXELS, Motion, View, dark_pixels
+
+pytest_plugins = 'odometry_tests.view_fixtures'
+
+
+def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
+    """Without truth, detector and simulator the page says what it lacks and shows the rest."""
+    with View('__ns:=real') as view:
+        publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
+        publisher.publish(odometry(x=1.0, y=0.5, yaw=math.radians(30), stamp=5.0))
+        with browser.open(view.url) as page:
+            page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(30))
+            page.wait_for_text('no simulator here')
+            assert page.reading('true_distance') is None
+            assert page.reading('moved_distance') is None
+            page.dismiss_notices()
+            assert len(dark_pixels(page.scene())[0]) > ROBOT_PIXELS
+    publisher.unregister()
+
+
+def test_odometry_that_is_off_is_drawn_as_a_ghost(master, browser):
+    """Slipping wheels: where the robot believes to be is blue, where it is is dark."""
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=slippery',
+                '_odometry_source:=encoder', '_wheel_slip:=0.4', '_cmd_vel_timeout:=0'), \
+            View('__ns:=slippery') as view, browser.open(view.url) as page:
+        motion = Motion('/slippery/')
+        page.wait_for_reading('speed', lambda speed: speed == 0)
+        page.dismiss_notices()
+        assert blue_pixels(page.scene()) < ROBOT_PIXELS / 10
+        page.hold('forward')
+        page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
+        page.release()
+        motion.wait_until_resting()
+        page.wait_for_reading('speed', lambda speed: speed == 0)
+        assert blue_pixels(page.scene()) > ROBOT_PIXELS
+
+
+def test_all_robots_of_a_world_are_shown_and_each_can_be_driven(master, browser):
+    """The pad drives the one that is chosen, and no other."""
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=pair', '_robots:=2',
+                '_cmd_vel_timeout:=0'), View('__ns:=pair') as view:
+        first, second = Motion('/pair/robot_1/'), Motion('/pair/robot_2/')
+        with browser.open(view.url) as page:
+            page.choose('robot', 'robot_2')
+            page.hold('forward')
+            second.wait_until_moving()
+            page.release()
+            second.assert_it_stops(within=REACTION_TIME)
+            page.wait_for_reading('true_distance', lambda metres: metres > 0.01)
+    assert not first.commands.messages
+
+
+def blue_pixels(picture):
+    """Return how many pixels are more blue than anything else."""
+    red, _, blue = numpy.moveaxis(picture, 2, 0)
+    return (blue - red > 40).sum()
