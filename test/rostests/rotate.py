@@ -40,10 +40,10 @@ class Talk(Partner):
         self._time += after
         return odometry(yaw=math.radians(degrees), stamp=self._time)
 
-    def face(self, degrees, speed, what='the turn to the target'):
+    def face(self, degrees, speed):
         """Look there until the node commands this turn (rad/s)."""
         self.say_until(lambda: self.heading(degrees), lambda m: turns_at(m, speed),
-                       f'{what}, {speed} rad/s at a heading of {degrees} degrees')
+                       f'a turn at {speed} rad/s at a heading of {degrees} degrees')
 
     def aim(self, degrees):
         """Send a new target."""
@@ -51,11 +51,12 @@ class Talk(Partner):
         self._target.publish(Float64(degrees))
 
     def begin(self):
-        """Return with a node that turns to 90 degrees, whose commands so far are all heard."""
+        """Return with a node that turns to 90 degrees, its commands so far heard and forgotten."""
         self.aim(90.0)
         self.face(90.0, 0.0)
         self.say(self.heading(0.0))
         self.answers.wait_for(lambda m: turns_at(m, math.pi / 4), what='a turn')
+        self.answers.clear()
 
 
 def turns_at(command, speed):
@@ -86,14 +87,12 @@ class RotateTest(unittest.TestCase):
                 (90, 0, 90), (90, 60, 30), (90, 135, -45), (-90, 0, -90), (-90, 91, 179),
                 (180, 0, 180), (-180, 0, 180), (270, 0, -90), (360, 10, -10), (720, -10, 10),
                 (-3690, 0, -90), (170, -170, -20), (-170, 170, 20), (0, 0, 0)]:
-            with self.subTest(target=target, heading=heading):
-                self.talk.aim(target)
-                self.talk.face(heading, 0.5 * math.radians(error))
+            self.talk.aim(target)
+            self.talk.face(heading, 0.5 * math.radians(error))
 
     def test_commands_come_at_ten_hertz(self):
         """From odometry at 20 Hz: one command for two messages."""
         headings = [self.talk.heading(0.1 * count, after=0.05) for count in range(200)]
-        self.talk.answers.clear()
         self.talk.say(*headings, self.talk.heading(90.0))
         self.talk.answers.wait_for(lambda m: turns_at(m, 0.0), what='the last command')
         expected = [0.5 * math.radians(90 - 0.1 * count) for count in range(1, 200, 2)] + [0.0]
@@ -103,7 +102,6 @@ class RotateTest(unittest.TestCase):
 
     def test_commands_go_on_while_odometry_is_late(self):
         """At the same rate, until the timeout stops the robot; then on when it returns."""
-        self.talk.answers.clear()
         self.clock.advance(0.2)
         for count in range(1, 8):
             self.clock.advance(0.1)
@@ -121,13 +119,11 @@ class RotateTest(unittest.TestCase):
     def test_parameters_change_how_it_turns(self):
         """In a namespace: target, gain, clamp, rate; the node outside hears nothing of it."""
         quick = Talk('quick/')
-        self.talk.answers.clear()
         quick.face(-45.0, 0.0)
         quick.face(-50.0, 2.0 * math.radians(5))
         quick.face(0.0, -0.3)
         quick.face(170.0, 0.3)
-        commands = quick.ask(*(quick.heading(-45.0, after=0.05) for _ in range(100)))
-        self.assertEqual(len(commands), 100)
+        quick.ask(*(quick.heading(-45.0, after=0.05) for _ in range(100)))
         self.assertEqual(self.talk.answers.messages, [])
 
     def test_the_turn_is_clamped_by_default_too(self):
@@ -152,7 +148,6 @@ class RotateTest(unittest.TestCase):
         messages = [self.talk.heading(0.0) for _ in NO_ROTATIONS]
         for message, quaternion in zip(messages, NO_ROTATIONS):
             message.pose.pose.orientation = quaternion
-        self.talk.answers.clear()
         self.talk.say(*messages, self.talk.heading(60.0))
         self.assertTrue(turns_at(self.talk.answers.wait_for(), math.pi / 12))
         self.log.wait_for_warning('/rotate_robot', 'is no rotation')
@@ -179,9 +174,10 @@ class RotateTest(unittest.TestCase):
             self.watch(talk, [88.9] * 10)
             self.watch(talk, [89.1 + 0.15 * count for count in range(12)])
             self.assertTrue(node.running, node.output)
-            wait_until(lambda: self.watch(talk, [90.5]) or not node.running, 10.0, 'its end')
+            wait_until(lambda: self.watch(talk, [90.5]) or not node.running, 10.0,
+                       lambda: f'its end; it printed:\n{node.output[-500:]}')
             self.assertEqual(node.wait(), 0, node.output)
-        self.assertEqual(talk.answers.last, Twist())
+        wait_until(lambda: talk.answers.last == Twist(), 5.0, 'a zero at last')
         self.assertRegex(node.stdout, r'^target=90\.0 current:1\.55\d+\n')
 
     def watch(self, talk, headings):

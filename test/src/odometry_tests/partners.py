@@ -22,12 +22,12 @@ class Partner:
         for message in messages:
             self._publisher.publish(message)
 
-    def say_until(self, make, accepts, what, timeout=20.0):
+    def say_until(self, make, accepts, what, timeout=5.0):
         """Publish make() again and again until an answer is accepted; return that answer.
 
         The first messages to a node that has just started, or the answers to them, may be lost.
         """
-        wait_for_subscribers(self._publisher)
+        wait_for_subscribers(self._publisher, timeout=20.0)
         self.answers.clear()
 
         def accepted():
