@@ -162,29 +162,29 @@ class RotateTest(unittest.TestCase):
     def test_no_command_comes_before_the_first_odometry(self):
         """However long it takes."""
         self.clock.advance(*[0.1] * 30)
-        self.idle.face(0.0, math.pi / 4)
+        self.idle.face(60.0, math.pi / 12)
         first = self.idle_commands.wait_for()
-        self.assertTrue(turns_at(first, math.pi / 4), first)
+        self.assertTrue(turns_at(first, math.pi / 12), first)
 
     def test_within_the_tolerance_it_ends_once_the_robot_stands(self):
         """With exit status 0 and a zero; not outside, and not while it still turns."""
         talk = Talk('done/')
         with rotator('_tolerance:=1', env={'ROS_NAMESPACE': 'done'}) as node:
             talk.face(88.9, 0.5 * math.radians(1.1))
-            self.watch(talk, [88.9] * 10)
-            self.watch(talk, [89.1 + 0.15 * count for count in range(12)])
-            self.assertTrue(node.running, node.output)
-            wait_until(lambda: self.watch(talk, [90.5]) or not node.running, 10.0,
+            for degrees in [88.9] * 10 + [89.1 + 0.15 * count for count in range(12)]:
+                self.clock.advance(PERIOD)
+                command, = talk.ask(talk.heading(degrees))
+                self.assertTrue(turns_at(command, 0.5 * math.radians(90 - degrees)), degrees)
+            wait_until(lambda: self.stand(talk) or not node.running, 10.0,
                        lambda: f'its end; it printed:\n{node.output[-500:]}')
             self.assertEqual(node.wait(), 0, node.output)
         wait_until(lambda: talk.answers.last == Twist(), 5.0, 'a zero at last')
         self.assertRegex(node.stdout, r'^target=90\.0 current:1\.55\d+\n')
 
-    def watch(self, talk, headings):
-        """Let the robot be seen at headings (degrees), one after the other."""
-        for degrees in headings:
-            self.clock.advance(PERIOD)
-            talk.say(talk.heading(degrees))
+    def stand(self, talk):
+        """Let the robot be seen at one heading for a while."""
+        self.clock.advance(PERIOD)
+        talk.say(talk.heading(90.5))
 
 
 if __name__ == '__main__':

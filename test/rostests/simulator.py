@@ -5,12 +5,14 @@ import math
 import sys
 import unittest
 
+import rosgraph
 import rospy
 import rostest
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 from odometry_tests.partners import NodeLog
 from odometry_tests.robots import Robot, place
-from odometry_tests.tutorial import REST_SPEED, heading, speed
+from odometry_tests.tutorial import REST_SPEED, heading, simulator, speed
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
@@ -208,6 +210,18 @@ class SimulatorTest(unittest.TestCase):
         second.drive(0.3)
         second.truth.wait_until_moving()
         self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
+
+    def test_without_simulated_time_the_stamps_are_the_walls(self):
+        """And it publishes no clock."""
+        rospy.set_param('/use_sim_time', False)
+        self.addCleanup(rospy.set_param, '/use_sim_time', True)
+        start = rospy.Time.now()
+        with simulator(env={'ROS_NAMESPACE': 'wall'}):
+            stamp = Recorder('/wall/odom', Odometry).wait_for(timeout=20.0).header.stamp
+            publishers, _, _ = rosgraph.Master('/test').getSystemState()
+        self.assertTrue(start < stamp < rospy.Time.now(), stamp)
+        self.assertIn('/wall/sim_turtlebot', dict(publishers)['/wall/odom'])
+        self.assertNotIn('/wall/sim_turtlebot', dict(publishers)['/clock'])
 
 
 def sender(message):
