@@ -1,7 +1,6 @@
-"""What must hold at every step, over plain numbers and messages."""
+"""What must hold at every step: the distance is the sum, and the odometry is the truth."""
 
 import math
-from pathlib import Path
 from typing import NamedTuple
 
 from sim_turtlebot.rotations import yaw_of
@@ -10,12 +9,9 @@ MAX_SPEED = 5.0  # m/s, the detector's ~max_speed
 SMALLEST_DISTANCE = 1e-6  # m
 STEPS_TO_OBEY = 150  # for a reset that is sent while everything goes on; events are further apart
 POSE_TOLERANCE = 1e-9  # m and rad
-MEMORY_GROWTH = 8.0  # MB
-THREAD_GROWTH = 4
-FILE_GROWTH = 8
 
 
-class Violation(Exception):
+class Violation(AssertionError):
     """Something that must hold does not; the message says what."""
 
 
@@ -58,7 +54,7 @@ class DistanceCheck:
 
     def expect_reset(self):
         """Take note of a reset that was sent to the detector."""
-        self._reset.open(shows=self._total > 0)
+        self._reset.open(shows=_published(self._total) > 0)
 
     def check(self, odometry, distance):
         """Compare what the detector has said (m) with the sum, bit for bit."""
@@ -136,42 +132,6 @@ def pose_of(message):
     """Return the Pose in an Odometry."""
     position, turn = message.pose.pose.position, message.pose.pose.orientation
     return Pose(position.x, position.y, yaw_of((turn.x, turn.y, turn.z, turn.w)))
-
-
-class Usage(NamedTuple):
-    """What a process needs."""
-
-    memory: float  # MB, resident
-    threads: int
-    files: int  # open
-
-    @classmethod
-    def of(cls, pid):
-        """Ask Linux."""
-        process = Path('/proc', str(pid))
-        fields = dict(line.split(':', 1) for line in
-                      (process / 'status').read_text().splitlines())
-        return cls(int(fields['VmRSS'].split()[0]) / 1024, int(fields['Threads']),
-                   sum(1 for _ in (process / 'fd').iterdir()))
-
-
-class UsageCheck:
-    """Whether processes stay as small as they were."""
-
-    def __init__(self):
-        """Begin with nothing measured."""
-        self.first, self.last = {}, {}
-
-    def check(self, pids):
-        """Measure processes, a dictionary of their ids by name, against the first time."""
-        self.last = {name: Usage.of(pid) for name, pid in pids.items()}
-        self.first = self.first or self.last
-        for name, now in self.last.items():
-            first = self.first[name]
-            if (now.memory > first.memory + MEMORY_GROWTH
-                    or now.threads > first.threads + THREAD_GROWTH
-                    or now.files > first.files + FILE_GROWTH):
-                raise Violation(f'{name} has grown from {first} to {now}')
 
 
 def _published(total):

@@ -3,8 +3,9 @@
 import signal
 from collections import Counter
 
-from checks import DistanceCheck, PoseCheck, UsageCheck, Violation
+from checks import DistanceCheck, PoseCheck, Violation
 from course import KILL, PAUSE, PERIOD, RESET_DISTANCE, RESET_ODOMETRY, RESET_SIMULATION, RESTART
+from usage import UsageCheck
 
 USAGE_PERIOD = 200  # steps between two measurements of memory, threads and files
 WARM_UP_SHARE = 0.25  # of the run, before the first of them

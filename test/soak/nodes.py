@@ -59,28 +59,16 @@ class Nodes:
     """A context in which the simulator and the detector run, and this process is a node."""
 
     def __init__(self):
-        """Start a master and join it."""
-        self.master = Master(use_sim_time=True)
-        rospy.init_node(NAME[1:], disable_signals=True, disable_rostime=True)
-        self.odometry = Stream('odom', Odometry)
-        self.truth = Stream('base_pose_ground_truth', Odometry)
-        self.distance = Stream('moved_distance', Float64)
-        self._velocity = advertise('cmd_vel', Twist)
-        self._distance_reset = advertise('moved_distance/reset', Empty)
-        self._odometry_reset = advertise('mobile_base/commands/reset_odometry', Empty)
-        self._simulator = self._detector = None
+        """Begin with nothing started."""
+        self._master = self._simulator = self._detector = None
 
     def __enter__(self):
-        """Start the nodes; simulated time stands still until the first command."""
+        """Start everything; simulated time stands still until the first command."""
         try:
-            self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
-                                        '_real_time_factor:=0')
-            self._services = {name: self._service(name) for name in
-                              ('pause_physics', 'unpause_physics', 'reset_simulation')}
-            for publisher in (self._velocity, self._odometry_reset):
-                wait_for_subscribers(publisher, timeout=START_TIMEOUT)
-            self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
-            self.pause()
+            self._master = Master(use_sim_time=True)
+            rospy.init_node(NAME[1:], disable_signals=True, disable_rostime=True)
+            self._connect()
+            self._start_simulator()
             self._start_detector()
             # Until it was paused, the simulator repeated its first odometry.
             self.odometry.clear()
@@ -93,14 +81,14 @@ class Nodes:
     def __exit__(self, *_):
         """End everything."""
         rospy.signal_shutdown('the soak has ended')
-        for process in (self._detector, self._simulator, self.master):
+        for process in (self._detector, self._simulator, self._master):
             if process is not None:
                 process.__exit__()
 
     @property
     def pids(self):
         """Process ids by name."""
-        children = f'/proc/{self.master.pid}/task/{self.master.pid}/children'
+        children = f'/proc/{self._master.pid}/task/{self._master.pid}/children'
         with open(children, encoding='ascii') as listing:
             rosmaster, rosout = map(int, listing.read().split())
         return {'simulator': self._simulator.pid, 'detector': self._detector.pid,
@@ -136,6 +124,26 @@ class Nodes:
         """End the detector by a signal and start another, while the simulation is paused."""
         self._detector.end(signum)
         self._start_detector()
+
+    def _connect(self):
+        """Listen and advertise."""
+        self.odometry = Stream('odom', Odometry)
+        self.truth = Stream('base_pose_ground_truth', Odometry)
+        self.distance = Stream('moved_distance', Float64)
+        self._velocity = advertise('cmd_vel', Twist)
+        self._distance_reset = advertise('moved_distance/reset', Empty)
+        self._odometry_reset = advertise('mobile_base/commands/reset_odometry', Empty)
+
+    def _start_simulator(self):
+        """Start the simulator and pause it once it hears and is heard."""
+        self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
+                                    '_real_time_factor:=0')
+        self._services = {name: self._service(name) for name in
+                          ('pause_physics', 'unpause_physics', 'reset_simulation')}
+        for publisher in (self._velocity, self._odometry_reset):
+            wait_for_subscribers(publisher, timeout=START_TIMEOUT)
+        self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
+        self.pause()
 
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""

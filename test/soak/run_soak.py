@@ -6,6 +6,7 @@ what, at which step, and how to repeat the run, and exits 1.
 """
 
 import argparse
+import itertools
 import os
 import signal
 import sys
@@ -13,7 +14,7 @@ import time
 
 from course import PERIOD, course
 from driver import Driver
-from nodes import Nodes, Violation
+from nodes import Nodes
 from report import Progress, summary
 
 SECONDS_PER_HOUR = 3600
@@ -26,33 +27,36 @@ def main():
     options = _parse()
     for signum in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, signal.default_int_handler)
-    steps = round(options.hours * SECONDS_PER_HOUR / PERIOD)
     try:
-        status = _soak(options, steps)
+        with Nodes() as nodes:
+            print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
+                  f'ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
+            status = _drive(nodes, options)
+    except AssertionError as error:
+        print(f'soak: the nodes do not start: {error}', file=sys.stderr)
+        status = EXIT_VIOLATION
     except KeyboardInterrupt:
+        print('soak: interrupted', file=sys.stderr)
         status = EXIT_INTERRUPTED
     sys.exit(status)
 
 
-def _soak(options, steps):
+def _drive(nodes, options):
+    """Drive the whole course; return the exit status."""
     start = time.monotonic()
-    with Nodes() as nodes:
-        print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
-              f'ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
-        driver = Driver(nodes, steps)
-        progress = Progress()
-        violation = None
-        try:
-            for linear, angular, event in course(options.seed):
-                if driver.steps == steps:
-                    break
-                driver.step(linear, angular, event)
-                progress.show(driver)
-        except Violation as found:
-            violation = found
-        finally:
-            progress.end()
-            print(summary(driver, violation, time.monotonic() - start), flush=True)
+    steps = round(options.hours * SECONDS_PER_HOUR / PERIOD)
+    driver, progress, violation = Driver(nodes, steps), Progress(), None
+    try:
+        for moment in itertools.islice(course(options.seed), steps):
+            driver.step(*moment)
+            progress.show(driver)
+    except AssertionError as found:
+        violation = found
+    finally:
+        # The nodes end within seconds, also for who presses Ctrl-C again.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        progress.end()
+        print(summary(driver, violation, time.monotonic() - start), flush=True)
     if violation is None:
         return 0
     print(f'replay: ./ws soak --seed {options.seed} --hours {options.hours:g}')

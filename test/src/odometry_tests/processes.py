@@ -112,7 +112,11 @@ class Master(Process):
         port = free_port()
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
         super().__init__('roscore', '-p', port)
-        wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
+        try:
+            wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
+        except BaseException:
+            self.__exit__()
+            raise
         rosgraph.Master('/test').setParam('/use_sim_time', use_sim_time)
 
 
