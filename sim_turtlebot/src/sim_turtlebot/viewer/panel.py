@@ -6,11 +6,10 @@ from std_srvs.srv import Empty
 NODE = 'sim_turtlebot'
 SERVICES = {'pause': f'{NODE}/pause_physics', 'resume': f'{NODE}/unpause_physics',
             'reset': f'{NODE}/reset_simulation'}
-ROWS = [('moved_distance', 'moved distance', '{:.3f} m'),
-        ('true_distance', 'true distance', '{:.3f} m'),
-        ('speed', 'speed', '{:.2f} m/s'), ('heading', 'heading', '{:.1f}°'),
-        ('simulated_time', 'simulated time', '{:.1f} s'),
-        ('real_time_factor', 'real-time factor', '{:.2f}')]
+ROWS = [  # name, label, decimals, unit
+    ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true distance', 3, ' m'),
+    ('speed', 'speed', 2, ' m/s'), ('heading', 'heading', 1, '°'),
+    ('simulated_time', 'simulated time', 1, ' s'), ('real_time_factor', 'real-time factor', 2, '')]
 STYLE = ('<style>#readings{width:100%;font-size:0.95em;padding:0 0.8em}'
          '#readings td+td{text-align:right;font-weight:600;font-variant-numeric:tabular-nums}'
          '#status{padding:0 1em 0.6em;font-size:0.85em;color:#b05010}</style>')
@@ -27,8 +26,8 @@ class Readings:
     def show(self, values):
         """Show values by the names in ROWS; one that is missing or None is a dash."""
         rows = ''.join(
-            f'<tr><td>{label}</td><td id="{name}">{_format(values.get(name), form)}</td></tr>'
-            for name, label, form in ROWS)
+            f'<tr><td>{label}</td><td id="{name}">{_format(values.get(name), *form)}</td></tr>'
+            for name, label, *form in ROWS)
         self._html.content = f'{STYLE}<table id="readings">{rows}</table>'
 
 
@@ -61,6 +60,6 @@ class Simulation:
             event.client.add_notification(event.target.value, str(error), auto_close_seconds=10)
 
 
-def _format(value, form):
+def _format(value, decimals, unit):
     # Adding zero takes the sign from a zero.
-    return '–' if value is None else form.format(round(value, 3) + 0.0)
+    return '–' if value is None else f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'
