@@ -6,9 +6,7 @@ import unittest
 
 import rospy
 import rostest
-from odometry_tests.tutorial import Truth, speed
-from odometry_tests.waiting import Recorder
-from std_msgs.msg import Float64
+from odometry_tests.tutorial import Distance, Truth, speed
 
 ROBOTS = {'/robot_1/': 0.0, '/robot_2/': 1.0}  # namespace: start (m) to the left
 
@@ -18,15 +16,17 @@ class RobotsTest(unittest.TestCase):
 
     def test_both_drive_two_metres(self):
         """Side by side."""
-        moved = {name: Recorder(f'{name}moved_distance', Float64) for name in ROBOTS}
+        distances = {name: Distance(name) for name in ROBOTS}
         truths = {name: Truth(name) for name in ROBOTS}
         for name, left in ROBOTS.items():
-            moved[name].wait_for(lambda m: m.data >= 2.0, 40.0, 'two metres')
-            truths[name].clear()
-            place = truths[name].wait_for(lambda m: speed(m) == 0, what='rest').pose.pose.position
-            self.assertTrue(2.0 <= moved[name].last.data <= 2.01, moved[name].last)
-            self.assertAlmostEqual(place.x, moved[name].last.data, delta=0.001)
-            self.assertAlmostEqual(place.y, left, delta=0.002)
+            with self.subTest(name=name):
+                moved = distances[name].wait_until_arrived(2.0)
+                self.assertTrue(2.0 <= moved <= 2.01, moved)
+                truths[name].clear()
+                place = truths[name].wait_for(lambda m: speed(m) == 0, what='rest')
+                position = place.pose.pose.position
+                self.assertAlmostEqual(position.x, moved, delta=0.001)
+                self.assertAlmostEqual(position.y, left, delta=0.002)
 
 
 if __name__ == '__main__':

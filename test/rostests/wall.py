@@ -7,9 +7,8 @@ import unittest
 import rospy
 import rostest
 from nav_msgs.msg import Odometry
-from odometry_tests.tutorial import Truth, speed
+from odometry_tests.tutorial import Distance, Truth, speed
 from odometry_tests.waiting import Recorder
-from std_msgs.msg import Float64
 
 START = 1.0  # m, where the robot begins
 WALL = 2.0  # m, the face of the wall
@@ -22,13 +21,12 @@ class WallTest(unittest.TestCase):
 
     def test_the_encoders_count_on_before_the_wall(self):
         """All the way; the robot itself stands where it touches the wall."""
-        moved, odometry = Recorder('moved_distance', Float64), Recorder('odom', Odometry)
-        truth = Truth()
-        moved.wait_for(lambda m: m.data >= DISTANCE, 40.0, 'the whole way')
+        odometry, truth = Recorder('odom', Odometry), Truth()
+        moved = Distance().wait_until_arrived(DISTANCE)
         truth.clear()
         place = truth.wait_for(lambda m: speed(m) < 0.01, what='rest').pose.pose.position
         self.assertAlmostEqual(place.x, WALL - RADIUS, delta=0.05)
-        self.assertLess(moved.last.data, DISTANCE + 0.02)
+        self.assertLess(moved, DISTANCE + 0.02)
         believed = odometry.last.pose.pose.position.x
         self.assertGreater(believed, place.x - START + 0.5)
 

@@ -64,18 +64,24 @@ class Robot:
         self.truth.wait_for(accepts, what=f'{forwards} m/s ahead, {left} rad/s to the left')
 
     def restart(self):
-        """Reset robot and time; return the first odometry and truth after that."""
-        recorders = self.odometry, self.truth
-        for recorder in recorders:
+        """Reset robot and time; return the first odometry and the first truth of the new run."""
+        for recorder in self.odometry, self.truth:
             recorder.clear()
         self.call('reset_simulation')
-        return [recorder.wait_for(lambda m: m.header.seq == 0) for recorder in recorders]
+        return [_first(self.odometry), _first(self.truth)]
 
     def call(self, service):
         """Call a service of its simulator."""
         name = f'{self._namespace}sim_turtlebot/{service}'
         rospy.wait_for_service(name, 10.0)
         rospy.ServiceProxy(name, Empty)()
+
+
+def _first(recorder):
+    """Wait for the message at time zero, forget it and all before it, and return it."""
+    message = recorder.wait_for(lambda m: m.header.seq == 0)
+    recorder.clear()
+    return message
 
 
 def twist(forwards, left=0.0, sideways=0.0, up=0.0, roll=0.0, pitch=0.0):

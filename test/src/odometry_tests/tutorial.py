@@ -3,11 +3,13 @@
 import math
 
 from nav_msgs.msg import Odometry
+from std_msgs.msg import Float64
 
 from odometry_tests.processes import rosrun
-from odometry_tests.waiting import Recorder
+from odometry_tests.waiting import Recorder, wait_until
 
 REST_SPEED = 1e-3  # m/s or rad/s
+REST_COUNT = 100  # distances in a row; five seconds of the robot's time
 
 
 def simulator(*arguments, **options):
@@ -70,3 +72,21 @@ class Truth(Recorder):
         end = self.stamp + seconds
         return self.wait_for(lambda m: m.header.stamp.to_sec() >= end, timeout,
                              f'{seconds} s of the robot\'s time')
+
+
+class Distance(Recorder):
+    """The moved distance."""
+
+    def __init__(self, namespace=''):
+        """Listen to the detector."""
+        super().__init__(f'{namespace}moved_distance', Float64)
+
+    def wait_until_arrived(self, goal, timeout=40.0):
+        """Return the distance (m) once it has reached the goal and no longer changes, to the bit."""
+        self.wait_for(lambda m: m.data >= goal, timeout, f'{goal} m')
+        wait_until(lambda: len(self._recent()) == REST_COUNT and len(set(self._recent())) == 1,
+                   timeout, lambda: f'a constant distance; the last were {self._recent()[-5:]}')
+        return self.last.data
+
+    def _recent(self):
+        return [message.data for message in self.messages[-REST_COUNT:]]
