@@ -66,14 +66,15 @@ class Driver:
         self._check()
 
     def _check(self):
+        """Take the messages of this step and check them."""
         odometry, truth = self._next(self._nodes.odometry), self._next(self._nodes.truth)
         distance = self._nodes.distance.next().data
         self._distance.check(odometry, distance)
         self._pose.check(odometry, truth)
-        self.steps += 1
-        self.metres += abs(truth.twist.twist.linear.x) * PERIOD
         if self.steps >= self._warm_up and self.steps % USAGE_PERIOD == 0:
             self.usage.check(self._nodes.pids)
+        self.steps += 1
+        self.metres += abs(truth.twist.twist.linear.x) * PERIOD
 
     def _next(self, stream):
         """Return the message of this step."""

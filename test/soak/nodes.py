@@ -110,15 +110,15 @@ class Nodes:
 
     def reset_simulation(self):
         """Take the simulation back to its start."""
-        self._services['reset_simulation']()
+        self._call('reset_simulation')
 
     def pause(self):
         """Stop the simulation, whatever is commanded."""
-        self._services['pause_physics']()
+        self._call('pause_physics')
 
     def unpause(self):
         """Let the simulation go on."""
-        self._services['unpause_physics']()
+        self._call('unpause_physics')
 
     def restart_detector(self, signum):
         """End the detector by a signal and start another, while the simulation is paused."""
@@ -138,8 +138,8 @@ class Nodes:
         """Start the simulator and pause it once it hears and is heard."""
         self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
                                     '_real_time_factor:=0')
-        self._services = {name: self._service(name) for name in
-                          ('pause_physics', 'unpause_physics', 'reset_simulation')}
+        # The last of its services.
+        rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT)
         for publisher in (self._velocity, self._odometry_reset):
             wait_for_subscribers(publisher, timeout=START_TIMEOUT)
         self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
@@ -155,9 +155,12 @@ class Nodes:
         self._wait_for_links(NAME, {('/moved_distance/reset', DETECTOR)}, stale[NAME])
 
     @staticmethod
-    def _service(name):
-        rospy.wait_for_service(f'{SIMULATOR}/{name}', START_TIMEOUT)
-        return rospy.ServiceProxy(f'{SIMULATOR}/{name}', EmptyService)
+    def _call(name):
+        """Call a service of the simulator and return once it is done."""
+        try:
+            rospy.ServiceProxy(f'{SIMULATOR}/{name}', EmptyService)()
+        except rospy.ServiceException as error:
+            raise Violation(f'the simulator does not answer to {name}: {error}') from None
 
     @staticmethod
     def _wait_for_links(node, wanted, stale=frozenset()):

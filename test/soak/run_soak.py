@@ -25,8 +25,7 @@ EXIT_INTERRUPTED = 130
 def main():
     """Exit 0 after the whole time without a violation."""
     options = _parse()
-    for signum in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(signum, signal.default_int_handler)
+    _on_signals(signal.default_int_handler)
     try:
         with Nodes() as nodes:
             print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
@@ -53,8 +52,8 @@ def _drive(nodes, options):
     except AssertionError as found:
         violation = found
     finally:
-        # The nodes end within seconds, also for who presses Ctrl-C again.
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        # The nodes end within seconds, which a second Ctrl-C must not cut short.
+        _on_signals(signal.SIG_IGN)
         progress.end()
         print(summary(driver, violation, time.monotonic() - start), flush=True)
     if violation is None:
@@ -63,10 +62,17 @@ def _drive(nodes, options):
     return EXIT_VIOLATION
 
 
+def _on_signals(handler):
+    """Handle Ctrl-C, SIGTERM and, unless nohup has it ignored, a closed terminal."""
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        if signum != signal.SIGHUP or signal.getsignal(signum) != signal.SIG_IGN:
+            signal.signal(signum, handler)
+
+
 def _parse():
     parser = argparse.ArgumentParser(prog='./ws soak', description=__doc__)
     parser.add_argument('--hours', type=_positive, default=24.0,
-                        help='simulated hours, also a fraction (default: 24, some 15 minutes)')
+                        help='simulated hours, also a fraction (default: 24)')
     parser.add_argument('--seed', type=int, default=0,
                         help='another seed drives another course (default: 0)')
     return parser.parse_args()
