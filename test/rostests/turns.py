@@ -48,7 +48,7 @@ class TurnsTest(unittest.TestCase):
         """Turn to a heading (degrees) and stay there; return the way turned over time (degrees)."""
         self.odometry.clear()
         self.target.publish(Float64(target))
-        self.odometry.wait_for(lambda m: abs(apart(heading(m), target)) < PRECISION, 20.0,
+        self.odometry.wait_for(lambda m: abs(apart(heading(m), target)) < PRECISION, 40.0,
                                f'a heading of {target} degrees')
         arrived = len(self.odometry.messages)
         seen = self.odometry.wait_for_count(arrived + SETTLED)
