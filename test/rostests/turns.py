@@ -36,13 +36,13 @@ class TurnsTest(unittest.TestCase):
             self.turn_to(start)
             target = start
             for turn, way in TURNS.items():
-                with self.subTest(start=target, turn=turn):
-                    target += turn
-                    turned = self.turn_to(target)
-                    self.assertAlmostEqual(abs(turned[-1]), abs(way), delta=2 * PRECISION)
-                    self.assertLessEqual(max(map(abs, turned)), abs(way) + 2 * PRECISION)
-                    if turn != 180:
-                        self.assertGreater(turned[-1] * way, 0)
+                case = f'{turn} degrees from {target} degrees'
+                target += turn
+                turned = self.turn_to(target)
+                self.assertAlmostEqual(abs(turned[-1]), abs(way), delta=2 * PRECISION, msg=case)
+                self.assertLessEqual(max(map(abs, turned)), abs(way) + 2 * PRECISION, case)
+                if turn != 180:
+                    self.assertGreater(turned[-1] * way, 0, case)
 
     def turn_to(self, target):
         """Turn to a heading (degrees) and stay there; return the way turned over time (degrees)."""
