@@ -3,6 +3,7 @@
 import os
 import tempfile
 from pathlib import Path
+from unittest import mock
 
 import numpy
 
@@ -27,11 +28,14 @@ class Screen:
         self._server = Process('Xvfb', '-displayfd', '1', '-screen', '0', '{}x{}x24'.format(
             *self._size), '+extension', 'GLX', '-fbdir', self._folder.name)
         wait_until(lambda: self._server.stdout, 10.0, lambda: self._server.output)
-        os.environ.update(DISPLAY=f':{self._server.stdout}', LIBGL_ALWAYS_SOFTWARE='1')
+        self._settings = mock.patch.dict(os.environ, DISPLAY=f':{self._server.stdout}',
+                                         LIBGL_ALWAYS_SOFTWARE='1')
+        self._settings.start()
         return self
 
     def __exit__(self, *_):
         """End it."""
+        self._settings.stop()
         self._server.__exit__()
         self._folder.cleanup()
 
