@@ -46,15 +46,16 @@ class TurnsTest(unittest.TestCase):
 
     def turn_to(self, target):
         """Turn to a heading (degrees) and stay there; return the way turned over time (degrees)."""
+        start = self.odometry.last
         self.odometry.clear()
         self.target.publish(Float64(target))
-        self.odometry.wait_for(lambda m: abs(apart(heading(m), target)) < PRECISION, 40.0,
+        self.odometry.wait_for(lambda m: abs(apart(heading(m), target)) < PRECISION, 20.0,
                                f'a heading of {target} degrees')
         arrived = len(self.odometry.messages)
         seen = self.odometry.wait_for_count(arrived + SETTLED)
         for message in seen[arrived:]:
             self.assertLess(abs(apart(heading(message), target)), PRECISION)
-        headings = [heading(message) for message in seen]
+        headings = [heading(message) for message in (start, *seen)]
         return list(itertools.accumulate(map(apart, headings[1:], headings)))
 
 
