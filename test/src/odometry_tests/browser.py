@@ -26,7 +26,7 @@ PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take the
 class Browser:
     """A context in which Chromium runs."""
 
-    def __init__(self, width=1000, height=640):
+    def __init__(self, width=1200, height=640):
         """Take the size of its windows in pixels."""
         self._size = width, height
 
