@@ -60,22 +60,26 @@ class NodeLog(Recorder):
         wait_until(lambda: self.has_warning(node, text), timeout,
                    f'a warning of {node}: {text!r}')
 
+    def has_heard(self, node, stamp):
+        """Tell whether a node has logged at this time (rospy.Time) by its own clock, or later."""
+        return any(m.name == node and m.header.stamp >= stamp for m in self.messages)
+
 
 class SteppedClock:
     """The clock of nodes in simulated time: it stands still unless the test advances it."""
 
     def __init__(self, listeners):
         """Return once so many nodes have read it."""
-        self._now = rospy.Time(START_TIME)
+        self.now = rospy.Time(START_TIME)
         self._publisher = rospy.Publisher('/clock', Clock, queue_size=QUEUE_SIZE, latch=True)
-        self._publisher.publish(Clock(self._now))
+        self._publisher.publish(Clock(self.now))
         wait_for_subscribers(self._publisher, listeners, timeout=20.0)
 
     def advance(self, *durations):
         """Let so many seconds pass, one duration after the other."""
         for duration in durations:
-            self._now += rospy.Duration.from_sec(duration)
-            self._publisher.publish(Clock(self._now))
+            self.now += rospy.Duration.from_sec(duration)
+            self._publisher.publish(Clock(self.now))
 
 
 def differences(seen, expected):
