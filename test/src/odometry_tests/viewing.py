@@ -25,7 +25,11 @@ class View:
 
     def __enter__(self):
         """Return once it says where the page is."""
-        self.process.wait_for_output(f'view: {self.url}', timeout=20.0)
+        try:
+            self.process.wait_for_output(f'view: {self.url}', timeout=20.0)
+        except AssertionError:
+            self.__exit__()
+            raise
         return self
 
     def __exit__(self, *_):
