@@ -22,6 +22,7 @@ Parameters:
 
 from odometry_common.node import run_node
 from odometry_common.parameters import ParameterError
+from sim_turtlebot.viewer.address import read_address
 
 
 class MissingPackageError(ParameterError):
@@ -36,11 +37,12 @@ class MissingPackageError(ParameterError):
 
 def main():
     """View until shutdown."""
+    address = read_address()
     try:
         from sim_turtlebot.viewer.node import view
     except ModuleNotFoundError as error:
         raise MissingPackageError(error.name) from None
-    view()
+    view(address)
 
 
 if __name__ == '__main__':

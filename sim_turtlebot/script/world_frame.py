@@ -30,6 +30,8 @@ class WorldFrame:
     def __init__(self):
         """Publish with each true pose from the first odometry on."""
         self._odometry = None
+        self._stopping = False
+        rospy.on_shutdown(self._stop)
         self._broadcaster = tf.TransformBroadcaster()
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
         rospy.Subscriber('base_pose_ground_truth', Odometry, self._on_truth, tcp_nodelay=True)
@@ -40,10 +42,21 @@ class WorldFrame:
     def _on_truth(self, truth):
         if self._odometry is None:
             return
+        try:
+            self._publish(truth)
+        except rospy.ROSException:
+            # At shutdown rospy may close the topic while messages still come.
+            if not self._stopping:
+                raise
+
+    def _publish(self, truth):
         frame = concatenate_matrices(_matrix(truth), inverse_matrix(_matrix(self._odometry)))
         self._broadcaster.sendTransform(
             translation_from_matrix(frame), quaternion_from_matrix(frame), truth.header.stamp,
             self._odometry.header.frame_id, truth.header.frame_id)
+
+    def _stop(self):
+        self._stopping = True
 
 
 def _matrix(message):

@@ -12,8 +12,9 @@ import rospy
 import yaml
 from odometry_common.parameters import ParameterError, check_command_line
 from odometry_tests.processes import rosrun
-from odometry_tests.scripts import load_script
+from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.viewer.address import read_address
 
 EXIT_BAD_PARAMETER = 2
 NOT_NUMBERS = ['abc', "''", '[1, 2]', '{a: 1}', 'true', '.nan', 'nan', '.inf', '-.inf',
@@ -39,11 +40,13 @@ DETECTOR = 'odom_movement_detector/src/odom_movement_detector.py'
 MOVER = 'test_movement/src/test_movement.py'
 ROTATOR = 'rotate_robot/script/rotate.py'
 SIMULATOR = 'sim_turtlebot/script/sim_turtlebot_node.py'
+VIEWER = 'sim_turtlebot/script/view.py'
 READERS = {
     DETECTOR: lambda: load_script(DETECTOR).MovementDetector(),
     MOVER: lambda: load_script(MOVER).TestMovement(),
     ROTATOR: lambda: load_script(ROTATOR).RotateRobot(),
     SIMULATOR: read_settings,
+    VIEWER: read_address,
 }
 
 TABLE = [
@@ -76,6 +79,8 @@ TABLE = [
     Parameter(SIMULATOR, 'cmd_vel_timeout', [*NOT_NUMBERS, '-1', '1e6']),
     Parameter(SIMULATOR, 'real_time_factor', [*NOT_NUMBERS, '-1', '1e-6', '2']),
     Parameter(SIMULATOR, 'lockstep_rate', [*NOT_NUMBERS, '-1', '21', '10']),
+    Parameter(VIEWER, 'port', [*NOT_NUMBERS, '0', '70000', '80.5']),
+    Parameter(VIEWER, 'host', [*NOT_TEXTS, 'no such host', '192.0.2.1']),
 ]
 
 
@@ -116,13 +121,24 @@ def test_a_node_with_a_bad_value_ends_with_one_line_and_status_2(master, paramet
     assert not rospy.has_param(left_behind), 'the next run would be refused too'
 
 
+def documented_parameters(script):
+    """Return the names of the parameters in a node's documentation."""
+    _, _, text = (load_script(script).__doc__ or '').partition('Parameters:')
+    return {name.strip('~ ') for line in re.findall(r'^    (~.*?) \(', text, re.MULTILINE)
+            for name in line.split(',')}
+
+
+def test_every_node_with_parameters_is_in_the_table():
+    """A new node too."""
+    scripts = {str(path.relative_to(ROOT)) for folder in ('src', 'script', 'scripts')
+               for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test'}
+    assert {script for script in scripts if documented_parameters(script)} == set(READERS)
+
+
 @pytest.mark.parametrize('script', READERS)
 def test_the_table_has_every_parameter(script):
     """A new parameter is in its node's documentation, and so has to be here."""
-    documented = set()
-    for line in re.findall(r'^    (~.*?) \(', load_script(script).__doc__, re.MULTILINE):
-        documented |= {name.strip('~ ') for name in line.split(',')}
-    assert documented == {row.name for row in TABLE if row.script == script}
+    assert documented_parameters(script) == {row.name for row in TABLE if row.script == script}
 
 
 @pytest.mark.parametrize('value', ['no_such_file.urdf', 'room.txt', '/dev/null.sdf'])

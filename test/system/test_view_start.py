@@ -61,16 +61,6 @@ def test_a_port_that_is_taken_is_refused(master):
             assert_refused(viewer, f'parameter ~port is {port}')
 
 
-@NEEDS_VISER
-@pytest.mark.parametrize('name, value', [
-    ('port', 'abc'), ('port', '0'), ('port', '70000'), ('port', '80.5'), ('port', '.nan'),
-    ('host', '1'), ('host', 'no such host'), ('host', '192.0.2.1')])
-def test_a_bad_parameter_is_refused(master, name, value):
-    """The line names the parameter."""
-    with view(f'_{name}:={value}') as viewer:
-        assert_refused(viewer, f'parameter ~{name} is ')
-
-
 def test_without_viser_it_says_what_to_install(master, tmp_path):
     """The package works without it, but for the page."""
     (tmp_path / 'viser.py').write_text("raise ModuleNotFoundError(name='viser')\n")

@@ -3,14 +3,13 @@
 import shutil
 import subprocess
 
-import numpy
 import pytest
 import rosgraph
 from odometry_tests.processes import Process
+from odometry_tests.screen import Screen
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import wait_until
 
-SIZE = (800, 600)
 DEAD_CONNECTION_TIMEOUT = 20.0  # s
 
 
@@ -21,26 +20,17 @@ def simulated_time(master):
 
 
 @pytest.fixture
-def screen(monkeypatch, tmp_path):
-    """Start an X server without a screen and let everything draw there."""
+def screen():
+    """Let everything draw on a screen that nobody sees."""
     if not shutil.which('Xvfb'):
         pytest.skip('Xvfb is not installed')
-    number, folder = 71, tmp_path
-    with Process('Xvfb', f':{number}', '-screen', '0', f'{SIZE[0]}x{SIZE[1]}x24',
-                 '+extension', 'GLX', '-fbdir', folder) as server:
-        monkeypatch.setenv('DISPLAY', f':{number}')
-        monkeypatch.setenv('LIBGL_ALWAYS_SOFTWARE', '1')
-        frame = folder / 'Xvfb_screen0'
-        wait_until(lambda: frame.exists() and server.running, 10.0, 'an X server')
-        yield frame
+    with Screen(800, 600) as virtual:
+        yield virtual
 
 
-def colours(frame):
-    """Return how many different colours there are on the screen, kept by Xvfb in a XWD file."""
-    data = frame.read_bytes()
-    header = int.from_bytes(data[:4], 'big') + 12 * int.from_bytes(data[76:80], 'big')
-    pixels = numpy.frombuffer(data[header:header + 4 * SIZE[0] * SIZE[1]], dtype=numpy.uint32)
-    return len(numpy.unique(pixels))
+def wait_for_robot(screen):
+    """Return once as many colours as a robot has are on the screen."""
+    wait_until(lambda: screen.colours() > 100, 30.0, lambda: f'{screen.colours()} colours')
 
 
 def test_rviz_shows_the_robot_and_ends_cleanly(screen):
@@ -49,7 +39,7 @@ def test_rviz_shows_the_robot_and_ends_cleanly(screen):
         pytest.skip('rviz is not installed')
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', 'rviz:=true') as launch:
         Truth().wait_until_moving(40.0)
-        wait_until(lambda: colours(screen) > 100, 30.0, lambda: f'{colours(screen)} colours')
+        wait_for_robot(screen)
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'Traceback' not in launch.output
     assert 'has died' not in launch.output
@@ -59,7 +49,7 @@ def test_the_window_of_the_physics_shows_the_robot(screen):
     """gui:=true draws, and Ctrl-C ends it as without a window."""
     with Process('roslaunch', 'odometry_launch', 'sim.launch', 'gui:=true') as launch:
         Truth().wait_for(timeout=40.0)
-        wait_until(lambda: colours(screen) > 100, 30.0, lambda: f'{colours(screen)} colours')
+        wait_for_robot(screen)
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
 

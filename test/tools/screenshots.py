@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Make the pictures in docs/images again: ./ws python3 test/tools/screenshots.py [NAME...].
 
 Needs what ./ws test installs: chromium, chromium-driver, xvfb, rviz and ros-robot-state-publisher.

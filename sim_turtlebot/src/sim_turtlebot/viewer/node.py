@@ -1,14 +1,11 @@
 """The viewer as a node: what the robots' topics tell goes to the page, while somebody looks."""
 
-import errno
-import socket
 import time
 
 import rosgraph
 import rospkg
 import rospy
 from odometry_common.node import print_line
-from odometry_common.parameters import ParameterError, get_number, get_text
 from odometry_common.timing import Metronome
 
 from sim_turtlebot.viewer.model import load_links
@@ -82,37 +79,12 @@ class Viewer:
         self._page.set_robots(namespaces)
 
 
-def view():
-    """Read the parameters and serve the page until shutdown."""
-    port = int(get_number('~port', 8080, lambda v: v == int(v) and 1 <= v <= 65535,
-                          'a whole number from 1 to 65535'))
-    host = get_text('~host', 'localhost')
-    page = Page(_find_address(host, port), port, load_links(_urdf()))
-    print_line(f'view: http://{host}:{port}')
+def view(address):
+    """Serve the page at an Address until shutdown."""
+    page = Page(address.ip, address.port, load_links(_urdf()))
+    print_line(f'view: http://{address.host}:{address.port}')
     Viewer(page).run()
 
 
 def _urdf():
     return f'{rospkg.RosPack().get_path("sim_turtlebot")}/urdf/turtlebot2.urdf'
-
-
-def _find_address(host, port):
-    """Return an address of the host that can be listened on; viser would look for another port."""
-    try:
-        found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
-    except OSError:
-        raise ParameterError('~host', host, 'a name or an address of this machine') from None
-    family, kind, protocol, _, address = min(found)
-    with socket.socket(family, kind, protocol) as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            probe.bind(address)
-        except OSError as error:
-            raise _refusal(error, host, port) from None
-    return address[0]
-
-
-def _refusal(error, host, port):
-    if error.errno == errno.EADDRNOTAVAIL:
-        return ParameterError('~host', host, 'a name or an address of this machine')
-    return ParameterError('~port', port, f'a port that can be listened on ({error.strerror})')

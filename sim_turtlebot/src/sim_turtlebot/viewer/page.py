@@ -1,11 +1,10 @@
 """The page: a viser server with the scene, the panel, the plots and the pad in it."""
 
 import atexit
-import contextlib
-import io
 import math
 import threading
 
+import rich
 import viser
 from odometry_common.parameters import ParameterError
 
@@ -38,8 +37,9 @@ class Page:
         self._figures = {}
         self._framed = set()
         self._changed = threading.Event()
-        with _silence():
-            self._server = viser.ViserServer(address, port, label='TurtleBot 2', verbose=False)
+        # viser prints with rich that it begins and ends, verbose or not.
+        rich.get_console().quiet = True
+        self._server = viser.ViserServer(address, port, label='TurtleBot 2', verbose=False)
         # With it viser would wait for busy browsers to say goodbye, for seconds.
         atexit.unregister(self._server.stop)
         if self._server.get_port() != port:
@@ -137,11 +137,6 @@ class Page:
         # Here, and not in a thread: the last hold of the same browser must not come later.
         self.pad.release(client.client_id)
         self._changed.set()
-
-
-def _silence():
-    """Keep to ourselves what viser prints when it starts."""
-    return contextlib.redirect_stdout(io.StringIO())
 
 
 def _middle(sight):

@@ -1,0 +1,47 @@
+"""Where the viewer's page is, read from the parameters; needs no viser."""
+
+import errno
+import socket
+from typing import NamedTuple
+
+from odometry_common.parameters import ParameterError, get_number, get_text
+
+ADDRESSES = 'a name or an address of this machine'
+
+
+class Address(NamedTuple):
+    """A place to listen on."""
+
+    host: str  # as it was given
+    ip: str
+    port: int
+
+
+def read_address():
+    """Return the Address; raise ParameterError if nobody can listen there."""
+    port = int(get_number('~port', 8080, lambda v: v == int(v) and 1 <= v <= 65535,
+                          'a whole number from 1 to 65535'))
+    host = get_text('~host', 'localhost')
+    return Address(host, _find_ip(host, port), port)
+
+
+def _find_ip(host, port):
+    """Return an address of the host that can be listened on; viser would look for another port."""
+    try:
+        found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+    except OSError:
+        raise ParameterError('~host', host, ADDRESSES) from None
+    family, kind, protocol, _, address = min(found)
+    with socket.socket(family, kind, protocol) as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(address)
+        except OSError as error:
+            raise _refusal(error, host, port) from None
+    return address[0]
+
+
+def _refusal(error, host, port):
+    if error.errno == errno.EADDRNOTAVAIL:
+        return ParameterError('~host', host, ADDRESSES)
+    return ParameterError('~port', port, f'a port that can be listened on ({error.strerror})')
