@@ -87,12 +87,19 @@ class MoverTest(unittest.TestCase):
 
     def test_silence_stops_it_until_distances_return(self):
         """After one second; a standing robot is not stopped again."""
-        self.clock.advance(*[0.1] * 12)
-        self.assertEqual(self.talk.answers.wait_for_count(1), commands(0.0))
+        self.be_silent_until_it_stops()
+        self.assertEqual(self.talk.answers.messages, commands(0.0))
         self.log.wait_for_warning('/test_movement', 'no moved_distance arrives')
         self.clock.advance(*[0.1] * 30)
         self.talk.say(Float64(1.0))
         self.assertEqual(self.talk.answers.wait_for_count(2), commands(0.0, 0.1))
+
+    def be_silent_until_it_stops(self):
+        """Let time pass, simulated and real."""
+        def stopped():
+            self.clock.advance(0.1)
+            return Twist() in self.talk.answers.messages
+        wait_until(stopped, 10.0, 'a stop')
 
     def test_slow_distances_are_no_silence(self):
         """One in 0.9 s."""
@@ -117,8 +124,7 @@ class MoverTest(unittest.TestCase):
         back.begin()
         for _ in range(5):
             self.begin()
-            self.clock.advance(1.2)
-            self.talk.answers.wait_for(lambda m: m == Twist())
+            self.be_silent_until_it_stops()
         back.say(Float64(0.1))
         self.assertEqual(back.answers.wait_for_count(1), commands(-0.2))
 

@@ -98,6 +98,13 @@ def test_a_timeout_of_zero_turns_the_watchdog_off():
     assert not watchdog.expired(1e9)
 
 
+def test_a_watchdog_is_not_fooled_by_a_clock_that_leaps():
+    """However much simulated time passes at once, it has to be silent in real time too."""
+    watchdog = Watchdog(1.0, wall_timeout=3600.0)
+    watchdog.feed(0.0)
+    assert not watchdog.expired(1e9)
+
+
 def test_a_watchdog_waits_anew_when_time_goes_back():
     """From a reset of the simulator, and not until the old time is reached again."""
     watchdog = Watchdog(1.0)

@@ -30,6 +30,7 @@ from std_msgs.msg import Float64
 CHECKS_PER_TIMEOUT = 10
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s
+WALL_TIMEOUT = 0.2  # s; at up to five times real time it is the shorter one
 
 
 class Drive:
@@ -64,7 +65,7 @@ class TestMovement:
             relative=get_flag('~relative', False))
         self._exit_when_done = get_flag('~exit_when_done', False)
         timeout = get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s')
-        self._watchdog = Watchdog(timeout)
+        self._watchdog = Watchdog(timeout, min(timeout, WALL_TIMEOUT))
         self._rest = RestDetector(REST_BAND, REST_DURATION)
         self._moving = False
         self._lock = threading.Lock()

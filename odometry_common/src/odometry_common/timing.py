@@ -1,5 +1,7 @@
 """Clocks for controllers, over plain seconds: what is due, what is late, what is at rest."""
 
+import time
+
 
 class Metronome:
     """Tells when a period has passed, by times that come from elsewhere."""
@@ -30,14 +32,21 @@ class Metronome:
 class Watchdog:
     """Tells when something that should arrive again and again has fallen silent."""
 
-    def __init__(self, timeout):
-        """Allow `timeout` seconds between arrivals; 0 turns the watchdog off."""
+    def __init__(self, timeout, wall_timeout=0.0):
+        """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
+
+        :param wall_timeout: s of wall time that it has to be silent as well. Simulated time can
+            run a hundred times as fast, and what is heard of it can leap by seconds.
+        """
         self._timeout = timeout
+        self._wall_timeout = wall_timeout
         self._last_fed = None
+        self._last_fed_wall = 0.0
 
     def feed(self, now):
         """Note an arrival at `now` (s)."""
         self._last_fed = now
+        self._last_fed_wall = time.monotonic()
 
     def expired(self, now):
         """Tell whether the last arrival is more than the timeout ago; never before the first.
@@ -45,6 +54,8 @@ class Watchdog:
         When time has gone backwards (a simulator was reset) the wait begins anew.
         """
         if self._timeout == 0 or self._last_fed is None:
+            return False
+        if time.monotonic() - self._last_fed_wall < self._wall_timeout:
             return False
         self._last_fed = min(self._last_fed, now)
         return now - self._last_fed > self._timeout
