@@ -12,6 +12,8 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parents[1]
 WORKSPACE = ROOT / '.ws'
 RESULTS = WORKSPACE / 'build' / 'test_results'
+# Most tests wait most of the time, for each other's processes and for real time.
+JOBS = 4
 LINTERS = {
     'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
     'catkin_lint': ['catkin_lint', '--quiet', str(ROOT)],
@@ -69,7 +71,7 @@ def _without_notices(text):
 def _run_tests(names):
     shutil.rmtree(RESULTS, ignore_errors=True)
     targets = [_target(name) for name in names] or ['run_tests']
-    subprocess.run(['catkin_make', '-C', str(WORKSPACE), '--no-color', '-j2', *targets],
+    subprocess.run(['catkin_make', '-C', str(WORKSPACE), '--no-color', f'-j{JOBS}', *targets],
                    check=False)
     files = sorted(RESULTS.rglob('*.xml'))
     return sum((_count(file) for file in files), Counts(0, 0, 0))

@@ -71,7 +71,7 @@ class MoveShow(Show):
         """Return one line."""
         speed = self.truth.twist.twist.linear.x
         return (f'{_bar(self._moved / self._wanted)} {self._moved:.2f} of {self._wanted:.2f} m, '
-                f'{speed:.2f} m/s, {self.now:.1f} s')
+                f'{round(speed, 2) + 0.0:.2f} m/s, {self.now:.1f} s')
 
     def result(self):
         """Return the summary, and a complaint or None."""
