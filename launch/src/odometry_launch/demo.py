@@ -1,6 +1,7 @@
 """Run a tutorial with a simulated robot, show how it goes, and tell how it went."""
 
 import math
+import os
 import signal
 import sys
 import time
@@ -56,7 +57,7 @@ def _show(options, graph):
     summary, complaint = show.result()
     print(f'{summary}\ntime            {show.duration:.1f} s simulated, {wall_time:.1f} s real')
     if recording:
-        print(f'picture         {recording.finish()}')
+        print(f'picture         {os.path.relpath(recording.finish())}')
     if complaint:
         print(f'demo: {complaint}', file=sys.stderr)
     return complaint
