@@ -3,6 +3,7 @@
 import argparse
 import os
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -35,6 +36,8 @@ class Counts(NamedTuple):
 def main():
     """Exit 0 only if something ran and nothing failed."""
     options = _parse()
+    # Who starts a process in the background has it ignore Ctrl-C; the tests press it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     if options.nightly:
         os.environ['HYPOTHESIS_PROFILE'] = 'nightly'
     counts = _run_linters() + _run_tests(options.names)
