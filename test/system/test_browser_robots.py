@@ -53,10 +53,9 @@ def test_all_robots_of_a_world_are_shown_and_each_can_be_driven(master, browser)
         with browser.open(view.url) as page:
             page.choose('robot', 'robot_2')
             page.hold('forward')
-            second.wait_until_moving()
+            page.wait_for_reading('true_distance', lambda metres: metres > 0.01)
             page.release()
             second.assert_it_stops(within=REACTION_TIME)
-            page.wait_for_reading('true_distance', lambda metres: metres > 0.01)
     assert not first.commands.messages
 
 

@@ -16,7 +16,7 @@ REST_TURN_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
 
 
 class Show:
-    """Follows the robot's true motion; subclasses know the tutorial."""
+    """Follows the robot's true motion from the world's origin; subclasses know the tutorial."""
 
     def __init__(self):
         """Listen to the simulator."""
@@ -75,8 +75,8 @@ class MoveShow(Show):
 
     def result(self):
         """Return the summary, and a complaint or None."""
-        start, end = self.start.pose.pose.position, self.truth.pose.pose.position
-        true_distance = math.hypot(end.x - start.x, end.y - start.y)
+        end = self.truth.pose.pose.position
+        true_distance = math.hypot(end.x, end.y)
         highest = self._wanted + self._speed * REACTION_TIME + self._speed**2 / (2 * BRAKING)
         good = all(self._wanted <= value <= highest for value in (self._moved, true_distance))
         summary = (f'moved distance  {self._moved:.3f} m, summed from /odom\n'
@@ -115,7 +115,7 @@ class RotateShow(Show):
 
     def result(self):
         """Return the summary, and a complaint or None."""
-        true_turn = wrap_to_pi(_yaw(self.truth) - _yaw(self.start))
+        true_turn = _yaw(self.truth)
         true_error = abs(math.degrees(wrap_to_pi(true_turn - self._target)))
         good = max(self._error(), true_error) <= HEADING_TOLERANCE + 0.01
         summary = (f'heading         {math.degrees(self._yaw):.2f} degrees, from /odom\n'

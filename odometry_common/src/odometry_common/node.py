@@ -27,6 +27,7 @@ def run_node(name, main, **init_node_options):
     The exit status is 0, or 2 with one line on stderr if a parameter is unusable.
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
+    threading.excepthook = _report_thread
     try:
         check_command_line()
         _do_without_logs_if_need_be()
@@ -52,6 +53,15 @@ def print_line(text):
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         rospy.signal_shutdown('nobody reads stdout')
+
+
+def _report_thread(failure):
+    """Report what has ended a thread, unless the node is ending anyway.
+
+    rospy's threads stumble over the sockets that it closes at shutdown.
+    """
+    if not rospy.is_shutdown():
+        threading.__excepthook__(failure)
 
 
 def _forget(name):
