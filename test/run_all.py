@@ -11,10 +11,11 @@ from typing import NamedTuple
 from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[1]
+TESTS = ROOT / 'test'
 WORKSPACE = ROOT / '.ws'
 RESULTS = WORKSPACE / 'build' / 'test_results'
 # Most tests wait most of the time, for each other's processes and for real time.
-JOBS = 3
+JOBS = 4
 LINTERS = {
     'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
     'catkin_lint': ['catkin_lint', '--quiet', str(ROOT)],
@@ -47,7 +48,7 @@ def main():
 
 def _parse():
     parser = argparse.ArgumentParser(prog='./ws test', description=__doc__)
-    parser.add_argument('names', nargs='*', metavar='NAME',
+    parser.add_argument('names', nargs='*', metavar='NAME', type=_existing_test,
                         help='run only these, such as test_heading or detector.test')
     parser.add_argument('--nightly', action='store_true',
                         help='try many more random sequences; takes hours')
@@ -71,21 +72,35 @@ def _without_notices(text):
                    and 'unknown dependencies' not in line)
 
 
+def _existing_test(name):
+    if not list(TESTS.glob(f'*/{_file_name(name)}')):
+        raise argparse.ArgumentTypeError(f'there is no test {name!r}; see the folder test')
+    return name
+
+
+def _file_name(name):
+    return name if name.endswith('.test') else f'{Path(name).stem}.py'
+
+
 def _run_tests(names):
     shutil.rmtree(RESULTS, ignore_errors=True)
-    targets = [_target(name) for name in names] or ['run_tests']
-    subprocess.run(['catkin_make', '-C', str(WORKSPACE), '--no-color', f'-j{JOBS}', *targets],
-                   check=False)
+    for command in map(_command, names) if names else [_make('run_tests')]:
+        subprocess.run(command, check=False)
     files = sorted(RESULTS.rglob('*.xml'))
     return sum((_count(file) for file in files), Counts(0, 0, 0))
 
 
-def _target(name):
-    """Return the make target of a test file."""
+def _command(name):
+    """Return the command that runs the tests of one file."""
     stem = Path(name).stem
     if name.endswith('.test'):
-        return f'run_tests_odometry_tests_rostest_rostests_{stem}.test'
-    return f'run_tests_odometry_tests_pytest_{stem}'
+        return _make(f'run_tests_odometry_tests_rostest_rostests_{stem}.test')
+    file, = TESTS.glob(f'*/{_file_name(name)}')
+    return ['python3', '-m', 'pytest', '-q', file, f'--junitxml={RESULTS / stem}.xml']
+
+
+def _make(target):
+    return ['catkin_make', '-C', str(WORKSPACE), '--no-color', f'-j{JOBS}', target]
 
 
 def _count(file):
@@ -97,9 +112,9 @@ def _count(file):
         skipped = case.find('skipped')
         counts += Counts(not failed and skipped is None, failed, skipped is not None)
         if failed:
-            print(f'FAILED {file.stem} {case.get("name")}')
+            print(f'FAILED {case.get("classname")} {case.get("name")}')
         elif skipped is not None:
-            print(f'skipped {file.stem} {case.get("name")}: {skipped.get("message")}')
+            print(f'skipped {case.get("classname")} {case.get("name")}: {skipped.get("message")}')
     if file.stem.startswith('rostest-'):
         # That a test script has run is no test of its own; that it has not is a failure.
         return counts._replace(passed=0)

@@ -26,9 +26,14 @@ PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take the
 class Browser:
     """A context in which Chromium runs."""
 
-    def __init__(self, width=1200, height=640):
-        """Take the size of its windows in pixels."""
+    def __init__(self, width=1200, height=640, frame_rate=None):
+        """Take the size of its windows in pixels.
+
+        :param frame_rate: at most so many pictures per second (Hz), for a machine that has other
+            things to do; None: as many as it can draw
+        """
         self._size = width, height
+        self._frame_rate = frame_rate
 
     def __enter__(self):
         """Start it."""
@@ -51,6 +56,8 @@ class Browser:
         self._driver.switch_to.window(self._first)
         self._driver.switch_to.new_window('window')
         self._driver.set_window_size(*self._size)
+        if self._frame_rate:
+            self._limit_frames()
         self._driver.get(url)
         page = Page(self._driver, url)
         self._pages.append(page)
@@ -59,6 +66,14 @@ class Browser:
     def find(self, url):
         """Return a page at this address that is still open, or None."""
         return next((page for page in self._pages if page.url == url and page.is_open), None)
+
+    def _limit_frames(self):
+        """Have the pages of this window draw less often than they want to."""
+        # All that wants to draw does so at the same moments, or each would get its own picture.
+        script = ('window.requestAnimationFrame = (draw) => setTimeout('
+                  '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);')
+        script = script.replace('PERIOD', str(1000 / self._frame_rate))
+        self._driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': script})
 
 
 class Page:

@@ -7,7 +7,6 @@ import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.viewing import MOVING, REACTION_TIME, View
 
-pytest_plugins = 'odometry_tests.view_fixtures'
 HOLD_TIMEOUT = 0.5  # s, after which a page that says no more holds nothing
 
 

@@ -10,8 +10,6 @@ from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
 from odometry_tests.viewing import REACTION_TIME, ROBOT_PIXELS, Motion, View, dark_pixels
 
-pytest_plugins = 'odometry_tests.view_fixtures'
-
 
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
     """Without truth, detector and simulator the page says what it lacks and shows the rest."""

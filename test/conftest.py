@@ -1,13 +1,13 @@
-"""A ROS master for each file of system tests."""
+"""A ROS master for each run of pytest: rospy joins one only once."""
 
 import pytest
 import rospy
 from odometry_tests.processes import Master
 
 
-@pytest.fixture(scope='module')
+@pytest.fixture(scope='session')
 def master():
-    """Start a master of the module's own, with the clock of the wall, and join it as a node."""
+    """Start a master of its own, with the clock of the wall, and join it as a node."""
     with Master() as process:
         if not rospy.core.is_initialized():
             rospy.init_node('system_test', anonymous=True, disable_signals=True,

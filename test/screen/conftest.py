@@ -1,4 +1,4 @@
-"""Fixtures for tests that name this plugin: a viewer, a robot, a browser with the page."""
+"""A viewer, a robot, a browser with the page."""
 
 import pytest
 import rospy
@@ -6,14 +6,15 @@ import rospy
 from odometry_tests.processes import rosrun
 from odometry_tests.viewing import Motion, View
 
+FRAME_RATE = 2.0  # Hz; what draws without a graphics card leaves little for the robot
 
-@pytest.fixture(scope='module')
+@pytest.fixture(scope='session')
 def browser():
     """Start a browser."""
     chromium = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
     if not (chromium.CHROMIUM and chromium.DRIVER):
         pytest.skip('chromium and chromedriver are not installed')
-    with chromium.Browser() as running:
+    with chromium.Browser(frame_rate=FRAME_RATE) as running:
         yield running
 
 

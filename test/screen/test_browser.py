@@ -6,8 +6,6 @@ from odometry_tests.processes import rosrun
 from odometry_tests.viewing import ROBOT_PIXELS, dark_pixels
 from odometry_tests.waiting import wait_until
 
-pytest_plugins = 'odometry_tests.view_fixtures'
-
 
 def subscribers(topic):
     """Return the nodes that subscribe to a topic."""
