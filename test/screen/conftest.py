@@ -2,7 +2,6 @@
 
 import pytest
 import rospy
-
 from odometry_tests.processes import rosrun
 from odometry_tests.viewing import Motion, View
 

@@ -24,7 +24,10 @@ PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take the
 
 
 class Browser:
-    """A context in which Chromium runs."""
+    """A context in which pages can be opened, each by a Chromium of its own.
+
+    One that drew two pages without a graphics card would make them wait for each other.
+    """
 
     def __init__(self, width=1200, height=640, frame_rate=None):
         """Take the size of its windows in pixels.
@@ -32,58 +35,58 @@ class Browser:
         :param frame_rate: at most so many pictures per second (Hz), for a machine that has other
             things to do; None: as many as it can draw
         """
-        self._size = width, height
+        self._switches = [*SWITCHES, f'--window-size={width},{height}']
         self._frame_rate = frame_rate
+        self._pages = []
 
     def __enter__(self):
-        """Start it."""
-        options = webdriver.ChromeOptions()
-        options.binary_location = CHROMIUM
-        for switch in SWITCHES:
-            options.add_argument(switch)
-        options.add_argument('--window-size={},{}'.format(*self._size))
-        self._driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-        self._first = self._driver.current_window_handle
-        self._pages = []
+        """Use it as a context."""
         return self
 
     def __exit__(self, *_):
-        """End it, with all its pages."""
-        self._driver.quit()
+        """Close all pages."""
+        for page in self._pages:
+            page.close()
 
     def open(self, url):
-        """Open a page in a window of its own and return it once it shows the panel."""
-        self._driver.switch_to.window(self._first)
-        self._driver.switch_to.new_window('window')
-        self._driver.set_window_size(*self._size)
-        if self._frame_rate:
-            self._limit_frames()
-        self._driver.get(url)
-        page = Page(self._driver, url)
+        """Open a page and return it once it shows the panel."""
+        page = Page(self._start(), url)
         self._pages.append(page)
+        page.load()
         return page
 
     def find(self, url):
         """Return a page at this address that is still open, or None."""
         return next((page for page in self._pages if page.url == url and page.is_open), None)
 
-    def _limit_frames(self):
-        """Have the pages of this window draw less often than they want to."""
-        # All that wants to draw does so at the same moments, or each would get its own picture.
-        script = ('window.requestAnimationFrame = (draw) => setTimeout('
-                  '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);')
-        script = script.replace('PERIOD', str(1000 / self._frame_rate))
-        self._driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': script})
+    def _start(self):
+        """Start a Chromium."""
+        options = webdriver.ChromeOptions()
+        options.binary_location = CHROMIUM
+        for switch in self._switches:
+            options.add_argument(switch)
+        driver = webdriver.Chrome(options=options, service=Service(DRIVER))
+        if self._frame_rate:
+            # All that wants to draw does so at the same moments, or each would get its own picture.
+            script = ('window.requestAnimationFrame = (draw) => setTimeout('
+                      '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);')
+            script = script.replace('PERIOD', str(1000 / self._frame_rate))
+            driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': script})
+        return driver
 
 
 class Page:
-    """One window with the page."""
+    """A window with the page."""
 
     def __init__(self, driver, url):
-        """Take over the driver's current window."""
+        """Take over a driver that shows nothing yet."""
         self.url = url
+        self.is_open = True
         self._driver = driver
-        self._window = driver.current_window_handle
+
+    def load(self):
+        """Show the page and return once it has the panel."""
+        self._driver.get(self.url)
         wait_until(lambda: self.run('return !!document.getElementById("readings")'),
                    PAGE_TIMEOUT, 'a page with readings')
 
@@ -93,22 +96,17 @@ class Page:
 
     def __exit__(self, *_):
         """Close the window unless it is closed already."""
-        if self.is_open:
-            self.close()
-
-    @property
-    def is_open(self):
-        """Whether the window is still there."""
-        return self._window in self._driver.window_handles
+        self.close()
 
     def close(self):
         """Close the window, as a user does."""
-        self._select()
-        self._driver.close()
+        if self.is_open:
+            self.is_open = False
+            self._driver.close()
+            self._driver.quit()
 
     def run(self, script):
         """Return what a piece of JavaScript returns."""
-        self._select()
         return self._driver.execute_script(script)
 
     @property
@@ -144,27 +142,22 @@ class Page:
 
     def release(self):
         """Let go of the button."""
-        self._select()
         ActionChains(self._driver, duration=0).release().perform()
 
     def press_key(self, name):
         """Press a key and hold it."""
-        self._select()
         ActionChains(self._driver, duration=0).key_down(getattr(Keys, name)).perform()
 
     def release_key(self, name):
         """Let go of the key."""
-        self._select()
         ActionChains(self._driver, duration=0).key_up(getattr(Keys, name)).perform()
 
     def let_go(self):
         """Let go of all buttons and keys."""
-        self._select()
         ActionChains(self._driver).reset_actions()
 
     def choose(self, label, option):
         """Choose an option of a list."""
-        self._select()
         lists = wait_until(lambda: self._driver.find_elements(
             By.XPATH, f'//label[.="{label}"]/following::input'), PAGE_TIMEOUT, f'a list {label!r}')
         lists[0].click()
@@ -186,7 +179,6 @@ class Page:
 
     def photograph(self):
         """Return the whole page as an image."""
-        self._select()
         return Image.open(io.BytesIO(self._driver.get_screenshot_as_png())).convert('RGB')
 
     def scene(self):
@@ -196,9 +188,5 @@ class Page:
         return numpy.asarray(self.photograph().crop([round(edge) for edge in box]), dtype=int)
 
     def _button(self, label):
-        self._select()
         return next(button for button in self._driver.find_elements(By.TAG_NAME, 'button')
                     if button.text.strip() == label)
-
-    def _select(self):
-        self._driver.switch_to.window(self._window)
