@@ -5,6 +5,7 @@ import subprocess
 
 import pytest
 import rosgraph
+import rosnode
 from odometry_tests.processes import Process
 from odometry_tests.screen import Screen
 from odometry_tests.tutorial import Truth
@@ -28,6 +29,12 @@ def screen():
         yield virtual
 
 
+def wait_for_odometry(process):
+    """Return once the process has a robot."""
+    truth = Truth()
+    wait_until(lambda: truth.last, 40.0, lambda: f'odometry; it printed:\n{process.output}')
+
+
 def wait_for_robot(screen):
     """Return once as many colours as a robot has are on the screen."""
     wait_until(lambda: screen.colours() > 100, 30.0, lambda: f'{screen.colours()} colours')
@@ -48,10 +55,11 @@ def test_rviz_shows_the_robot_and_ends_cleanly(screen):
 def test_the_window_of_the_physics_shows_the_robot(screen):
     """gui:=true draws, and Ctrl-C ends it as without a window."""
     with Process('roslaunch', 'odometry_launch', 'sim.launch', 'gui:=true') as launch:
-        Truth().wait_for(timeout=40.0)
+        wait_for_odometry(launch)
         wait_for_robot(screen)
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
+    assert '/sim_turtlebot' not in rosnode.get_node_names(), 'it is still registered'
 
 
 def test_closing_the_window_ends_the_simulator_cleanly(screen):
@@ -59,7 +67,7 @@ def test_closing_the_window_ends_the_simulator_cleanly(screen):
     if not shutil.which('xkill'):
         pytest.skip('xkill is not installed')
     with Process('rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py', '_gui:=true') as node:
-        Truth().wait_for(timeout=40.0)
+        wait_for_odometry(node)
         window = wait_until(bullet_window, 20.0, 'the window')
         assert Process('xkill', '-id', window).wait() == 0
         assert node.wait(DEAD_CONNECTION_TIMEOUT) == 0, node.output

@@ -14,6 +14,7 @@ import rospy
 from odometry_common.parameters import ParameterError, check_command_line
 
 EXIT_BAD_PARAMETER = 2
+SHUTDOWN_THREAD = 'shutdown'
 MASTER_RETRY_PERIOD = 0.5  # s
 
 
@@ -53,6 +54,15 @@ def print_line(text):
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         rospy.signal_shutdown('nobody reads stdout')
+
+
+def leave():
+    """Shut the node down and end the process, whatever threads of libraries still run."""
+    rospy.signal_shutdown('the node has ended')
+    for thread in threading.enumerate():
+        if thread.name == SHUTDOWN_THREAD:
+            thread.join()  # or the node would stay registered
+    os._exit(0)
 
 
 def _report_thread(failure):
@@ -134,4 +144,5 @@ def _shut_down(signum, _frame):
     holds, or cut in front of a message that is half written.
     """
     reason = signal.Signals(signum).name
-    threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()
+    threading.Thread(
+        target=rospy.signal_shutdown, args=[reason], name=SHUTDOWN_THREAD).start()

@@ -4,13 +4,12 @@ ROS calls back on threads of its own. They only leave requests; everything that 
 robots happens on the main thread, between two physics steps.
 """
 
-import os
 import queue
 import threading
 import time
 
 import rospy
-from odometry_common.node import run_node
+from odometry_common.node import leave, run_node
 from odometry_common.parameters import ParameterError
 from odometry_common.publishing import advertise
 from rosgraph_msgs.msg import Clock
@@ -257,9 +256,7 @@ def _simulate():
         raise ParameterError('~world', settings.world, error) from None
     simulator.run()
     if settings.gui:
-        # PyBullet would wait for its window's thread, which may not end.
-        rospy.signal_shutdown('the simulation has ended')
-        os._exit(0)
+        leave()  # PyBullet would wait for its window's thread, which may not end
 
 
 def main():
