@@ -5,7 +5,9 @@ import rospy
 from odometry_tests.processes import rosrun
 from odometry_tests.viewing import Motion, View
 
-FRAME_RATE = 2.0  # Hz; what draws without a graphics card leaves little for the robot
+# What draws without a graphics card leaves little for the robot.
+SCALE = 0.5
+FRAME_RATE = 2.0  # Hz
 
 @pytest.fixture(scope='session')
 def browser():
@@ -13,7 +15,7 @@ def browser():
     chromium = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
     if not (chromium.CHROMIUM and chromium.DRIVER):
         pytest.skip('chromium and chromedriver are not installed')
-    with chromium.Browser(frame_rate=FRAME_RATE) as running:
+    with chromium.Browser(scale=SCALE, frame_rate=FRAME_RATE) as running:
         yield running
 
 

@@ -48,8 +48,8 @@ def test_the_page_shows_the_robot_drive_two_metres(robot, page):
     end_rows, end_columns = dark_pixels(page.scene())
     assert len(end_rows) > ROBOT_PIXELS, f'{len(end_rows)} dark pixels are no robot'
     # Two metres are about half the width of what the camera sees.
-    assert end_columns.mean() - columns.mean() > 150
-    assert abs(end_rows.mean() - rows.mean()) < 30
+    assert end_columns.mean() - columns.mean() > 75
+    assert abs(end_rows.mean() - rows.mean()) < 15
 
 
 def test_two_pages_show_the_same(robot, browser, view, page):

@@ -17,7 +17,7 @@ from odometry_tests.waiting import wait_until
 CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 # Without a graphics card Chromium draws with the processor, if it is told that it may.
 SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle',
-            '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+            '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
             # A window that no other one covers is still hidden to Chromium.
             '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
@@ -29,13 +29,15 @@ class Browser:
     One that drew two pages without a graphics card would make them wait for each other.
     """
 
-    def __init__(self, width=1200, height=640, frame_rate=None):
-        """Take the size of its windows in pixels.
+    def __init__(self, width=1200, height=640, scale=1.0, frame_rate=None):
+        """Take the size of its windows (pixels of the page).
 
+        :param scale: pixels of the screen per pixel of the page; the fewer, the less work
         :param frame_rate: at most so many pictures per second (Hz), for a machine that has other
             things to do; None: as many as it can draw
         """
-        self._switches = [*SWITCHES, f'--window-size={width},{height}']
+        self._switches = [*SWITCHES, f'--window-size={width},{height}',
+                          f'--force-device-scale-factor={scale}']
         self._frame_rate = frame_rate
         self._pages = []
 
@@ -184,7 +186,8 @@ class Page:
     def scene(self):
         """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
         box = self.run('const box = document.querySelector("canvas").getBoundingClientRect();'
-                       'return [box.left, box.top, box.right, box.bottom]')
+                       'return [box.left, box.top, box.right, box.bottom]'
+                       '.map((edge) => edge * devicePixelRatio)')
         return numpy.asarray(self.photograph().crop([round(edge) for edge in box]), dtype=int)
 
     def _button(self, label):

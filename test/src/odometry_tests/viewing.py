@@ -10,7 +10,7 @@ from odometry_tests.waiting import Recorder
 MOVING = 0.05  # m/s
 STOPPING_TIME = 0.4  # s, from a zero to a robot at rest
 REACTION_TIME = 0.5  # s; beside the robot, a browser keeps two processors busy
-ROBOT_PIXELS = 400  # at least so many are the robot's
+ROBOT_PIXELS = 100  # at least so many are the robot's
 DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
 
 
