@@ -20,6 +20,7 @@ SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-
             '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
             # A window that no other one covers is still hidden to Chromium.
             '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
+LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
 
 
@@ -89,8 +90,8 @@ class Page:
     def load(self):
         """Show the page and return once it has the panel."""
         self._driver.get(self.url)
-        wait_until(lambda: self.run('return !!document.getElementById("readings")'),
-                   PAGE_TIMEOUT, 'a page with readings')
+        self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
+                         'a page with readings')
 
     def __enter__(self):
         """Use it as a context, at whose end the window is closed."""
@@ -126,13 +127,13 @@ class Page:
         def accepted():
             value = self.reading(name)
             return value is not None and accepts(value)
-        wait_until(accepted, timeout, lambda: f'{name}; it is {self.reading(name)}')
+        self._wait_until(accepted, lambda: f'{name}; it is {self.reading(name)}', timeout)
         return self.reading(name)
 
     def wait_for_text(self, text, timeout=PAGE_TIMEOUT):
         """Return once the text is to be read."""
-        wait_until(lambda: text in self.text, timeout,
-                   lambda: f'{text!r} in the page, which says:\n{self.text}')
+        self._wait_until(lambda: text in self.text,
+                         lambda: f'{text!r} in the page, which says:\n{self.text}', timeout)
 
     def click(self, label):
         """Click a button."""
@@ -160,10 +161,10 @@ class Page:
 
     def choose(self, label, option):
         """Choose an option of a list."""
-        lists = wait_until(lambda: self._driver.find_elements(
-            By.XPATH, f'//label[.="{label}"]/following::input'), PAGE_TIMEOUT, f'a list {label!r}')
+        lists = self._wait_until(lambda: self._driver.find_elements(
+            By.XPATH, f'//label[.="{label}"]/following::input'), f'a list {label!r}')
         lists[0].click()
-        wait_until(lambda: self._options(option), PAGE_TIMEOUT, f'{option!r} in the list')
+        self._wait_until(lambda: self._options(option), f'{option!r} in the list')
         self._options(option)[0].click()
 
     def _options(self, text):
@@ -175,9 +176,9 @@ class Page:
         """Close what viser says, for instance of the lack of a graphics card."""
         self.run('document.querySelectorAll("[class*=Notification-closeButton]")'
                  '.forEach((button) => button.click())')
-        wait_until(lambda: not self.run(
+        self._wait_until(lambda: not self.run(
             'return document.querySelector("[class*=Notification-root]")'),
-            PAGE_TIMEOUT, 'a page without notices')
+            'a page without notices')
 
     def photograph(self):
         """Return the whole page as an image."""
@@ -193,3 +194,7 @@ class Page:
     def _button(self, label):
         return next(button for button in self._driver.find_elements(By.TAG_NAME, 'button')
                     if button.text.strip() == label)
+
+    @staticmethod
+    def _wait_until(condition, what, timeout=PAGE_TIMEOUT):
+        return wait_until(condition, timeout, what, LOOKING_PERIOD)

@@ -8,18 +8,19 @@ import rospy
 POLL_PERIOD = 0.01  # s
 
 
-def wait_until(condition, timeout, what):
+def wait_until(condition, timeout, what, period=POLL_PERIOD):
     """Return the first true value of condition().
 
     :param timeout: s of wall time
     :param what: what is waited for, in words; a function if it has to be worded at the end
+    :param period: s between two looks
     :raises AssertionError: if there is none in time
     """
     end = time.monotonic() + timeout
     while not (value := condition()):
         words = what() if callable(what) else what
         assert time.monotonic() < end, f'not within {timeout:g} s: {words}'
-        time.sleep(POLL_PERIOD)
+        time.sleep(period)
     return value
 
 
