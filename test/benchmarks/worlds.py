@@ -11,7 +11,7 @@ from sim_turtlebot.timeline import Timeline
 ODOM_RATE = 20.0  # Hz, the simulator's default
 SPEED = 0.1  # m/s, as test_movement drives
 SPACING = 1.0  # m
-TIMEOUT = 600_000_000  # ns, the default ~cmd_vel_timeout
+TIMEOUT = 0.6  # s, the default ~cmd_vel_timeout
 
 
 class BareWorld:
@@ -48,19 +48,18 @@ class RobotWorld:
     def command(self, speed):
         """Command each robot to go at so many m/s."""
         for robot in self.robots:
-            robot.command(speed, 0.0, self._timeline.now)
+            robot.command(speed, 0.0, self._timeline.steps)
 
     def run_to_odometry(self):
         """Step until the next odometry is there."""
         timeline, robots, step = self._timeline, self.robots, self._world.step
         for _ in range(timeline.steps_per_odometry):
-            now = timeline.now
             for robot in robots:
-                robot.before_step(now)
+                robot.before_step(timeline.steps)
             step()
             timeline.steps += 1
         for robot in robots:
-            robot.tick(timeline.now, 1 / ODOM_RATE)
+            robot.tick(timeline.steps, 1 / ODOM_RATE)
 
     def speed(self, window):
         """Return the simulated seconds per second in a window (s of wall time)."""

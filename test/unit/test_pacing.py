@@ -48,6 +48,23 @@ def drive(lockstep, steps, answer):
 
 
 @given(st.one_of(usual_rates, any_rates))
+def test_who_goes_from_one_last_step_to_the_next_waits_as_often(rates):
+    """The steps between them need not be asked for, and there is always one to take."""
+    rate, step_rate = rates
+    lockstep = Lockstep(rate, step_rate, controllers=1)
+    steps, waits = 0, []
+    while steps < 500:
+        if lockstep.must_wait(steps):
+            waits.append(steps)
+            lockstep.heard(0)
+        assert not lockstep.must_wait(steps)
+        assert lockstep.last_step > steps
+        steps = lockstep.last_step
+    each = Lockstep(rate, step_rate, controllers=1)
+    assert waits == drive(each, range(500), lambda _: each.heard(0))
+
+
+@given(st.one_of(usual_rates, any_rates))
 @example((11, 240))  # 11 * (240 / 11) is rounded to less than 240
 def test_each_multiple_waits_for_a_command_once(rates):
     """A controller that answers when it is waited for holds each multiple up, and only those."""

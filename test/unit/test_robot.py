@@ -56,6 +56,14 @@ def test_it_stops_when_commands_cease(velocity):
     assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
 
 
+def test_a_timeout_below_a_step_of_time_is_no_lack_of_one():
+    """The robot stops at the next step, before it has gone anywhere."""
+    simulation = Simulation(cmd_vel_timeout=0.001)
+    simulation.drive(0.3, 0.0, 1.0)
+    assert speeds(simulation) == pytest.approx((0.0, 0.0), abs=1e-3)
+    assert simulation.robot.truth.position[0] < 0.01
+
+
 def test_without_a_timeout_one_command_is_enough():
     """It drives on for as long as nobody says otherwise."""
     simulation = Simulation(cmd_vel_timeout=0.0)

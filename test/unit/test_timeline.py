@@ -67,6 +67,19 @@ def test_a_second_has_as_many_messages_as_promised(odom_rate, clock_rate):
     assert timeline.now == 10**9
 
 
+@pytest.mark.parametrize('odom_rate', [20.0, 50.0, 3.0, 1.0, 1000.0])
+def test_the_next_tick_of_the_clock_is_the_first_one_to_come(odom_rate):
+    """At a tick it is the one after it."""
+    timeline = Timeline(odom_rate)
+    for steps in range(100):
+        timeline.steps = steps
+        expected = timeline.next_clock
+        timeline.steps += 1
+        while not timeline.clock_is_due:
+            timeline.steps += 1
+        assert timeline.steps == expected
+
+
 def test_time_starts_at_zero_and_can_start_again():
     """As after a reset of the simulation."""
     timeline = Timeline(20.0)

@@ -75,12 +75,11 @@ class Simulator:
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
         else:
-            now = self._timeline.now
-            lead = self._pacer.lead(now)
+            lead = self._pacer.lead(self._timeline.now)
             if lead > SHORTEST_SLEEP:
                 self._serve(lead)
             else:
-                self._advance(now)
+                self._advance(self._next_look())
 
     def _serve(self, timeout):
         """Wait for a request for so long (s of wall time) and serve it; False if none came."""
@@ -111,14 +110,24 @@ class Simulator:
             while (left := end - time.monotonic()) > 0 and self._serve(left):
                 pass
 
-    def _advance(self, now):
-        """Take one physics step from the time `now` (ns) on, and publish what is due then."""
+    def _next_look(self):
+        """Return the step before which the wall clock and the controllers do not matter."""
         timeline = self._timeline
-        for robot in self._robots:
-            robot.before_step(now)
-        if not self._everything_rests:
-            self._world.step()
-        timeline.steps += 1
+        if self._settings.real_time_factor:
+            return timeline.steps + 1
+        if self._lockstep:
+            return min(timeline.next_clock, self._lockstep.last_step)
+        return timeline.next_clock
+
+    def _advance(self, end):
+        """Take physics steps up to the step `end`, and publish what is due then."""
+        timeline = self._timeline
+        while timeline.steps < end:
+            for robot in self._robots:
+                robot.before_step(timeline.steps)
+            if not self._everything_rests:
+                self._world.step()
+            timeline.steps += 1
         if timeline.clock_is_due:
             self._publish_clock()
             if timeline.odometry_is_due:
@@ -126,7 +135,7 @@ class Simulator:
 
     def _look_at_robots(self):
         for robot in self._robots:
-            robot.tick(self._timeline.now, 1.0 / self._timeline.odom_rate)
+            robot.tick(self._timeline.steps, 1.0 / self._timeline.odom_rate)
         self._update_rest()
         self._publish_robots()
         if self._settings.gui:
@@ -197,7 +206,7 @@ class Simulator:
         if self._lockstep:
             self._lockstep.heard(index)
         try:
-            self._robots[index].command(linear, angular, self._timeline.now)
+            self._robots[index].command(linear, angular, self._timeline.steps)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
         self._update_rest()
@@ -230,8 +239,7 @@ def _add_robots(world, step_rate, settings):
     bodies = [world.add_turtlebot(settings.x, settings.y + index * ROBOT_SPACING, settings.yaw)
               for index in range(settings.robots)]
     world.settle()
-    timeout = round(settings.cmd_vel_timeout * 1e9)
-    return [Robot(body, step_rate, _new_odometry(settings, index), timeout)
+    return [Robot(body, step_rate, _new_odometry(settings, index), settings.cmd_vel_timeout)
             for index, body in enumerate(bodies)]
 
 

@@ -53,6 +53,11 @@ class Lockstep:
         """Whether any controller has ever spoken."""
         return bool(self._in_step)
 
+    @property
+    def last_step(self):
+        """The step that is the last one that may be taken without asking must_wait() again."""
+        return self._last_step
+
     def heard(self, controller):
         """Take note of a command from a controller (an index)."""
         self._in_step.add(controller)

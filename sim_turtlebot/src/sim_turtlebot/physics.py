@@ -129,6 +129,9 @@ class TurtleBot:
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
         self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
+        # Bound once: what is asked at each odometry is asked millions of times.
+        self._get_pose = client.getBasePositionAndOrientation
+        self._get_velocity = client.getBaseVelocity
         self._settled_height = 0.0
         self.drive(0.0, 0.0)
 
@@ -143,11 +146,11 @@ class TurtleBot:
 
     def pose(self):
         """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
-        return self._client.getBasePositionAndOrientation(self._body)
+        return self._get_pose(self._body)
 
     def velocity(self):
         """Return linear (m/s) and angular (rad/s) velocity in the world frame, three of each."""
-        return self._client.getBaseVelocity(self._body)
+        return self._get_velocity(self._body)
 
     def wheels(self):
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""

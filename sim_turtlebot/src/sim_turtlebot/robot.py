@@ -21,7 +21,7 @@ HOLD_SPEED = 1e-3  # m/s; a standing robot that is moved faster than this was pu
 class Robot:
     """One TurtleBot: commands in, motion, odometry and wheels out.
 
-    Times are integer nanoseconds of simulated time.
+    Times are counted in physics steps.
     """
 
     def __init__(self, body, step_rate, odometry, cmd_vel_timeout):
@@ -30,12 +30,12 @@ class Robot:
         :param body: sim_turtlebot.physics.TurtleBot, settled
         :param step_rate: physics steps per second (Hz)
         :param odometry: WorldOdometry or EncoderOdometry
-        :param cmd_vel_timeout: stop when no command has come for this long (ns); 0: never
+        :param cmd_vel_timeout: stop when no command has come for this long (s); 0: never
         """
         self.body = body
         self._speed_step = MAX_WHEEL_ACCELERATION / step_rate
-        self._timeout = cmd_vel_timeout
-        self._deadline = None
+        self._timeout = _whole_steps(cmd_vel_timeout, step_rate) if cmd_vel_timeout else math.inf
+        self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._odometry = odometry
         self._begin()
 
@@ -52,7 +52,7 @@ class Robot:
     @property
     def wheels(self):
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
-        return self._wheels
+        return self._anchor[1] if self._anchor else self.body.wheels()
 
     def command(self, linear, angular, now):
         """Move at `linear` m/s and `angular` rad/s, or as fast as the robot can.
@@ -62,45 +62,47 @@ class Robot:
         if not (math.isfinite(linear) and math.isfinite(angular)):
             self.stop()
             raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
-        self._deadline = now + self._timeout if self._timeout else None
+        self._deadline = now + self._timeout
         self._obey(_clamp(linear, MAX_LINEAR_SPEED), _clamp(angular, MAX_ANGULAR_SPEED))
 
     def stop(self):
         """Command zero."""
-        self._deadline = None
+        self._deadline = math.inf
         self._obey(0.0, 0.0)
 
     def before_step(self, now):
         """Do what has to be done before each physics step: brake, speed up, time out."""
-        if self._deadline is not None and now > self._deadline:
+        if now > self._deadline:
             self.stop()
         if self._driven != self._commanded:
             self._accelerate()
 
     def tick(self, now, duration):
         """Look where the robot is, `duration` seconds after the last look."""
-        self._observe()
+        self.truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
         elif self._commanded == self._driven == (0.0, 0.0):
             self._settle(now)
-        self.odometry = self._odometry.update(self.truth, self._wheels[0], duration)
+        self.odometry = self._odometry.update(self.truth, self._wheel_angles, duration)
 
     def reset_odometry(self):
         """Let the odometry start from zero here."""
-        self.odometry = self._odometry.reset(self.truth, self._wheels[0])
+        if not self.resting:
+            self.truth = true_motion(self.body)
+        self.odometry = self._odometry.reset(self.truth, self._wheel_angles)
 
     def reset(self):
         """Go back to the start, at rest."""
         self.body.place_at_start()
-        self._deadline = None
         self._begin()
 
     def _begin(self):
         """Stand where the body was put."""
         self._commanded = self._driven = (0.0, 0.0)
+        self._deadline = math.inf
         self._slow_since = None
-        self._observe()
+        self.truth = true_motion(self.body)
         self._anchor = self._standing()
         self.reset_odometry()
 
@@ -120,10 +122,6 @@ class Robot:
             self._driven = (self._driven[0] + share * linear, self._driven[1] + share * angular)
         self.body.drive(*self._driven)
 
-    def _observe(self):
-        self.truth = true_motion(self.body)
-        self._wheels = self.body.wheels()
-
     def _settle(self, now):
         """Find out whether the robot has come to rest."""
         slow = (math.hypot(*self.truth.linear) < REST_LINEAR_SPEED
@@ -132,14 +130,16 @@ class Robot:
             self._slow_since = None
         elif self._slow_since is None:
             self._slow_since = now
-        elif now - self._slow_since >= REST_TIME * 1e9:
+        elif now - self._slow_since >= self._rest_time:
             self._anchor = self._standing()
 
     def _standing(self):
-        angles, _, torques = self._wheels
-        self._wheels = angles, (0.0, 0.0), torques
+        angles, _, torques = self.body.wheels()
         self.truth = Motion(self.truth.position, self.truth.orientation, STILL, STILL)
-        return self.truth, self._wheels
+        return self.truth, (angles, (0.0, 0.0), torques)
+
+    def _wheel_angles(self):
+        return self.wheels[0]
 
     def _hold(self, duration):
         """Undo the creep of idle motors, as static friction would; let go when pushed."""
@@ -148,7 +148,13 @@ class Robot:
             self._anchor = self._slow_since = None
             return
         self.body.place(truth.position, truth.orientation, wheels[0])
-        self.truth, self._wheels = truth, wheels
+        self.truth = truth
+
+
+def _whole_steps(duration, step_rate):
+    """Return how many steps fit into a duration (s)."""
+    # The small term keeps a duration of whole steps from being rounded down.
+    return int(duration * step_rate + 1e-6)
 
 
 def _clamp(value, limit):

@@ -31,6 +31,11 @@ class Timeline:
         return round(steps * 1e9 / self.step_rate)
 
     @property
+    def next_clock(self):
+        """The step of the next tick of the clock."""
+        return self.steps - self.steps % self.steps_per_clock + self.steps_per_clock
+
+    @property
     def clock_is_due(self):
         """Whether this step is a tick of the clock."""
         return self.steps % self.steps_per_clock == 0

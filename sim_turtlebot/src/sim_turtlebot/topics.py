@@ -40,8 +40,8 @@ class RobotTopics:
         self._transform.header.frame_id = self._odometry.header.frame_id
         self._publishers = [
             (self._odometry, advertise(f'{namespace}odom', Odometry, queue_size)),
-            (self._truth, advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size)),
-            (self._joints, advertise(f'{namespace}joint_states', JointState, queue_size))]
+            (self._truth, advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size))]
+        self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
 
     def subscribe(self, on_velocity, on_reset_odometry):
         """Listen for commands: on_velocity(linear, angular) in m/s and rad/s, and resets."""
@@ -61,16 +61,24 @@ class RobotTopics:
         """
         _fill(self._odometry, self._robot.odometry)
         _fill(self._truth, self._robot.truth)
-        self._joints.position, self._joints.velocity, self._joints.effort = self._robot.wheels
         pose = self._odometry.pose.pose
         self._transform.transform.translation = pose.position
         self._transform.transform.rotation = pose.orientation
         self._transform.header.stamp = stamp
         for message, publisher in self._publishers:
-            message.header.stamp = stamp
-            message.header.seq = number
-            publisher.publish(message)
+            _publish(publisher, message, stamp, number)
+        # To ask for the wheels costs as much as a physics step.
+        if self._joint_publisher.get_num_connections():
+            joints = self._joints
+            joints.position, joints.velocity, joints.effort = self._robot.wheels
+            _publish(self._joint_publisher, joints, stamp, number)
         return self._transform
+
+
+def _publish(publisher, message, stamp, number):
+    message.header.stamp = stamp
+    message.header.seq = number
+    publisher.publish(message)
 
 
 def _new_odometry(frame, child_frame):

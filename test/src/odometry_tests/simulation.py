@@ -34,14 +34,13 @@ class Simulation:
         self._world = World(self._timeline.step_rate, world_file=world_file)
         bodies = [self._world.add_turtlebot(*start) for start in starts or [AT_ZERO]]
         self._world.settle()
-        timeout = round(cmd_vel_timeout * 1e9)
-        self.robots = [Robot(body, self._timeline.step_rate, odometry(), timeout)
+        self.robots = [Robot(body, self._timeline.step_rate, odometry(), cmd_vel_timeout)
                        for body in bodies]
         self.robot = self.robots[0]
 
     def command(self, linear, angular, robot=0):
         """Command a robot (an index) to move at `linear` m/s and `angular` rad/s."""
-        self.robots[robot].command(linear, angular, self._timeline.now)
+        self.robots[robot].command(linear, angular, self._timeline.steps)
 
     def run(self, duration):
         """Simulate so many seconds; return the Record of the first robot."""
@@ -68,7 +67,7 @@ class Simulation:
     def _step(self):
         """Advance time, and the physics unless everything rests; tell whether it was needed."""
         for robot in self.robots:
-            robot.before_step(self._timeline.now)
+            robot.before_step(self._timeline.steps)
         moved = not all(robot.resting for robot in self.robots)
         if moved:
             self._world.step()
@@ -77,4 +76,4 @@ class Simulation:
 
     def _tick(self):
         for robot in self.robots:
-            robot.tick(self._timeline.now, 1 / self._timeline.odom_rate)
+            robot.tick(self._timeline.steps, 1 / self._timeline.odom_rate)
