@@ -134,7 +134,8 @@ class MovementDetector:
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
             return
-        self._wake_up.set()
+        if not self._wake_up.is_set():
+            self._wake_up.set()
         if jump:
             rospy.logwarn_throttle(1.0, f'not counted: {jump}')
 

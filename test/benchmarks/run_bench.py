@@ -51,7 +51,7 @@ def main():
 
 
 def _measure(options):
-    effort = Options(options.runs, options.window, messages=1000, longest=5, minutes=60)
+    effort = Options(options.runs, options.window, messages=1000, longest=15, minutes=60)
     for name in options.only:
         for figure in MEASUREMENTS[name](effort):
             print_figure(figure)

@@ -32,28 +32,6 @@ def test_an_arrow_key_drives_while_it_is_held(robot, page):
     robot.assert_it_stops(within=REACTION_TIME)
 
 
-def close(page):
-    """Close the page."""
-    page.close()
-
-
-def hang(page):
-    """Let the page be busy in a moment, for so long that it can say nothing to the viewer."""
-    page.run('setTimeout(() => {const end = Date.now() + 5000; while (Date.now() < end);}, 300)')
-
-
-@pytest.mark.parametrize('ending, time_limit', [(close, REACTION_TIME),
-                                                (hang, 0.3 + HOLD_TIMEOUT + REACTION_TIME)])
-def test_a_page_that_goes_away_in_mid_drive_stops_the_robot(robot, page, ending, time_limit):
-    """Nobody is left to release the button."""
-    page.wait_for_reading('speed', lambda speed: speed == 0)
-    robot.commands.clear()
-    page.hold('forward')
-    robot.wait_until_moving()
-    ending(page)
-    robot.assert_it_stops(within=time_limit)
-
-
 def test_stop_commands_zero(robot, page):
     """Also if it was not the pad that drove."""
     page.wait_for_reading('speed', lambda speed: speed == 0)
@@ -65,6 +43,28 @@ def test_stop_commands_zero(robot, page):
     page.click('stop')
     robot.wait_until_resting()
     publisher.unregister()
+
+
+def close(page):
+    """Close the page."""
+    page.close()
+
+
+def hang(page):
+    """Let the page be busy in a moment, for so long that it can say nothing to the viewer."""
+    page.run('setTimeout(() => {const end = Date.now() + 5000; while (Date.now() < end);}, 300)')
+
+
+@pytest.mark.parametrize('ending, time_limit', [(hang, 0.3 + HOLD_TIMEOUT + REACTION_TIME),
+                                                (close, REACTION_TIME)])
+def test_a_page_that_goes_away_in_mid_drive_stops_the_robot(robot, page, ending, time_limit):
+    """Nobody is left to release the button."""
+    page.wait_for_reading('speed', lambda speed: speed == 0)
+    robot.commands.clear()
+    page.hold('forward')
+    robot.wait_until_moving()
+    ending(page)
+    robot.assert_it_stops(within=time_limit)
 
 
 def test_the_robot_stops_when_the_viewer_ends(robot, browser):
