@@ -70,11 +70,8 @@ class Browser:
             options.add_argument(switch)
         driver = webdriver.Chrome(options=options, service=Service(DRIVER))
         if self._frame_rate:
-            # All that wants to draw does so at the same moments, or each would get its own picture.
-            script = ('window.requestAnimationFrame = (draw) => setTimeout('
-                      '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);')
-            script = script.replace('PERIOD', str(1000 / self._frame_rate))
-            driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': script})
+            driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
+                                   {'source': _draw_at(self._frame_rate)})
         return driver
 
 
@@ -198,3 +195,11 @@ class Page:
     @staticmethod
     def _wait_until(condition, what, timeout=PAGE_TIMEOUT):
         return wait_until(condition, timeout, what, LOOKING_PERIOD)
+
+
+def _draw_at(frame_rate):
+    """Return JavaScript by which a page draws only so many pictures per second (Hz)."""
+    # All that wants to draw does so at the same moments, or each would get its own picture.
+    script = ('window.requestAnimationFrame = (draw) => setTimeout('
+              '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);')
+    return script.replace('PERIOD', str(1000 / frame_rate))
