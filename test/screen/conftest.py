@@ -9,6 +9,7 @@ from odometry_tests.viewing import Motion, View
 SCALE = 0.5
 FRAME_RATE = 2.0  # Hz
 
+
 @pytest.fixture(scope='session')
 def browser():
     """Start a browser."""

@@ -48,7 +48,7 @@ def at_zero():
 
 def drive(odometry, speed, turn_speed=0.0, duration=10.0):
     """Drive an arc; return the odometry after each period."""
-    odometry.reset(motion(), at_zero)
+    odometry.reset(motion(), (0.0, 0.0))
     times = [number * PERIOD for number in range(1, round(duration / PERIOD) + 1)]
     return [odometry.update(motion(*on_arc(speed, turn_speed, time)),
                             lambda time=time: wheel_angles(speed * time, turn_speed * time), PERIOD)
@@ -64,7 +64,7 @@ def distance(track):
 def test_world_odometry_is_the_pose_seen_from_the_start(start, place):
     """At the start it is zero, whichever way the robot was put down."""
     odometry = WorldOdometry()
-    first = odometry.reset(motion(*start), at_zero)
+    first = odometry.reset(motion(*start))
     assert first.position == pytest.approx(STILL, abs=1e-12)
     assert yaw_of(first.orientation) == pytest.approx(0, abs=1e-12)
     now = odometry.update(motion(*place), at_zero, PERIOD)
@@ -78,7 +78,7 @@ def test_world_odometry_is_the_pose_seen_from_the_start(start, place):
 def test_world_odometry_keeps_height_tilt_and_velocity():
     """The tutorial's /odom is a full pose, and its twist is in the frame of the base."""
     odometry = WorldOdometry()
-    odometry.reset(motion(1.0, 2.0, 0.5), at_zero)
+    odometry.reset(motion(1.0, 2.0, 0.5))
     tilted = Motion((1.0, 2.0, 0.03), (0.1, 0.0, 0.0, math.sqrt(0.99)), (0.2, 0.01, 0), (0, 0, 1))
     now = odometry.update(tilted, at_zero, PERIOD)
     assert now.position[2] == pytest.approx(0.03)
@@ -174,7 +174,7 @@ def test_gyro_noise_grows_with_the_root_of_time(duration):
 def test_with_the_gyro_the_yaw_is_that_of_the_body(gyro, believed):
     """Wheels that turn against each other on ice turn the robot less than they say."""
     odometry = EncoderOdometry(gyro)
-    odometry.reset(motion(), at_zero)
+    odometry.reset(motion(), (0.0, 0.0))
     now = odometry.update(motion(yaw=0.25), lambda: wheel_angles(0.0, 1.0), PERIOD)
     assert yaw_of(now.orientation) == pytest.approx(believed, abs=2 * TICK / WHEEL_SEPARATION)
     assert now.angular[2] == pytest.approx(believed / PERIOD, rel=1e-3)
@@ -191,11 +191,23 @@ def test_a_reset_starts_from_zero_wherever_the_wheels_are(gyro):
     """And the next odometry counts from there."""
     odometry = EncoderOdometry(gyro)
     drive(odometry, 0.5, 1.0)
-    first = odometry.reset(motion(3.0, 4.0, 2.0), lambda: (1000.0, -50.0))
+    first = odometry.reset(motion(3.0, 4.0, 2.0), (1000.0, -50.0))
     assert first == motion()
     angles = [old + way for old, way in zip((1000.0, -50.0), wheel_angles(0.5, 0.0))]
     now = odometry.update(motion(3.5, 4.0, 2.0), lambda: angles, PERIOD)
     assert now.position == pytest.approx((0.5, 0.0, 0.0), abs=2 * TICK)
+
+
+@pytest.mark.parametrize('gyro', [False, True])
+def test_a_reset_on_the_way_does_not_show_in_the_velocity(gyro):
+    """The wheels go on, and what they turned since the last odometry counts."""
+    odometry = EncoderOdometry(gyro)
+    drive(odometry, 0.5, 0.4, duration=2.0)
+    odometry.reset(motion(*on_arc(0.5, 0.4, 2.0)))
+    now = odometry.update(motion(*on_arc(0.5, 0.4, 2.0 + PERIOD)),
+                          lambda: wheel_angles(0.5 * (2 + PERIOD), 0.4 * (2 + PERIOD)), PERIOD)
+    assert now.linear[0] == pytest.approx(0.5, abs=2 * TICK / PERIOD)
+    assert now.angular[2] == pytest.approx(0.4, abs=2 * TICK / WHEEL_SEPARATION / PERIOD)
 
 
 @pytest.mark.parametrize('odometry, variances', [

@@ -34,11 +34,11 @@ class WorldOdometry:
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
 
-    def reset(self, truth, read_angles):
+    def reset(self, truth, _wheel_angles=None):
         """Call this place zero; return the Motion in the odom frame."""
         self._origin = truth.position[:2]
         self._to_odom = about_z(-yaw_of(truth.orientation))
-        return self.update(truth, read_angles, 0.0)
+        return self.update(truth, None, 0.0)
 
     def update(self, truth, _read_angles, _duration):
         """Return the Motion in the odom frame."""
@@ -68,18 +68,22 @@ class EncoderOdometry:
         # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if gyro else 0.2)
 
-    def reset(self, truth, read_angles):
+    def reset(self, truth, wheel_angles=None):
         """Call this place zero; return the Motion in the odom frame.
 
-        :param read_angles: function that returns the angles (rad) of the left and right wheel
+        :param wheel_angles: of the left and right wheel (rad); None: as at the last update
         """
         self._x = self._y = self._yaw = 0.0
-        self._ticks = [_ticks(angle) for angle in read_angles()]
+        if wheel_angles:
+            self._ticks = [_ticks(angle) for angle in wheel_angles]
         self._true_yaw = yaw_of(truth.orientation)
         return Motion((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), STILL, STILL)
 
     def update(self, truth, read_angles, duration):
-        """Return the Motion in the odom frame, `duration` seconds after the last call."""
+        """Return the Motion in the odom frame, `duration` seconds after the last call.
+
+        :param read_angles: function that returns the angles (rad) of the left and right wheel
+        """
         left, right = self._wheel_travel(read_angles())
         turn = self._gyro_turn(truth, duration)
         if not self._gyro:

@@ -87,10 +87,8 @@ class Robot:
         self.odometry = self._odometry.update(self.truth, self._wheel_angles, duration)
 
     def reset_odometry(self):
-        """Let the odometry start from zero here."""
-        if not self.resting:
-            self.truth = true_motion(self.body)
-        self.odometry = self._odometry.reset(self.truth, self._wheel_angles)
+        """Let the odometry start from zero where the robot was last seen."""
+        self.odometry = self._odometry.reset(self.truth)
 
     def reset(self):
         """Go back to the start, at rest."""
@@ -104,7 +102,7 @@ class Robot:
         self._slow_since = None
         self.truth = true_motion(self.body)
         self._anchor = self._standing()
-        self.reset_odometry()
+        self.odometry = self._odometry.reset(self.truth, self._wheel_angles())
 
     def _obey(self, linear, angular):
         if (linear, angular) != self._commanded:

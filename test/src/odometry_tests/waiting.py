@@ -18,8 +18,9 @@ def wait_until(condition, timeout, what, period=POLL_PERIOD):
     """
     end = time.monotonic() + timeout
     while not (value := condition()):
-        words = what() if callable(what) else what
-        assert time.monotonic() < end, f'not within {timeout:g} s: {words}'
+        if time.monotonic() >= end:
+            words = what() if callable(what) else what
+            raise AssertionError(f'not within {timeout:g} s: {words}')
         time.sleep(period)
     return value
 
