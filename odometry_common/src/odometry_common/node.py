@@ -12,6 +12,7 @@ import rospkg
 import rospy
 
 from odometry_common.parameters import ParameterError, check_command_line
+from odometry_common.xmlrpc_server import use_closable_server
 
 EXIT_BAD_PARAMETER = 2
 SHUTDOWN_THREAD = 'shutdown'
@@ -97,6 +98,7 @@ def _start(name, init_node_options):
 
     _on_signals(interrupt)
     _wait_for_master(interrupted)
+    use_closable_server()
     if not interrupted.is_set():
         rospy.init_node(name, disable_signals=True, **init_node_options)
     _on_signals(_shut_down)
