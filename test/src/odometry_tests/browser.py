@@ -41,19 +41,20 @@ class Browser:
                           f'--force-device-scale-factor={scale}']
         self._frame_rate = frame_rate
         self._pages = []
+        self._drivers = []
 
     def __enter__(self):
         """Use it as a context."""
         return self
 
     def __exit__(self, *_):
-        """Close all pages."""
-        for page in self._pages:
-            page.close()
+        """End all."""
+        for driver in self._drivers:
+            driver.quit()
 
     def open(self, url):
         """Open a page and return it once it shows the panel."""
-        page = Page(self._start(), url)
+        page = Page(self._idle_driver() or self._start(), url, self._frame_rate)
         self._pages.append(page)
         page.load()
         return page
@@ -62,31 +63,39 @@ class Browser:
         """Return a page at this address that is still open, or None."""
         return next((page for page in self._pages if page.url == url and page.is_open), None)
 
+    def _idle_driver(self):
+        """Return a Chromium whose page has been closed, or None: to start one takes longer."""
+        busy = [page.driver for page in self._pages if page.is_open]
+        return next((driver for driver in self._drivers if driver not in busy), None)
+
     def _start(self):
         """Start a Chromium."""
         options = webdriver.ChromeOptions()
         options.binary_location = CHROMIUM
         for switch in self._switches:
             options.add_argument(switch)
-        driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-        if self._frame_rate:
-            driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
-                                   {'source': _draw_at(self._frame_rate)})
-        return driver
+        self._drivers.append(webdriver.Chrome(options=options, service=Service(DRIVER)))
+        return self._drivers[-1]
 
 
 class Page:
     """A window with the page."""
 
-    def __init__(self, driver, url):
+    def __init__(self, driver, url, frame_rate=None):
         """Take over a driver that shows nothing yet."""
+        self.driver = driver
         self.url = url
         self.is_open = True
-        self._driver = driver
+        self._frame_rate = frame_rate
 
     def load(self):
         """Show the page and return once it has the panel."""
-        self._driver.get(self.url)
+        # In a window of its own: without its first, empty one Chromium would end with the page.
+        self.driver.switch_to.new_window('window')
+        if self._frame_rate:
+            self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
+                                        {'source': _draw_at(self._frame_rate)})
+        self.driver.get(self.url)
         self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
                          'a page with readings')
 
@@ -102,12 +111,12 @@ class Page:
         """Close the window, as a user does."""
         if self.is_open:
             self.is_open = False
-            self._driver.close()
-            self._driver.quit()
+            self.driver.close()
+            self.driver.switch_to.window(self.driver.window_handles[0])
 
     def run(self, script):
         """Return what a piece of JavaScript returns."""
-        return self._driver.execute_script(script)
+        return self.driver.execute_script(script)
 
     @property
     def text(self):
@@ -138,27 +147,27 @@ class Page:
 
     def hold(self, label):
         """Press a button and hold it."""
-        ActionChains(self._driver, duration=0).click_and_hold(self._button(label)).perform()
+        ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
 
     def release(self):
         """Let go of the button."""
-        ActionChains(self._driver, duration=0).release().perform()
+        ActionChains(self.driver, duration=0).release().perform()
 
     def press_key(self, name):
         """Press a key and hold it."""
-        ActionChains(self._driver, duration=0).key_down(getattr(Keys, name)).perform()
+        ActionChains(self.driver, duration=0).key_down(getattr(Keys, name)).perform()
 
     def release_key(self, name):
         """Let go of the key."""
-        ActionChains(self._driver, duration=0).key_up(getattr(Keys, name)).perform()
+        ActionChains(self.driver, duration=0).key_up(getattr(Keys, name)).perform()
 
     def let_go(self):
         """Let go of all buttons and keys."""
-        ActionChains(self._driver).reset_actions()
+        ActionChains(self.driver).reset_actions()
 
     def choose(self, label, option):
         """Choose an option of a list."""
-        lists = self._wait_until(lambda: self._driver.find_elements(
+        lists = self._wait_until(lambda: self.driver.find_elements(
             By.XPATH, f'//label[.="{label}"]/following::input'), f'a list {label!r}')
         lists[0].click()
         self._wait_until(lambda: self._options(option), f'{option!r} in the list')
@@ -166,7 +175,7 @@ class Page:
 
     def _options(self, text):
         return [option for option in
-                self._driver.find_elements(By.CSS_SELECTOR, '[role=option]')
+                self.driver.find_elements(By.CSS_SELECTOR, '[role=option]')
                 if option.text == text]
 
     def dismiss_notices(self):
@@ -179,7 +188,7 @@ class Page:
 
     def photograph(self):
         """Return the whole page as an image."""
-        return Image.open(io.BytesIO(self._driver.get_screenshot_as_png())).convert('RGB')
+        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
 
     def scene(self):
         """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
@@ -189,7 +198,7 @@ class Page:
         return numpy.asarray(self.photograph().crop([round(edge) for edge in box]), dtype=int)
 
     def _button(self, label):
-        return next(button for button in self._driver.find_elements(By.TAG_NAME, 'button')
+        return next(button for button in self.driver.find_elements(By.TAG_NAME, 'button')
                     if button.text.strip() == label)
 
     @staticmethod
@@ -201,5 +210,6 @@ def _draw_at(frame_rate):
     """Return JavaScript by which a page draws only so many pictures per second (Hz)."""
     # All that wants to draw does so at the same moments, or each would get its own picture.
     script = ('window.requestAnimationFrame = (draw) => setTimeout('
-              '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);')
+              '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);'
+              'window.cancelAnimationFrame = clearTimeout;')
     return script.replace('PERIOD', str(1000 / frame_rate))
