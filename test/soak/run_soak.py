@@ -28,8 +28,6 @@ def main():
     _on_signals(signal.default_int_handler)
     try:
         with Nodes() as nodes:
-            print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
-                  f'ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
             status = _drive(nodes, options)
     except AssertionError as error:
         print(f'soak: the nodes do not start: {error}', file=sys.stderr)
@@ -46,6 +44,8 @@ def _drive(nodes, options):
     steps = round(options.hours * SECONDS_PER_HOUR / PERIOD)
     driver, progress, violation = Driver(nodes, steps), Progress(), None
     try:
+        print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
+              f'ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
         for moment in itertools.islice(course(options.seed), steps):
             driver.step(*moment)
             progress.show(driver)
