@@ -15,7 +15,7 @@ TESTS = ROOT / 'test'
 WORKSPACE = ROOT / '.ws'
 RESULTS = WORKSPACE / 'build' / 'test_results'
 # Most tests wait most of the time, for each other's processes and for real time.
-JOBS = 3
+JOBS = 4
 LINTERS = {
     'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
     'catkin_lint': ['catkin_lint', '--quiet', str(ROOT)],

@@ -3,7 +3,7 @@
 import pytest
 import rosgraph
 from odometry_tests.processes import rosrun
-from odometry_tests.viewing import ROBOT_PIXELS, dark_pixels
+from odometry_tests.viewing import ROBOT_PIXELS, dark_pixels, wait_for_robot
 from odometry_tests.waiting import wait_until
 
 
@@ -32,8 +32,7 @@ def test_the_page_shows_the_robot_drive_two_metres(robot, page):
     """From the start mark to the two-metre mark, in numbers and in the picture."""
     page.wait_for_reading('moved_distance', lambda metres: metres == 0)
     page.dismiss_notices()
-    rows, columns = dark_pixels(page.scene())
-    assert len(rows) > ROBOT_PIXELS, f'{len(rows)} dark pixels are no robot'
+    rows, columns = wait_for_robot(page)
     with rosrun('test_movement', 'test_movement.py', '_speed:=0.5',
                 '_exit_when_done:=true') as mover:
         page.wait_for_reading('moved_distance', lambda metres: metres >= 2.0)
@@ -44,11 +43,9 @@ def test_the_page_shows_the_robot_drive_two_metres(robot, page):
     page.wait_for_reading('true_distance', lambda metres: metres == went)
     page.wait_for_reading('real_time_factor', lambda rate: rate == pytest.approx(1.0, abs=0.2))
     assert page.reading('simulated_time') == pytest.approx(robot.stamp, abs=2.0)
-    end_rows, end_columns = dark_pixels(page.scene())
-    assert len(end_rows) > ROBOT_PIXELS, f'{len(end_rows)} dark pixels are no robot'
     # Two metres are about half the width of what the camera sees.
-    assert end_columns.mean() - columns.mean() > 75
-    assert abs(end_rows.mean() - rows.mean()) < 15
+    wait_for_robot(page, lambda end_rows, end_columns: end_columns.mean() - columns.mean() > 75
+                   and abs(end_rows.mean() - rows.mean()) < 15)
 
 
 def test_two_pages_show_the_same(robot, browser, view, page):

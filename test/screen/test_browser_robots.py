@@ -8,7 +8,15 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
-from odometry_tests.viewing import REACTION_TIME, ROBOT_PIXELS, Motion, View, dark_pixels
+from odometry_tests.viewing import (
+    PICTURE_TIMEOUT,
+    REACTION_TIME,
+    ROBOT_PIXELS,
+    Motion,
+    View,
+    wait_for_robot,
+)
+from odometry_tests.waiting import wait_until
 
 
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
@@ -22,7 +30,7 @@ def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
             assert page.reading('true_distance') is None
             assert page.reading('moved_distance') is None
             page.dismiss_notices()
-            assert len(dark_pixels(page.scene())[0]) > ROBOT_PIXELS
+            wait_for_robot(page)
     publisher.unregister()
 
 
@@ -34,13 +42,15 @@ def test_odometry_that_is_off_is_drawn_as_a_ghost(master, browser):
         motion = Motion('/slippery/')
         page.wait_for_reading('speed', lambda speed: speed == 0)
         page.dismiss_notices()
+        wait_for_robot(page)
         assert blue_pixels(page.scene()) < ROBOT_PIXELS / 10
         page.hold('forward')
         page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
         page.release()
         motion.wait_until_resting()
         page.wait_for_reading('speed', lambda speed: speed == 0)
-        assert blue_pixels(page.scene()) > ROBOT_PIXELS
+        wait_until(lambda: blue_pixels(page.scene()) > ROBOT_PIXELS, PICTURE_TIMEOUT,
+                   'a blue robot beside the dark one')
 
 
 def test_all_robots_of_a_world_are_shown_and_each_can_be_driven(master, browser):

@@ -125,6 +125,7 @@ def test_a_node_that_waits_ends_quietly(master, package, program, signum):
     """Before the first message too: no traceback, exit status 0."""
     name = f'{program[:-3]}_{signum.name}'
     with rosrun(package, program, f'__name:={name}', 'odom:=nowhere') as node:
-        wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0, f'a node /{name}')
+        wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0, f'a node /{name}',
+                   period=0.1)
         assert node.end(signum) == 0, node.output
     assert 'Traceback' not in node.output

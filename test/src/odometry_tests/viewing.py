@@ -5,12 +5,14 @@ from geometry_msgs.msg import Twist
 
 from odometry_tests.processes import free_port, rosrun
 from odometry_tests.tutorial import Truth, speed
-from odometry_tests.waiting import Recorder
+from odometry_tests.waiting import Recorder, wait_until
 
 MOVING = 0.05  # m/s
 STOPPING_TIME = 0.4  # s, from a zero to a robot at rest
 REACTION_TIME = 0.5  # s; beside the robot, a browser keeps two processors busy
 ROBOT_PIXELS = 100  # at least so many are the robot's
+PICTURE_TIMEOUT = 20.0  # s; the page draws seldom while tests run
+PICTURE_PERIOD = 0.2  # s
 DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
 
 
@@ -64,3 +66,16 @@ class Motion(Truth):
 def dark_pixels(picture):
     """Return rows and columns of the pixels that are as dark as the robot."""
     return numpy.nonzero(picture.max(axis=2) < DARK)
+
+
+def wait_for_robot(page, accepts=lambda rows, columns: True):
+    """Return rows and columns of its pixels once the page has drawn it and they are accepted."""
+    seen = []
+
+    def robot():
+        seen[:] = dark_pixels(page.scene())
+        return len(seen[0]) > ROBOT_PIXELS and accepts(*seen)
+
+    wait_until(robot, PICTURE_TIMEOUT, lambda: f'the robot in the picture; dark are {seen}',
+               PICTURE_PERIOD)
+    return seen
