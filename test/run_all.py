@@ -41,7 +41,8 @@ def main():
     signal.signal(signal.SIGINT, signal.default_int_handler)
     if options.nightly:
         os.environ['HYPOTHESIS_PROFILE'] = 'nightly'
-    counts = _run_linters() + _run_tests(options.names)
+    linters = _start_linters()
+    counts = _run_tests(options.names) + _count_findings(linters)
     print(f'{counts.passed} passed, {counts.failed} failed, {counts.skipped} skipped')
     sys.exit(0 if counts.passed and not counts.failed else 1)
 
@@ -55,12 +56,18 @@ def _parse():
     return parser.parse_args()
 
 
-def _run_linters():
+def _start_linters():
+    """Have them read the sources while the tests run."""
+    return {name: subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True) for name, command in LINTERS.items()}
+
+
+def _count_findings(linters):
     counts = Counts(0, 0, 0)
-    for name, command in LINTERS.items():
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-        findings = result.stdout + _without_notices(result.stderr)
-        failed = bool(result.returncode or findings.strip())
+    for name, linter in linters.items():
+        stdout, stderr = linter.communicate()
+        findings = stdout + _without_notices(stderr)
+        failed = bool(linter.returncode or findings.strip())
         print(f'{name}: {"failed" if failed else "passed"}\n{findings}', end='', flush=True)
         counts += Counts(not failed, failed, 0)
     return counts

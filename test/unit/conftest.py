@@ -3,7 +3,8 @@
 import os
 
 from hypothesis import settings
+from odometry_tests.fuzzing import NIGHTLY_SEQUENCES
 
-settings.register_profile('ci', max_examples=300, deadline=None)
-settings.register_profile('nightly', max_examples=10000, deadline=None)
+settings.register_profile('ci', deadline=None)
+settings.register_profile('nightly', max_examples=NIGHTLY_SEQUENCES, deadline=None)
 settings.load_profile(os.environ.get('HYPOTHESIS_PROFILE', 'ci'))

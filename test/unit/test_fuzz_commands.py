@@ -4,9 +4,9 @@ import math
 
 import pytest
 from geometry_msgs.msg import Quaternion
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
-from odometry_tests.fuzzing import any_number
+from odometry_tests.fuzzing import any_number, sequence_count
 from odometry_tests.scripts import load_script
 from rotate_robot.heading import euler_from_orientation, turn_command, wrap_to_pi
 
@@ -14,12 +14,15 @@ Drive = load_script('test_movement/src/test_movement.py').Drive
 
 PERIOD = 0.1  # s between two commands of rotate.py
 
+many = settings(max_examples=sequence_count())
+
 finite = any_number.filter(math.isfinite)
 positive = finite.filter(lambda value: value > 0)
 moved_distances = st.one_of(any_number, st.floats(0, 10))
 quaternions = st.builds(Quaternion, *[st.one_of(st.floats(-1, 1), any_number)] * 4)
 
 
+@many
 @given(st.one_of(st.just(2.0), positive), finite.filter(bool), st.booleans(),
        st.lists(moved_distances, max_size=50))
 def test_the_mover_commands_its_speed_or_zero(distance, speed, relative, sequence):
@@ -35,6 +38,7 @@ def test_the_mover_commands_its_speed_or_zero(distance, speed, relative, sequenc
                 drive.speed_at(moved)
 
 
+@many
 @given(quaternions, finite, positive, positive)
 def test_whatever_the_heading_and_the_target_the_turn_is_within_the_clamp(
         quaternion, target_deg, kp, limit):
@@ -54,6 +58,7 @@ def test_whatever_the_heading_and_the_target_the_turn_is_within_the_clamp(
     assert command == 0 or (command > 0) == (error > 0)
 
 
+@many
 @given(st.floats(-math.pi, math.pi), st.floats(1e-3, 1 / PERIOD), st.floats(1e-3, math.pi),
        st.lists(st.tuples(st.floats(-1e6, 1e6), st.integers(1, 20)), max_size=10))
 def test_a_robot_that_obeys_never_turns_away_from_its_target(yaw, kp, limit, targets):

@@ -2,9 +2,10 @@
 
 import math
 
+from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
-from odometry_tests.fuzzing import any_number
+from odometry_tests.fuzzing import any_number, sequence_count
 from odometry_tests.scripts import load_script
 
 DETECTOR = load_script('odom_movement_detector/src/odom_movement_detector.py')
@@ -139,3 +140,4 @@ class DetectorMachine(RuleBasedStateMachine):
 
 
 TestDetector = DetectorMachine.TestCase
+TestDetector.settings = settings(TestDetector.settings, max_examples=sequence_count())

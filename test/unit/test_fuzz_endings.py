@@ -12,7 +12,7 @@ from hypothesis import settings
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 from odometry_common.publishing import advertise
 from odometry_common.velocity import VelocityPublisher
-from odometry_tests.fuzzing import any_number
+from odometry_tests.fuzzing import any_number, sequence_count
 from rospy.impl.transport import OUTBOUND, Transport
 
 TOPIC = '/cmd_vel'
@@ -124,4 +124,5 @@ class EndingMachine(RuleBasedStateMachine):
 
 
 TestEnding = EndingMachine.TestCase
-TestEnding.settings = settings(TestEnding.settings, stateful_step_count=STEPS)
+TestEnding.settings = settings(
+    TestEnding.settings, max_examples=sequence_count(), stateful_step_count=STEPS)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
-from odometry_tests.fuzzing import any_number, physics_settings
+from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
@@ -140,4 +140,5 @@ class RobotMachine(RuleBasedStateMachine):
 
 
 TestRobot = RobotMachine.TestCase
-TestRobot.settings = settings(physics_settings(), stateful_step_count=STEPS)
+TestRobot.settings = settings(
+    TestRobot.settings, max_examples=sequence_count(PHYSICS_SHARE), stateful_step_count=STEPS)

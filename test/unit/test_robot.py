@@ -67,7 +67,7 @@ def test_a_timeout_below_a_step_of_time_is_no_lack_of_one():
 def test_without_a_timeout_one_command_is_enough():
     """It drives on for as long as nobody says otherwise."""
     simulation = Simulation(cmd_vel_timeout=0.0)
-    simulation.drive(0.3, 0.0, 60.0)
+    simulation.drive(0.3, 0.0, 10.0)
     assert speeds(simulation) == pytest.approx((0.3, 0.0), abs=0.001)
 
 

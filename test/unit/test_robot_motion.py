@@ -18,7 +18,7 @@ UP = (0.0, 0.0, 1.0)
 REAR_CASTER_LEAN = 0.95  # degrees until the rear caster, 2.2 mm above the floor, touches it
 
 # A drive in the physics takes hundreds of times as long as a piece of arithmetic.
-few = settings(max_examples=settings.default.max_examples // 10, deadline=None)
+few = settings(max_examples=settings.default.max_examples // 4)
 
 
 def distance_between(a, b):
