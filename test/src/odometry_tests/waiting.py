@@ -60,11 +60,15 @@ class Recorder:
 
     def wait_for(self, accepts=lambda message: True, timeout=10.0, what='a message'):
         """Return the first message, also one that has come already, that is accepted."""
+        seen = 0
+
         def found():
-            return next((m for m in self._messages if accepts(m)), None)
+            nonlocal seen
+            new, seen = self._messages[seen:], len(self._messages)
+            return next((m for m in new if accepts(m)), None)
+
         with self._changed:
-            self._changed.wait_for(found, timeout)
-            message = found()
+            message = self._changed.wait_for(found, timeout)
         assert message is not None, (
             f'not within {timeout:g} s on {self._topic}: {what}; the last of '
             f'{len(self._messages)} messages was:\n{self.last}')
