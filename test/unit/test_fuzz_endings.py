@@ -18,6 +18,7 @@ from rospy.impl.transport import OUTBOUND, Transport
 TOPIC = '/cmd_vel'
 HEADER_SIZE = 4  # bytes before each message, its length
 END_TIMEOUT = 10.0  # s
+HEAD_START = 0.01  # s; without a lock more than enough to write a command
 ZERO = (0.0, 0.0)
 STEPS = 12  # in a sequence; what matters is near the end of the node
 
@@ -25,19 +26,15 @@ speeds = any_number.filter(math.isfinite)
 
 
 class Wire(Transport):
-    """The connection to a subscriber: what has been written, and what happens meanwhile."""
+    """The connection to a subscriber: what has been written."""
 
     def __init__(self):
         """Begin with nothing written."""
         super().__init__(OUTBOUND)
         self.commands = []
-        self.meanwhile = None
 
     def write_data(self, data):
-        """Take a message; let something happen on another thread while it is being written."""
-        if self.meanwhile is not None:
-            self.meanwhile.start()
-            self.meanwhile = None
+        """Take a message."""
         command = Twist().deserialize(data[HEADER_SIZE:])
         self.commands.append((command.linear.x, command.angular.z))
 
@@ -45,6 +42,23 @@ class Wire(Transport):
         """Leave the publisher, which calls this again."""
         if not self.done:
             super().close()
+
+
+class Gate:
+    """What a command passes on its way to rospy; something else may overtake it there."""
+
+    def __init__(self, publisher):
+        """Stand before a publisher."""
+        self._publisher = publisher
+        self.meanwhile = None
+
+    def publish(self, command):
+        """Let another thread run, if there is one, for as long as it takes or gets nowhere."""
+        if self.meanwhile is not None:
+            thread, self.meanwhile = self.meanwhile, None
+            thread.start()
+            thread.join(HEAD_START)
+        self._publisher.publish(command)
 
 
 class EndingMachine(RuleBasedStateMachine):
@@ -58,6 +72,7 @@ class EndingMachine(RuleBasedStateMachine):
         self.wire = Wire()
         self.topic.impl.add_connection(self.wire)
         self.velocity = VelocityPublisher(TOPIC)
+        self.gate = self.velocity._publisher = Gate(self.velocity._publisher)
         # What rospy calls at shutdown, which a process can do only once.
         self.end_of_node = rospy.core._client_shutdown_hooks.pop()
         self.ended = False
@@ -117,8 +132,8 @@ class EndingMachine(RuleBasedStateMachine):
             self.expected.append((linear, angular))
 
     def during(self, event, action):
-        """Act, and have the event happen on another thread while the action writes."""
-        thread = self.wire.meanwhile = threading.Thread(target=event)
+        """Act, and have the event happen on another thread before the action's command is out."""
+        thread = self.gate.meanwhile = threading.Thread(target=event)
         action()
         thread.join(END_TIMEOUT)
 
