@@ -23,7 +23,6 @@ def browser():
 @pytest.fixture(scope='module')
 def view(master):
     """Start a viewer."""
-    pytest.importorskip('viser', reason='viser is not installed')
     with View() as running:
         yield running
 

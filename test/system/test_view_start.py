@@ -66,4 +66,4 @@ def test_without_viser_it_says_what_to_install(master, tmp_path):
     (tmp_path / 'viser.py').write_text("raise ModuleNotFoundError(name='viser')\n")
     path = f'{tmp_path}:{os.environ["PYTHONPATH"]}'
     with view(env={'PYTHONPATH': path}) as viewer:
-        assert_refused(viewer, 'viser is not installed', 'requirements-view.txt')
+        assert_refused(viewer, 'is not installed', 'requirements-view.txt')

@@ -1,6 +1,7 @@
 """A viewer, and a robot that its page shows and drives."""
 
 import numpy
+import pytest
 from geometry_msgs.msg import Twist
 
 from odometry_tests.processes import free_port, rosrun
@@ -20,7 +21,8 @@ class View:
     """A viewer and where its page is."""
 
     def __init__(self, *arguments):
-        """Start it on a free port."""
+        """Start it on a free port; without viser the test that needs it is skipped."""
+        pytest.importorskip('viser', reason='viser is not installed')
         port = free_port()
         self.process = rosrun('sim_turtlebot', 'view.py', f'_port:={port}', *arguments)
         self.url = f'http://localhost:{port}'
