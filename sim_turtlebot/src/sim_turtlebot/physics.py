@@ -6,7 +6,7 @@ The solver and its settings were chosen by measurement; the study is in this pac
 from pathlib import Path
 
 from sim_turtlebot.quiet import terminal_closed
-from sim_turtlebot.window import Window, has_screen
+from sim_turtlebot.window import Window, screen
 
 with terminal_closed():
     import pybullet
@@ -177,7 +177,14 @@ class TurtleBot:
 
 
 def _connect(gui):
-    if gui and not has_screen():
-        raise NoScreenError
+    if not gui:
+        return _connect_to(pybullet.DIRECT)
+    with screen() as found:
+        if not found:
+            raise NoScreenError
+        return _connect_to(pybullet.GUI)
+
+
+def _connect_to(server):
     with terminal_closed():
-        return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
+        return BulletClient(server)

@@ -1,5 +1,6 @@
 """PyBullet's window: whether there is a screen for it, and whether somebody has closed it."""
 
+import contextlib
 import ctypes
 import threading
 
@@ -25,14 +26,22 @@ class Window:
         threading.Event().wait()
 
 
-def has_screen():
-    """Ask X itself: without a screen PyBullet would end the whole process."""
+@contextlib.contextmanager
+def screen():
+    """Yield whether there is a screen, and hold a connection to it meanwhile.
+
+    Without a screen PyBullet would end the whole process. And an X server whose last client has
+    left starts anew, and turns away whoever comes at that moment.
+    """
     try:
         x11 = ctypes.CDLL('libX11.so.6')
     except OSError:
-        return False
+        yield False
+        return
     x11.XOpenDisplay.restype = ctypes.c_void_p
     display = x11.XOpenDisplay(None)
-    if display:
-        x11.XCloseDisplay(ctypes.c_void_p(display))
-    return bool(display)
+    try:
+        yield bool(display)
+    finally:
+        if display:
+            x11.XCloseDisplay(ctypes.c_void_p(display))
