@@ -17,8 +17,7 @@ from rospy.impl.transport import OUTBOUND, Transport
 
 TOPIC = '/cmd_vel'
 HEADER_SIZE = 4  # bytes before each message, its length
-END_TIMEOUT = 10.0  # s
-HEAD_START = 0.01  # s; without a lock more than enough to write a command
+END_TIMEOUT = 60.0  # s, for a thread that nothing holds up
 ZERO = (0.0, 0.0)
 STEPS = 12  # in a sequence; what matters is near the end of the node
 
@@ -44,6 +43,38 @@ class Wire(Transport):
             super().close()
 
 
+class WatchedLock:
+    """A lock that tells when a thread has to wait for it."""
+
+    def __init__(self):
+        """Begin unlocked."""
+        self._lock = threading.Lock()
+        self.awaited = threading.Event()
+
+    def acquire(self, timeout=END_TIMEOUT):
+        """Lock, however long the holder takes.
+
+        What the node grants a subscriber that has stopped reading would here be granted the
+        machine.
+        """
+        if self._lock.acquire(blocking=False):
+            return True
+        self.awaited.set()
+        return self._lock.acquire(timeout=END_TIMEOUT)
+
+    def release(self):
+        """Let the next one in."""
+        self._lock.release()
+
+    def __enter__(self):
+        """Use it as a context."""
+        self.acquire()
+
+    def __exit__(self, *_):
+        """Let the next one in."""
+        self.release()
+
+
 class Gate:
     """What a command passes on its way to rospy; something else may overtake it there."""
 
@@ -53,11 +84,10 @@ class Gate:
         self.meanwhile = None
 
     def publish(self, command):
-        """Let another thread run, if there is one, for as long as it takes or gets nowhere."""
+        """Have the other thing happen first, if there is one."""
         if self.meanwhile is not None:
-            thread, self.meanwhile = self.meanwhile, None
-            thread.start()
-            thread.join(HEAD_START)
+            meanwhile, self.meanwhile = self.meanwhile, None
+            meanwhile()
         self._publisher.publish(command)
 
 
@@ -72,6 +102,7 @@ class EndingMachine(RuleBasedStateMachine):
         self.wire = Wire()
         self.topic.impl.add_connection(self.wire)
         self.velocity = VelocityPublisher(TOPIC)
+        self.lock = self.velocity._lock = WatchedLock()
         self.gate = self.velocity._publisher = Gate(self.velocity._publisher)
         # What rospy calls at shutdown, which a process can do only once.
         self.end_of_node = rospy.core._client_shutdown_hooks.pop()
@@ -132,8 +163,23 @@ class EndingMachine(RuleBasedStateMachine):
             self.expected.append((linear, angular))
 
     def during(self, event, action):
-        """Act, and have the event happen on another thread before the action's command is out."""
-        thread = self.gate.meanwhile = threading.Thread(target=event)
+        """Act, and have the event happen on another thread before the action's command is out.
+
+        It happens to its end, or until it waits for the action.
+        """
+        stuck_or_done = self.lock.awaited
+        stuck_or_done.clear()
+
+        def happen():
+            event()
+            stuck_or_done.set()
+
+        def meanwhile():
+            thread.start()
+            assert stuck_or_done.wait(END_TIMEOUT), 'the other thread is stuck'
+
+        thread = threading.Thread(target=happen)
+        self.gate.meanwhile = meanwhile
         action()
         thread.join(END_TIMEOUT)
 
