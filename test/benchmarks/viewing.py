@@ -5,7 +5,7 @@ import importlib.util
 
 from graph import Graph
 from measuring import Target, compare, in_turns
-from odometry_tests.processes import free_port, rosrun
+from odometry_tests.processes import hold_port, rosrun
 from speed import SPEED_UNIT, UNPACED
 
 TIMEOUT = 30.0  # s
@@ -38,8 +38,8 @@ def _compare(name, speed, viewer, options, target=None):
 @contextlib.contextmanager
 def _viewer():
     """Run the viewer, and yield the address of its page."""
-    port = free_port()
-    with rosrun('sim_turtlebot', 'view.py', f'_port:={port}') as viewer:
+    with hold_port() as port, \
+            rosrun('sim_turtlebot', 'view.py', f'_port:={port}') as viewer:
         viewer.wait_for_output(f'http://localhost:{port}', TIMEOUT)
         yield f'http://localhost:{port}'
 

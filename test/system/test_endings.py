@@ -6,7 +6,7 @@ import signal
 import pytest
 import rosnode
 from nav_msgs.msg import Odometry
-from odometry_tests.processes import free_port, rosrun
+from odometry_tests.processes import hold_port, rosrun
 from odometry_tests.waiting import Recorder, wait_until
 
 STOPPING_TIME = 0.3  # s, from the signal to a robot at rest, by the robot's clock
@@ -108,8 +108,9 @@ def test_a_node_that_has_arrived_ends_quietly(truth, ending):
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_node_without_a_master_says_so_and_ends_at_once(signum):
     """With parameters to upload too, which rospy answers with a traceback."""
-    with rosrun('test_movement', 'test_movement.py', '_speed:=0.2',
-                env={'ROS_MASTER_URI': f'http://localhost:{free_port()}'}) as node:
+    with hold_port() as port, rosrun(
+            'test_movement', 'test_movement.py', '_speed:=0.2',
+            env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as node:
         node.wait_for_output('Unable to register with master node')
         assert node.running
         assert node.end(signum, timeout=2.0) == 0

@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 import rosgraph
-from odometry_tests.processes import Process, free_port
+from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import detector, mover, rotator, simulator
 from odometry_tests.waiting import Recorder, wait_until
@@ -118,9 +118,10 @@ def test_everything_that_ws_starts_listens_on_loopback_only(master):
     """Master, rosout, nodes: nobody else on the network can drive the robot."""
     clean = {name: value for name, value in os.environ.items()
              if name not in ('ROS_HOSTNAME', 'ROS_IP', 'ROS_ETC_DIR')}
-    with Process('env', '-i', *(f'{name}={value}' for name, value in clean.items()),
-                 ROOT / 'ws', 'roslaunch', '-p', free_port(), 'odometry_launch',
-                 'move_two_meters.launch') as launch:
+    with hold_port() as port, Process(
+            'env', '-i', *(f'{name}={value}' for name, value in clean.items()),
+            ROOT / 'ws', 'roslaunch', '-p', port, 'odometry_launch',
+            'move_two_meters.launch') as launch:
         launch.wait_for_output('driving at', 60.0)
         addresses = listening_addresses(descendants(launch.pid))
     assert addresses and addresses <= {'127.0.0.1', '::1'}, addresses

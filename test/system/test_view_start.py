@@ -6,7 +6,7 @@ import signal
 import socket
 
 import pytest
-from odometry_tests.processes import free_port, rosrun
+from odometry_tests.processes import hold_port, rosrun
 
 EXIT_BAD_PARAMETER = 2
 NEEDS_VISER = pytest.mark.skipif(importlib.util.find_spec('viser') is None,
@@ -30,8 +30,7 @@ def assert_refused(viewer, *words):
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
     """One line on stdout, nothing else, exit status 0."""
-    port = free_port()
-    with view(f'_port:={port}') as viewer:
+    with hold_port() as port, view(f'_port:={port}') as viewer:
         viewer.wait_for_output('view: ', timeout=20.0)
         assert viewer.end(signum, timeout=3.0) == 0, viewer.output
     assert viewer.output.split('\n') == [f'view: http://localhost:{port}', '']
@@ -40,8 +39,7 @@ def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
 @NEEDS_VISER
 def test_it_listens_on_loopback_only(master):
     """The network would get a robot to drive."""
-    port = free_port()
-    with view(f'_port:={port}') as viewer:
+    with hold_port() as port, view(f'_port:={port}') as viewer:
         viewer.wait_for_output('view: ', timeout=20.0)
         with socket.create_connection(('127.0.0.1', port)):
             pass

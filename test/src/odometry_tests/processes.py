@@ -1,5 +1,6 @@
 """Processes that a test starts, watches and ends: a ROS master, nodes, commands."""
 
+import contextlib
 import os
 import signal
 import socket
@@ -8,9 +9,7 @@ import threading
 
 import rosgraph
 
-from odometry_tests.waiting import wait_until
-
-END_TIMEOUT = 10.0  # s
+from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 
 class Process:
@@ -51,7 +50,7 @@ class Process:
         """Whether the command has not ended yet."""
         return self._popen.poll() is None
 
-    def wait_for_output(self, text, timeout=10.0):
+    def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
         wait_until(lambda: text in self.output, timeout,
                    lambda: f'{text!r} from {self.command}; it printed:\n{self.output}')
@@ -60,18 +59,18 @@ class Process:
         """Send a signal to the command itself."""
         self._popen.send_signal(signum)
 
-    def wait(self, timeout=END_TIMEOUT):
+    def wait(self, timeout=TIMEOUT):
         """Return the exit status once the command has ended and all its output is read."""
         try:
-            status = self._popen.wait(timeout)
+            status = self._popen.wait(timeout * PATIENCE)
         except subprocess.TimeoutExpired:
-            raise AssertionError(f'{self.command} has not ended within {timeout:g} s; '
+            raise AssertionError(f'{self.command} has not ended within {timeout * PATIENCE:g} s; '
                                  f'it printed:\n{self.output}') from None
         for reader in self._readers:
-            reader.join(END_TIMEOUT)
+            reader.join(TIMEOUT * PATIENCE)
         return status
 
-    def end(self, signum=signal.SIGINT, timeout=END_TIMEOUT):
+    def end(self, signum=signal.SIGINT, timeout=TIMEOUT):
         """Send a signal and return the exit status."""
         if self.running:
             self.send(signum)
@@ -86,7 +85,7 @@ class Process:
         try:
             if self.running:
                 self.send(signal.SIGINT)
-                self._popen.wait(END_TIMEOUT)
+                self._popen.wait(TIMEOUT * PATIENCE)
         except subprocess.TimeoutExpired:
             os.killpg(self.pid, signal.SIGKILL)
             self._popen.wait()
@@ -108,8 +107,9 @@ class Master(Process):
     """A roscore of its own, which this process and its children use from now on."""
 
     def __init__(self, use_sim_time=False):
-        """Start it on a free port and return once it answers."""
-        port = free_port()
+        """Start it on a port of its own and return once it answers."""
+        self._port = contextlib.ExitStack()
+        port = self._port.enter_context(hold_port())
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
         super().__init__('roscore', '-p', port)
         try:
@@ -119,12 +119,23 @@ class Master(Process):
             raise
         rosgraph.Master('/test').setParam('/use_sim_time', use_sim_time)
 
+    def __exit__(self, *_):
+        """End it and let go of its port."""
+        super().__exit__()
+        self._port.close()
 
-def free_port():
-    """Return a TCP port that nobody listens on."""
-    with socket.socket() as probe:
-        probe.bind(('localhost', 0))
-        return probe.getsockname()[1]
+
+@contextlib.contextmanager
+def hold_port():
+    """Yield a TCP port of this machine that is given to nobody else meanwhile.
+
+    A server that sets SO_REUSEADDR, as ROS's and asyncio's do, can listen on it all the same: the
+    socket that holds the port does not listen.
+    """
+    with socket.socket() as holder:
+        holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        holder.bind(('localhost', 0))
+        yield holder.getsockname()[1]
 
 
 def rosrun(package, program, *arguments, **options):

@@ -1,10 +1,12 @@
 """A viewer, and a robot that its page shows and drives."""
 
+import contextlib
+
 import numpy
 import pytest
 from geometry_msgs.msg import Twist
 
-from odometry_tests.processes import free_port, rosrun
+from odometry_tests.processes import hold_port, rosrun
 from odometry_tests.tutorial import Truth, speed
 from odometry_tests.waiting import Recorder, wait_until
 
@@ -23,7 +25,8 @@ class View:
     def __init__(self, *arguments):
         """Start it on a free port; without viser the test that needs it is skipped."""
         pytest.importorskip('viser', reason='viser is not installed')
-        port = free_port()
+        self._port = contextlib.ExitStack()
+        port = self._port.enter_context(hold_port())
         self.process = rosrun('sim_turtlebot', 'view.py', f'_port:={port}', *arguments)
         self.url = f'http://localhost:{port}'
 
@@ -39,6 +42,7 @@ class View:
     def __exit__(self, *_):
         """End it."""
         self.process.__exit__()
+        self._port.close()
 
 
 class Motion(Truth):

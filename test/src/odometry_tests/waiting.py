@@ -1,26 +1,32 @@
 """Waits that end with an event or, within a bound, with a word about what was seen."""
 
+import os
 import threading
 import time
 
 import rospy
 
+# Every bound on a wait is multiplied by this: a bound ends a test that hangs, and no verdict
+# about the robot may hang on it.
+PATIENCE = float(os.environ.get('ODOMETRY_TEST_PATIENCE', '4'))
+TIMEOUT = 20.0  # s
 POLL_PERIOD = 0.01  # s
 
 
 def wait_until(condition, timeout, what, period=POLL_PERIOD):
     """Return the first true value of condition().
 
-    :param timeout: s of wall time
+    :param timeout: s of wall time, multiplied by PATIENCE
     :param what: what is waited for, in words; a function if it has to be worded at the end
     :param period: s between two looks
     :raises AssertionError: if there is none in time
     """
-    end = time.monotonic() + timeout
+    bound = timeout * PATIENCE
+    end = time.monotonic() + bound
     while not (value := condition()):
         if time.monotonic() >= end:
             words = what() if callable(what) else what
-            raise AssertionError(f'not within {timeout:g} s: {words}')
+            raise AssertionError(f'not within {bound:g} s: {words}')
         time.sleep(period)
     return value
 
@@ -53,12 +59,12 @@ class Recorder:
         with self._changed:
             self._messages.clear()
 
-    def wait_for_publisher(self, timeout=10.0):
+    def wait_for_publisher(self, timeout=TIMEOUT):
         """Return once somebody publishes the topic."""
         wait_until(lambda: self._subscriber.get_num_connections() > 0, timeout,
                    f'a publisher of {self._topic}')
 
-    def wait_for(self, accepts=lambda message: True, timeout=10.0, what='a message'):
+    def wait_for(self, accepts=lambda message: True, timeout=TIMEOUT, what='a message'):
         """Return the first message, also one that has come already, that is accepted."""
         seen = 0
 
@@ -68,16 +74,16 @@ class Recorder:
             return next((m for m in new if accepts(m)), None)
 
         with self._changed:
-            message = self._changed.wait_for(found, timeout)
+            message = self._changed.wait_for(found, timeout * PATIENCE)
         assert message is not None, (
-            f'not within {timeout:g} s on {self._topic}: {what}; the last of '
+            f'not within {timeout * PATIENCE:g} s on {self._topic}: {what}; the last of '
             f'{len(self._messages)} messages was:\n{self.last}')
         return message
 
-    def wait_for_count(self, count, timeout=10.0):
+    def wait_for_count(self, count, timeout=TIMEOUT):
         """Return the first `count` messages."""
         with self._changed:
-            self._changed.wait_for(lambda: len(self._messages) >= count, timeout)
+            self._changed.wait_for(lambda: len(self._messages) >= count, timeout * PATIENCE)
             seen = list(self._messages)
         assert len(seen) >= count, f'{len(seen)} of {count} messages on {self._topic}'
         return seen[:count]
@@ -88,7 +94,7 @@ class Recorder:
             self._changed.notify_all()
 
 
-def wait_for_subscribers(publisher, count=1, timeout=10.0):
+def wait_for_subscribers(publisher, count=1, timeout=TIMEOUT):
     """Return once the publisher has so many subscribers: what it sends then arrives."""
     wait_until(lambda: publisher.get_num_connections() >= count, timeout,
                f'{count} subscriber(s) of {publisher.name}')
