@@ -10,7 +10,7 @@ computed back from roll, pitch and yaw.
 
 import rospy
 from nav_msgs.msg import Odometry
-from odometry_common.node import print_line, run_node
+from odometry_common.node import run_node
 from rotate_robot.heading import euler_from_orientation
 from tf.transformations import quaternion_from_euler
 
@@ -28,7 +28,7 @@ class HeadingPrinter:
         rate = rospy.Rate(1, reset=True)
         while not rospy.is_shutdown():
             if self._euler is not None:
-                print_line(quaternion_from_euler(*self._euler))
+                print(quaternion_from_euler(*self._euler))
             rate.sleep()
 
     def _on_odometry(self, message):
@@ -37,7 +37,7 @@ class HeadingPrinter:
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
             return
-        print_line(self._euler[2])
+        print(self._euler[2])
 
 
 def main():

@@ -25,7 +25,7 @@ import threading
 
 import rospy
 from nav_msgs.msg import Odometry
-from odometry_common.node import print_line, run_node
+from odometry_common.node import run_node
 from odometry_common.parameters import get_number
 from odometry_common.timing import Metronome, RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
@@ -95,7 +95,7 @@ class RotateRobot:
             return
         error = wrap_to_pi(math.radians(self._target_deg) - self._yaw)
         self._velocity.publish(angular=turn_command(error, self._kp, self._max_angular_speed))
-        print_line(f'target={self._target_deg} current:{self._yaw}')
+        print(f'target={self._target_deg} current:{self._yaw}')
         if self._tolerance == 0 or abs(error) > self._tolerance:
             self._rest.reset()
         elif self._rest.at_rest(now, error):

@@ -11,6 +11,7 @@ import rosgraph
 import rospkg
 import rospy
 
+from odometry_common.output import LineOutput
 from odometry_common.parameters import ParameterError, check_command_line
 from odometry_common.xmlrpc_server import use_closable_server
 
@@ -30,6 +31,8 @@ def run_node(name, main, **init_node_options):
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
+    sys.stdout, sys.stderr = (LineOutput(stream, lambda: _shut_down('nobody reads the output'))
+                              for stream in (sys.stdout, sys.stderr))
     try:
         check_command_line()
         _do_without_logs_if_need_be()
@@ -43,18 +46,6 @@ def run_node(name, main, **init_node_options):
         pass
     finally:
         rospy.signal_shutdown('the node has ended')
-
-
-def print_line(text):
-    """Print a line at once, and end the node quietly if nobody reads it any more.
-
-    The reader of ``rosrun ... | head`` goes away while the node still has lines to print.
-    """
-    try:
-        print(text, flush=True)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        rospy.signal_shutdown('nobody reads stdout')
 
 
 def leave():
@@ -101,7 +92,7 @@ def _start(name, init_node_options):
     use_closable_server()
     if not interrupted.is_set():
         rospy.init_node(name, disable_signals=True, **init_node_options)
-    _on_signals(_shut_down)
+    _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted.is_set():
         raise KeyboardInterrupt
 
@@ -138,13 +129,12 @@ def _on_signals(handler):
         signal.signal(signum, handler)
 
 
-def _shut_down(signum, _frame):
+def _shut_down(reason):
     """Shut the node down from a thread of its own.
 
-    rospy would run the shutdown hooks inside the signal handler, on top of whatever the main
-    thread is doing: a hook that publishes could then wait for a lock that its own thread
-    holds, or cut in front of a message that is half written.
+    rospy would run the shutdown hooks right here, inside a signal handler or a line of the log,
+    on top of whatever this thread is doing: a hook that publishes could then wait for a lock
+    that its own thread holds, or cut in front of a message that is half written.
     """
-    reason = signal.Signals(signum).name
     threading.Thread(
         target=rospy.signal_shutdown, args=[reason], name=SHUTDOWN_THREAD).start()

@@ -18,8 +18,10 @@ class Process:
     def __init__(self, *command, env=None, **popen_options):
         """Start it; `env` is added to the environment."""
         self.command = ' '.join(map(str, command))
+        # Where it is set, Python's programs hide that their output waits in a buffer.
+        environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
         self._popen = subprocess.Popen(
-            [str(part) for part in command], env={**os.environ, **(env or {})},
+            [str(part) for part in command], env=environment,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             start_new_session=True, **popen_options)
         self._lines = {'stdout': [], 'stderr': []}

@@ -5,7 +5,6 @@ import time
 import rosgraph
 import rospkg
 import rospy
-from odometry_common.node import print_line
 from odometry_common.timing import Metronome
 
 from sim_turtlebot.viewer.model import load_links
@@ -82,7 +81,7 @@ class Viewer:
 def view(address):
     """Serve the page at an Address until shutdown."""
     page = Page(address.ip, address.port, load_links(_urdf()))
-    print_line(f'view: http://{address.host}:{address.port}')
+    print(f'view: http://{address.host}:{address.port}')
     Viewer(page).run()
 
 
