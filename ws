@@ -234,7 +234,7 @@ main() {
         demo) shift; exec "$ROOT/launch/scripts/demo.py" "$@" ;;
         bench) shift; exec python3 "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
         soak) shift; exec python3 "$ROOT/test/soak/run_soak.py" "$@" ;;
-        test) shift; exec python3 "$ROOT/test/run_all.py" "$@" ;;
+        test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
         *) exec "$@" ;;
     esac

@@ -1,0 +1,100 @@
+"""Jobs as processes: some at a time, and none left behind."""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import time
+
+END_TIMEOUT = 60.0  # s; a test that is interrupted ends its nodes first
+POLL_PERIOD = 0.05  # s
+# Ends with its parent, whatever becomes of that.
+BUSY_LOOP = 'import os\nparent = os.getppid()\nwhile os.getppid() == parent:\n    pass\n'
+
+
+class Running:
+    """A job that runs, and its output."""
+
+    def __init__(self, job, log):
+        """Start it.
+
+        :param log: path of the file for its output
+        """
+        self.job = job
+        self._log = log
+        self._start = time.monotonic()
+        job.results.mkdir(parents=True)
+        with open(log, 'wb') as file:
+            # In a session of its own: Ctrl-C is passed on by end(), and then once.
+            self._popen = subprocess.Popen(
+                [str(part) for part in job.command], cwd=job.results, stdin=subprocess.DEVNULL,
+                stdout=file, stderr=subprocess.STDOUT, start_new_session=True)
+
+    @property
+    def status(self):
+        """Its exit status, None while it runs."""
+        return self._popen.poll()
+
+    @property
+    def seconds(self):
+        """How long it has been running (s)."""
+        return time.monotonic() - self._start
+
+    @property
+    def output(self):
+        """What it has printed."""
+        return self._log.read_text(errors='replace')
+
+    def end(self):
+        """Interrupt it as Ctrl-C does, and kill what does not end."""
+        with contextlib.suppress(ProcessLookupError):
+            self._popen.send_signal(signal.SIGINT)
+            try:
+                self._popen.wait(END_TIMEOUT)
+            except subprocess.TimeoutExpired:
+                os.killpg(self._popen.pid, signal.SIGKILL)
+                self._popen.wait()
+
+
+def run(jobs, at_a_time, logs, on_tick):
+    """Run jobs, and yield each as a Running when it has ended.
+
+    :param jobs: those that run alone run after all others
+    :param at_a_time: how many of the others run side by side
+    :param logs: folder for their output
+    :param on_tick: called with the list of Running again and again meanwhile
+    """
+    waiting = sorted(jobs, key=lambda job: job.alone)
+    running = []
+    try:
+        while waiting or running:
+            while waiting and _may_start(waiting[0], running, at_a_time):
+                job = waiting.pop(0)
+                running.append(Running(job, logs / f'{job.results.name}.txt'))
+            on_tick(running)
+            time.sleep(POLL_PERIOD)
+            for ended in [one for one in running if one.status is not None]:
+                running.remove(ended)
+                yield ended
+    finally:
+        for one in running:
+            one.end()
+
+
+def _may_start(job, running, at_a_time):
+    if job.alone:
+        return not running
+    return len(running) < at_a_time and not any(one.job.alone for one in running)
+
+
+@contextlib.contextmanager
+def load(processes):
+    """Keep so many processes busy meanwhile."""
+    busy = [subprocess.Popen([sys.executable, '-c', BUSY_LOOP]) for _ in range(processes)]
+    try:
+        yield
+    finally:
+        for process in busy:
+            process.kill()
+            process.wait()

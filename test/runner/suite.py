@@ -1,0 +1,92 @@
+"""What there is to run: test files, linters, and the commands for them."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import rospkg
+
+ROOT = Path(__file__).resolve().parents[2]
+TESTS = ROOT / 'test'
+RESULTS = ROOT / '.ws' / 'test_results'
+LAUNCH_FILES = ['sim.launch', 'move_two_meters.launch', 'rotate.launch']
+# They begin first, so that no processor idles at the end.
+LONGEST = ['unit', 'test_fault_minute', 'test_fault_time', 'test_demo', 'test_tutorial_commands',
+           'test_bad_parameters', 'test_fault_kills', 'test_endings']
+
+
+class Job(NamedTuple):
+    """A command that runs tests, in a process of its own."""
+
+    name: str
+    command: list
+    is_linter: bool = False  # one test, passed if the command exits with 0
+    alone: bool = False  # nothing else runs meanwhile
+
+    @property
+    def results(self):
+        """Where its JUnit files are."""
+        return RESULTS / self.name.replace('::', '-').replace('/', '-')
+
+
+def all_jobs():
+    """Return a job for each test file and linter, the longest first.
+
+    Unit tests share one process, and so do the tests that draw, which share a browser.
+    """
+    files = _test_files()
+    jobs = [_pytest('unit', TESTS / 'unit'), _pytest('screen', TESTS / 'screen', alone=True)]
+    jobs += [_job(name) for name, file in files.items()
+             if file.parent.name in ('system', 'rostests')]
+    jobs.sort(key=lambda job: LONGEST.index(job.name) if job.name in LONGEST else len(LONGEST))
+    return [*jobs, *(Job(name, command, is_linter=True) for name, command in _linters().items())]
+
+
+def job(name):
+    """Return the job with a name: test_heading, test_heading::test_x, detector.test, unit, ruff.
+
+    :raises argparse.ArgumentTypeError: if there is none
+    """
+    linters = _linters()
+    if name in linters:
+        return Job(name, linters[name], is_linter=True)
+    if name in ('unit', 'system', 'screen'):
+        return _pytest(name, TESTS / name)
+    if name.partition('::')[0] not in _test_files():
+        raise argparse.ArgumentTypeError(
+            f'there is no test {name!r}; see the folder test for their names')
+    return _job(name)
+
+
+def _test_files():
+    """Return the test files by name."""
+    return {**{file.stem: file for file in sorted(TESTS.glob('*/test_*.py'))},
+            **{file.name: file for file in sorted(TESTS.glob('rostests/*.test'))}}
+
+
+def _job(name):
+    name_of_file, separator, case = name.partition('::')
+    file = _test_files()[name_of_file]
+    if file.suffix == '.py':
+        return _pytest(name, f'{file}{separator}{case}')
+    made = Job(name, ['rostest', '--results-filename', f'{file.stem}.xml', '--results-base-dir'])
+    return made._replace(command=[*made.command, made.results, 'odometry_tests', file.name])
+
+
+def _pytest(name, path, alone=False):
+    command = [sys.executable, '-m', 'pytest', '-q', '--color=no', '-p', 'no:cacheprovider', str(path)]
+    if 'unit' not in str(Path(path).relative_to(TESTS)):
+        # Only unit tests need hypothesis, which takes pytest a second to load.
+        command += ['-p', 'no:hypothesispytest']
+    made = Job(name, command, alone=alone)
+    return made._replace(command=[*command, f'--junitxml={made.results / "pytest.xml"}'])
+
+
+def _linters():
+    check = Path(rospkg.RosPack().get_path('roslaunch'), 'scripts', 'roslaunch-check')
+    checks = {f'roslaunch-check-{name}': [
+        str(check), '-o', str(RESULTS / f'{name}.xml'), str(ROOT / 'launch' / name)]
+        for name in LAUNCH_FILES}
+    return {'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
+            'catkin_lint': ['catkin_lint', '--quiet', '--strict', str(ROOT)], **checks}

@@ -1,0 +1,125 @@
+"""What runs the tests tells the truth about them."""
+
+import sys
+import time
+
+import pytest
+from odometry_tests.scripts import load_script
+
+JUNIT = """<testsuite>
+  <testcase classname="system.test_a" name="good" time="1"/>
+  <testcase classname="system.test_a" name="bad" time="1"><failure>it said no</failure></testcase>
+  <testcase classname="system.test_b.TestCase" name="left" time="1"><skipped message="no X"/></testcase>
+</testsuite>"""
+
+
+@pytest.fixture
+def suite(tmp_path, monkeypatch):
+    """Return the module of jobs, whose results are in a folder of the test's own."""
+    module = load_script('test/runner/suite.py')
+    monkeypatch.setattr(module, 'RESULTS', tmp_path)
+    return module
+
+
+@pytest.fixture
+def results():
+    """Return the module that reads results."""
+    return load_script('test/runner/results.py')
+
+
+@pytest.fixture
+def running():
+    """Return the module that runs jobs."""
+    return load_script('test/runner/running.py')
+
+
+def python(suite, name, code, **options):
+    """Return a job of a line of Python."""
+    return suite.Job(name, [sys.executable, '-c', code], **options)
+
+
+def counts_of(results, cases):
+    """Return the sums over cases."""
+    return sum((case.counts for case in cases), results.Counts())
+
+
+def test_each_test_counts_in_its_file(suite, results):
+    """One passed, one failed with its words, one skipped with its reason."""
+    job = python(suite, 'some', '')
+    job.results.mkdir()
+    (job.results / 'pytest.xml').write_text(JUNIT)
+    good, bad, left = results.read_cases(job, 1, '', 3.0)
+    assert [case.file for case in (good, bad, left)] == ['test_a', 'test_a', 'test_b']
+    assert bad.failure == 'it said no' and left.skipped == 'no X'
+    assert counts_of(results, [good, bad, left]) == (1, 1, 1)
+
+
+@pytest.mark.parametrize('status', [0, 1, -9])
+def test_a_job_without_results_has_failed(suite, results, status):
+    """It ended before its first test, whatever its exit status; what it printed is told."""
+    case, = results.read_cases(python(suite, 'some', ''), status, 'Segmentation fault', 1.0)
+    assert case.counts == (0, 1, 0)
+    assert 'Segmentation fault' in case.failure and str(status) in case.failure
+
+
+def test_an_exit_status_that_no_test_explains_is_a_failure(suite, results):
+    """Such as an error after the last test."""
+    job = python(suite, 'some', '')
+    job.results.mkdir()
+    (job.results / 'pytest.xml').write_text(JUNIT.replace('failure', 'system-out'))
+    cases = results.read_cases(job, 3, 'crash at exit', 1.0)
+    assert counts_of(results, cases) == (2, 1, 1)
+
+
+@pytest.mark.parametrize('status, counts', [(0, (1, 0, 0)), (1, (0, 1, 0))])
+def test_a_linter_is_one_test(suite, results, status, counts):
+    """Passed if it exits with 0."""
+    cases = results.read_cases(python(suite, 'lint', '', is_linter=True), status, 'finding', 1.0)
+    assert counts_of(results, cases) == counts
+
+
+def test_jobs_run_side_by_side_but_for_those_that_run_alone(suite, running, tmp_path):
+    """At most so many at a time; a job that runs alone waits for all others."""
+    jobs = [python(suite, 'alone', 'print(1)', alone=True),
+            *(python(suite, f'job{number}', 'print(1)') for number in range(5))]
+    seen = []
+    ended = [one.job.name for one in running.run(
+        jobs, 2, tmp_path, lambda some: seen.append({one.job.name for one in some}))]
+    assert sorted(ended[:-1]) == [f'job{number}' for number in range(5)] and ended[-1] == 'alone'
+    assert max(map(len, seen)) == 2
+    assert all(names == {'alone'} for names in seen if 'alone' in names)
+
+
+def test_an_interrupted_run_leaves_no_process(suite, running, tmp_path):
+    """Ctrl-C while a job runs: it is interrupted, and has ended when the run has."""
+    job = python(suite, 'long', 'import time\nprint("up", flush=True)\ntime.sleep(600)')
+    started = []
+
+    def press_ctrl_c(some):
+        started[:] = some
+        if 'up' in some[0].output:
+            raise KeyboardInterrupt
+
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        list(running.run([job], 1, tmp_path, press_ctrl_c))
+    assert started[0].status is not None
+    assert 'KeyboardInterrupt' in started[0].output
+    assert time.monotonic() - begin < 600
+
+
+@pytest.mark.parametrize('name', ['report', 'test_nothing', 'run_soak', ''])
+def test_a_name_of_no_test_is_refused(suite, name):
+    """In one line, also if there is another file of that name."""
+    with pytest.raises(suite.argparse.ArgumentTypeError, match='there is no test'):
+        suite.job(name)
+
+
+def test_every_test_file_is_run(suite):
+    """Each file of each folder is in a job, and has one of its own by name."""
+    commands = [' '.join(map(str, job.command)) for job in suite.all_jobs()]
+    for folder in ('unit', 'screen'):
+        assert any(command.count(f'/test/{folder} ') for command in commands)
+    for file in [*suite.TESTS.glob('system/test_*.py'), *suite.TESTS.glob('rostests/*.test')]:
+        assert any(file.name in command for command in commands), file
+        assert suite.job(file.stem if file.suffix == '.py' else file.name)
