@@ -1,9 +1,10 @@
 """The ROS node: topics, clock and pacing around the robots and their world.
 
 ROS calls back on threads of its own. They only leave requests; everything that touches the
-robots happens on the main thread, between two physics steps.
+robots happens on the main thread, between two advances of the simulation.
 """
 
+import math
 import queue
 import threading
 import time
@@ -18,13 +19,11 @@ from tf2_msgs.msg import TFMessage
 
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 from sim_turtlebot.pacing import Lockstep, Pacer
-from sim_turtlebot.physics import NoScreenError, World, WorldFileError
-from sim_turtlebot.robot import Robot
+from sim_turtlebot.physics import NoScreenError, WorldFileError
 from sim_turtlebot.settings import read_settings
-from sim_turtlebot.timeline import Timeline
+from sim_turtlebot.simulation import Simulation, side_by_side
 from sim_turtlebot.topics import RobotTopics
 
-ROBOT_SPACING = 1.0  # m, from one robot's start to the next one's on its left
 QUEUE_SIZE = 10
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
 REPEAT_PERIOD = 0.25  # s of wall time between two odometries while no controller has spoken
@@ -39,17 +38,15 @@ class Simulator:
     def __init__(self, settings):
         """Build the world and advertise; time starts with run()."""
         self._settings = settings
-        self._timeline = Timeline(settings.odom_rate)
+        self._simulation = _new_simulation(settings)
+        self._timeline = self._simulation.timeline
         self._pacer = Pacer(settings.real_time_factor)
-        self._world = World(self._timeline.step_rate, settings.gui, settings.world)
-        self._robots = _add_robots(self._world, self._timeline.step_rate, settings)
         self._lockstep = None
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
                 settings.lockstep_rate, self._timeline.step_rate, settings.robots)
         self._paused = False
         self._stopping = False
-        self._everything_rests = False
         self._requests = queue.SimpleQueue()
         rospy.on_shutdown(self._stop)
         self._advertise()
@@ -79,7 +76,7 @@ class Simulator:
             if lead > SHORTEST_SLEEP:
                 self._serve(lead)
             else:
-                self._advance(self._next_look())
+                self._advance()
 
     def _serve(self, timeout):
         """Wait for a request for so long (s of wall time) and serve it; False if none came."""
@@ -110,48 +107,28 @@ class Simulator:
             while (left := end - time.monotonic()) > 0 and self._serve(left):
                 pass
 
-    def _next_look(self):
-        """Return the step before which the wall clock and the controllers do not matter."""
-        timeline = self._timeline
+    def _last_step(self):
+        """Return the step past which the wall clock or the controllers matter again."""
         if self._settings.real_time_factor:
-            return timeline.steps + 1
-        if self._lockstep:
-            return min(timeline.next_clock, self._lockstep.last_step)
-        return timeline.next_clock
+            return self._timeline.steps + 1
+        return self._lockstep.last_step if self._lockstep else math.inf
 
-    def _advance(self, end):
-        """Take physics steps up to the step `end`, and publish what is due then."""
-        timeline = self._timeline
-        while timeline.steps < end:
-            for robot in self._robots:
-                robot.before_step(timeline.steps)
-            if not self._everything_rests:
-                self._world.step()
-            timeline.steps += 1
-        if timeline.clock_is_due:
+    def _advance(self):
+        """Let time pass, and publish what is due then."""
+        new_odometry = self._simulation.advance(self._last_step())
+        if self._timeline.clock_is_due:
             self._publish_clock()
-            if timeline.odometry_is_due:
-                self._look_at_robots()
-
-    def _look_at_robots(self):
-        for robot in self._robots:
-            robot.tick(self._timeline.steps, 1.0 / self._timeline.odom_rate)
-        self._update_rest()
-        self._publish_robots()
-        if self._settings.gui:
-            self._update_window()
+        if new_odometry:
+            self._publish_robots()
+            if self._settings.gui:
+                self._update_window()
 
     def _update_window(self):
-        if self._world.window_closed:
+        if self._simulation.world.window_closed:
             rospy.loginfo('the window has been closed')
             self._stopping = True
         else:
-            self._world.look_at(self._robots[0].body)
-
-    def _update_rest(self):
-        """Skip the physics while nothing moves: it is cheaper, and nothing can creep."""
-        self._everything_rests = (
-            self._world.only_robots_move and all(robot.resting for robot in self._robots))
+            self._simulation.world.look_at(self._simulation.robots[0].body)
 
     def _publish_clock(self):
         if self._clock:
@@ -177,15 +154,16 @@ class Simulator:
         if settings.use_sim_time:
             self._clock = advertise('/clock', Clock, queue_size)
         self._tf = advertise('/tf', TFMessage, queue_size)
-        self._topics = [RobotTopics(robot, namespace, queue_size)
-                        for robot, namespace in zip(self._robots, _namespaces(settings.robots))]
+        self._topics = [RobotTopics(robot, namespace, queue_size) for robot, namespace
+                        in zip(self._simulation.robots, _namespaces(settings.robots))]
 
     def _listen(self):
         for index, topics in enumerate(self._topics):
             topics.subscribe(
                 lambda linear, angular, index=index: self._requests.put(
                     lambda: self._command(index, linear, angular)),
-                lambda index=index: self._requests.put(self._robots[index].reset_odometry))
+                lambda robot=self._simulation.robots[index]: self._requests.put(
+                    robot.reset_odometry))
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
             rospy.Service(name, Empty, lambda _, action=action: self._do(action))
@@ -206,10 +184,9 @@ class Simulator:
         if self._lockstep:
             self._lockstep.heard(index)
         try:
-            self._robots[index].command(linear, angular, self._timeline.steps)
+            self._simulation.command(linear, angular, index)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
-        self._update_rest()
 
     def _pause(self):
         self._paused = True
@@ -220,10 +197,7 @@ class Simulator:
 
     def _reset(self):
         """Time and robots back to the start."""
-        self._timeline.steps = 0
-        for robot in self._robots:
-            robot.reset()
-        self._update_rest()
+        self._simulation.reset()
         if self._lockstep:
             self._lockstep.restart()
         self._pacer.restart(self._timeline.now)
@@ -235,12 +209,10 @@ class Simulator:
         self._requests.put(lambda: None)
 
 
-def _add_robots(world, step_rate, settings):
-    bodies = [world.add_turtlebot(settings.x, settings.y + index * ROBOT_SPACING, settings.yaw)
-              for index in range(settings.robots)]
-    world.settle()
-    return [Robot(body, step_rate, _new_odometry(settings, index), settings.cmd_vel_timeout)
-            for index, body in enumerate(bodies)]
+def _new_simulation(settings):
+    return Simulation(side_by_side(settings.robots, settings.x, settings.y, settings.yaw),
+                      lambda index: _new_odometry(settings, index), settings.odom_rate,
+                      settings.cmd_vel_timeout, settings.gui, settings.world)
 
 
 def _new_odometry(settings, index):

@@ -1,0 +1,79 @@
+"""Robots in a world, stepped through simulated time. The only place where they step; no ROS."""
+
+import math
+
+from sim_turtlebot.odometry import WorldOdometry
+from sim_turtlebot.physics import World
+from sim_turtlebot.robot import Robot
+from sim_turtlebot.timeline import Timeline
+
+SPACING = 1.0  # m, from one robot's start to that of the next on its left
+AT_ZERO = (0.0, 0.0, 0.0)
+
+
+class Simulation:
+    """TurtleBots that share a world and a timeline."""
+
+    def __init__(self, starts=(AT_ZERO,), new_odometry=lambda _: WorldOdometry(), odom_rate=20.0,
+                 cmd_vel_timeout=0.6, gui=False, world_file=''):
+        """Put robots down.
+
+        :param starts: x, y (m) and yaw (rad) of each robot
+        :param new_odometry: function that returns the odometry of a robot (an index)
+        :param odom_rate: Hz
+        :param cmd_vel_timeout: a robot stops when no command has come for this long (s); 0: never
+        :raises NoScreenError, WorldFileError: as sim_turtlebot.physics.World
+        """
+        self.timeline = Timeline(odom_rate)
+        step_rate = self.timeline.step_rate
+        self.world = World(step_rate, gui, world_file)
+        bodies = [self.world.add_turtlebot(*start) for start in starts]
+        self.world.settle()
+        self.robots = [Robot(body, step_rate, new_odometry(index), cmd_vel_timeout)
+                       for index, body in enumerate(bodies)]
+
+    @property
+    def everything_rests(self):
+        """Whether nothing can move before the next command."""
+        return self.world.only_robots_move and all(robot.resting for robot in self.robots)
+
+    def command(self, linear, angular, robot=0):
+        """Command a robot (an index) to move at `linear` m/s and `angular` rad/s.
+
+        :raises ValueError: if one of them is not finite; the robot stops then
+        """
+        self.robots[robot].command(linear, angular, self.timeline.steps)
+
+    def advance(self, last_step=math.inf):
+        """Step to the next tick of the clock, but not past `last_step`.
+
+        The physics is skipped while everything rests: it is cheaper, and nothing can creep.
+
+        :return: whether there is new odometry
+        """
+        timeline, robots, step = self.timeline, self.robots, self.world.step
+        # A robot at rest is set in motion, and comes to rest, only where this begins or ends.
+        moving = not self.everything_rests
+        end = min(timeline.next_clock, last_step)
+        while timeline.steps < end:
+            for robot in robots:
+                robot.before_step(timeline.steps)
+            if moving:
+                step()
+            timeline.steps += 1
+        if not timeline.odometry_is_due:
+            return False
+        for robot in robots:
+            robot.tick(timeline.steps, 1.0 / timeline.odom_rate)
+        return True
+
+    def reset(self):
+        """Take time and robots back to the start."""
+        self.timeline.steps = 0
+        for robot in self.robots:
+            robot.reset()
+
+
+def side_by_side(robots, x=0.0, y=0.0, yaw=0.0):
+    """Return the starts of so many robots, the first one at x, y (m) and yaw (rad)."""
+    return [(x, y + index * SPACING, yaw) for index in range(robots)]
