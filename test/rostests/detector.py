@@ -115,6 +115,20 @@ class DetectorTest(unittest.TestCase):
             self.talk.position(0.03, stamp=1.02))
         self.assertEqual([round(distance, 12) for distance in distances], [0.05, 0.05, 0.08])
 
+    def test_one_late_message_counts_nothing_but_is_answered(self):
+        """It was overtaken, or comes a second time; the next step is counted from where it was."""
+        first, second, third, fourth = map(self.talk.position, (0.02, 0.04, 0.06, 0.08))
+        distances = self.talk.tell(first, third, second, fourth, second, self.talk.position(0.1))
+        self.assertEqual([round(distance, 12) for distance in distances],
+                         [0.02, 0.06, 0.06, 0.08, 0.08, 0.1])
+
+    def test_bunched_stamps_lose_nothing(self):
+        """Two and two messages share nearly the same one, at 3 m/s."""
+        messages = [self.talk.position(0.06 * number) for number in range(1, 101)]
+        for message in messages[1::2]:
+            message.header.stamp -= rospy.Duration(0.0199)
+        self.assertAlmostEqual(self.talk.tell(*messages)[-1], 6.0)
+
     def test_positions_that_are_no_numbers_are_ignored(self):
         """No distance is published for them, and they are warned of."""
         self.talk.say(self.talk.position(math.nan), self.talk.position(0.0, math.inf))

@@ -5,10 +5,11 @@ import math
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
+from moved_distance.distance_counter import DistanceCounter
 from odometry_tests.fuzzing import any_number, sequence_count
-from odometry_tests.scripts import load_script
 
-DETECTOR = load_script('odom_movement_detector/src/odom_movement_detector.py')
+FIRST_PERIOD = 0.05  # s, usual between two messages until there were some
+SILENCE = 1.0  # s; no usual time between messages is that long
 
 limits = st.one_of(st.just(0.0), st.floats(0, 10), st.floats(0, 1.7e308))
 durations = st.one_of(st.sampled_from([0.0, 0.05]), st.floats(0, 100))
@@ -18,17 +19,19 @@ class DetectorMachine(RuleBasedStateMachine):
     """A robot that drives, jumps, falls silent and lies, beside a model of the sum.
 
     The model keeps every counted step in a list. Whether a step counts it decides only where
-    the contract does; how far messages without stamps may be late is the detector's choice.
+    the contract does; which of the times between messages is the usual one is the detector's
+    choice.
     """
 
     @initialize(min_step=limits, max_speed=st.one_of(st.just(5.0), limits))
     def start(self, min_step, max_speed):
         """Set the parameters; no message has come yet."""
         self.min_step, self.max_speed = min_step, max_speed
-        self.counter = DETECTOR.DistanceCounter(min_step, max_speed)
+        self.counter = DistanceCounter(min_step, max_speed)
         self.stamp = self.arrival = 100.0
         self.stamped = True
-        self.last = self.reference = None
+        self.last = self.reference = self.late = None
+        self.periods = [FIRST_PERIOD]
         self.steps = []
         self.previous = 0.0
 
@@ -109,24 +112,30 @@ class DetectorMachine(RuleBasedStateMachine):
         assert math.isfinite(x) and math.isfinite(y), 'a bad position was accepted'
         expected = self.must_be_refused(message)
         assert expected in (bool(refused), None), refused or 'a jump was counted'
-        self.count(x, y, refused)
-        self.last = message
+        if self.late is not message:
+            self.count(x, y, refused)
+            self.last, self.late = message, None
 
     def must_be_refused(self, message):
         """Tell whether the contract calls this message a jump; None: it leaves that open."""
         x, y, stamp, arrival = message
         if self.last is None:
             return False
+        if stamp < self.last[2]:
+            if self.late is None or stamp < self.late[2] or message[:3] == self.late[:3]:
+                self.late = message
+                return True
+            self.last, self.reference = self.late, self.late[:2]
+        interval = stamp - self.last[2] or max(0.0, arrival - self.last[3])
+        usual, self.periods = self.periods, self.periods + [interval] * (interval < SILENCE)
         uncounted = math.hypot(x - self.reference[0], y - self.reference[1])
-        if stamp < self.last[2] or not math.isfinite(sum(self.steps) + uncounted):
+        if not math.isfinite(sum(self.steps) + uncounted):
             return True
-        if self.max_speed == 0:
-            return False
-        needed = math.hypot(x - self.last[0], y - self.last[1]) / self.max_speed
-        if stamp > self.last[2]:
-            return needed > stamp - self.last[2]
-        late = needed - (arrival - self.last[3])
-        return None if 0 < late <= DETECTOR.DELIVERY_JITTER else late > 0
+        needed = math.hypot(x - self.last[0], y - self.last[1])
+        needed = needed / self.max_speed if self.max_speed else 0.0
+        if needed > max(interval, *usual):
+            return True
+        return False if needed <= max(interval, min(usual)) else None
 
     def count(self, x, y, refused):
         """Add the step to the list, or only go to its end."""

@@ -1,0 +1,1 @@
+"""The arithmetic of the detector, which others use as well."""
