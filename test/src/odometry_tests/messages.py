@@ -5,6 +5,8 @@ import math
 import rospy
 from nav_msgs.msg import Odometry
 
+STRANGE = [math.nan, math.inf, -math.inf, 1e308, -1e308, 5e-324, -0.0]
+
 
 def odometry(x=0.0, y=0.0, yaw=0.0, stamp=0.0):
     """Return an Odometry at x, y (m) and yaw (rad), measured at stamp (s)."""

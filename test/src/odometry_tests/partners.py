@@ -17,6 +17,10 @@ class Partner:
         self._publisher = rospy.Publisher(topic, kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
         self.answers = Recorder(answer_topic, answer_kind)
 
+    def wait_for_listener(self):
+        """Return once somebody hears what is said: nothing is lost from then on."""
+        wait_for_subscribers(self._publisher)
+
     def say(self, *messages):
         """Publish messages."""
         for message in messages:
@@ -27,7 +31,7 @@ class Partner:
 
         The first messages to a node that has just started, or the answers to them, may be lost.
         """
-        wait_for_subscribers(self._publisher, timeout=20.0)
+        self.wait_for_listener()
         self.answers.clear()
 
         def accepted():
@@ -73,7 +77,7 @@ class SteppedClock:
         self.now = rospy.Time(START_TIME)
         self._publisher = rospy.Publisher('/clock', Clock, queue_size=QUEUE_SIZE, latch=True)
         self._publisher.publish(Clock(self.now))
-        wait_for_subscribers(self._publisher, listeners, timeout=20.0)
+        wait_for_subscribers(self._publisher, listeners)
 
     def advance(self, *durations):
         """Let so many seconds pass, one duration after the other."""
