@@ -30,6 +30,7 @@ Parameters:
     ~cmd_vel_timeout (float, 0.6 s): stop when commands cease; 0 turns it off
     ~real_time_factor (float, 1.0): simulated seconds per second; 0: as fast as possible
     ~lockstep_rate (float, 0.0 Hz): do not pass a multiple of 1/rate without a command; 0 is off
+    ~lockstep_patience (float, 2.0 s of wall time): go on without a controller silent for so long
 """
 
 from sim_turtlebot.node import main

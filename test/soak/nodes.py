@@ -137,7 +137,7 @@ class Nodes:
     def _start_simulator(self):
         """Start the simulator and pause it once it hears and is heard."""
         self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
-                                    '_real_time_factor:=0')
+                                    '_real_time_factor:=0', '_lockstep_patience:=10')
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT)
         for publisher in (self._velocity, self._odometry_reset):

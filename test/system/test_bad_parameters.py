@@ -79,6 +79,7 @@ TABLE = [
     Parameter(SIMULATOR, 'cmd_vel_timeout', [*NOT_NUMBERS, '-1', '1e6']),
     Parameter(SIMULATOR, 'real_time_factor', [*NOT_NUMBERS, '-1', '1e-6', '2']),
     Parameter(SIMULATOR, 'lockstep_rate', [*NOT_NUMBERS, '-1', '21', '10']),
+    Parameter(SIMULATOR, 'lockstep_patience', [*NOT_NUMBERS, '-1', '0']),
     Parameter(VIEWER, 'port', [*NOT_NUMBERS, '0', '70000', '80.5']),
     Parameter(VIEWER, 'host', [*NOT_TEXTS, 'no such host', '192.0.2.1']),
 ]

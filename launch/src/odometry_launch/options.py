@@ -25,8 +25,9 @@ def parse(arguments):
     parser.add_argument('--target', type=_number(-1e6, 1e6), default=90.0, metavar='DEGREES',
                         help='rotate: heading to turn to (default: %(default)s)')
     parser.add_argument('--real-time-factor', type=_number(0, 100), default=1.0, metavar='N',
-                        help='simulated seconds per second; 0: as fast as possible, in '
-                             'lockstep (default: %(default)s)')
+                        help='simulated seconds per second; 0: as fast as possible. At '
+                             'each but 1 the robot waits for its controller, so that it goes '
+                             'equally far (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
     parser.add_argument('--view', action='store_true',
                         help=f'show the robot in a browser, at {URL}; on a terminal the page '
@@ -34,11 +35,16 @@ def parse(arguments):
     return parser.parse_args(arguments)
 
 
+def in_lockstep(options):
+    """Return whether the robot waits for its controller: what is not shown in real time does."""
+    return options.real_time_factor != 1
+
+
 def launch_arguments(options):
     """Return the launch file and its arguments for these options."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor,
-                 'lockstep': _flag(options.real_time_factor == 0)}
+                 'lockstep': _flag(in_lockstep(options))}
     # Beside a page the tutorial's node ends once it has arrived, or it would go on to command
     # zero, against the page's pad.
     if options.tutorial == 'move':

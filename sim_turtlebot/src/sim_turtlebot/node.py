@@ -26,9 +26,8 @@ from sim_turtlebot.topics import RobotTopics
 
 QUEUE_SIZE = 10
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
-REPEAT_PERIOD = 0.25  # s of wall time between two odometries while no controller has spoken
-REPLY_TIME = 0.2  # s of wall time for the answers to repeated odometry to come in
-PATIENCE = 2.0  # s of wall time for a controller in lockstep
+REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
+LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: none to the repetitions is on its way
 SERVICE_TIMEOUT = 5.0  # s
 
 
@@ -89,23 +88,28 @@ class Simulator:
     def _wait_for_controllers(self):
         if not self._lockstep.started:
             self._wait_for_first_command()
-        elif not self._serve(PATIENCE) and self._lockstep.give_up():
-            rospy.logwarn(f'lockstep: no command for {PATIENCE:g} s of wall time; going on '
+            return
+        patience = self._settings.lockstep_patience
+        if not self._serve(patience) and self._lockstep.give_up():
+            rospy.logwarn(f'lockstep: no command for {patience:g} s of wall time; going on '
                           'without waiting until there is one')
 
     def _wait_for_first_command(self):
         """Repeat the odometry until there is a command.
 
         Answers to earlier repetitions may still be on their way then. They must not be taken
-        for answers to the next odometry.
+        for answers to the next odometry. Nothing in a Twist tells them apart, only that no more
+        of them come.
         """
         if not self._serve(REPEAT_PERIOD):
             self._publish_clock()
             self._publish_robots()
         if self._lockstep.started:
-            end = time.monotonic() + REPLY_TIME
-            while (left := end - time.monotonic()) > 0 and self._serve(left):
-                pass
+            patience = self._settings.lockstep_patience
+            end = time.monotonic() + patience
+            while not self._stopping and time.monotonic() < end:
+                if not self._serve(LATE_SHARE * patience):
+                    break
 
     def _last_step(self):
         """Return the step past which the wall clock or the controllers matter again."""

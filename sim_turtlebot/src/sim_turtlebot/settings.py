@@ -25,6 +25,7 @@ class Settings(NamedTuple):
     cmd_vel_timeout: float
     real_time_factor: float
     lockstep_rate: float
+    lockstep_patience: float
     use_sim_time: bool
 
 
@@ -53,6 +54,8 @@ def read_settings():
         lockstep_rate=get_number(
             '~lockstep_rate', 0.0, lambda v: v == 0 or 0.1 <= v <= odom_rate,
             f'0 (off) or from 0.1 Hz to ~odom_rate, {odom_rate:g} Hz'),
+        lockstep_patience=get_number(
+            '~lockstep_patience', 2.0, lambda v: 0.1 <= v <= 3600, 'from 0.1 to 3600 s'),
         use_sim_time=get_flag('/use_sim_time', False))
     _check_wall_time(settings)
     return settings

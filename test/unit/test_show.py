@@ -1,0 +1,163 @@
+"""What the demo shows on the way and how it judges the run, from messages and a clock of ours."""
+
+import re
+from types import SimpleNamespace
+
+import pytest
+from odometry_launch import demo
+from odometry_launch.options import launch_arguments, parse
+from odometry_launch.shows import MoveShow
+from odometry_tests.messages import odometry
+from std_msgs.msg import Float64
+
+REWRITE = '\r\x1b[K'
+
+
+class Terminal(list):
+    """What is written, each piece by itself."""
+
+    def __init__(self, live):
+        """Be a terminal, or a file."""
+        super().__init__()
+        self.isatty = lambda: live
+        self.write = self.append
+        self.flush = lambda: None
+
+    @property
+    def text(self):
+        """Everything so far."""
+        return ''.join(self)
+
+
+class Clock:
+    """A clock that only sleeping moves on, and then the show."""
+
+    def __init__(self, show):
+        """Take what happens during a sleep."""
+        self._show = show
+        self.slept = []
+
+    def sleep(self, duration):
+        """Let the show go on."""
+        self.slept.append(duration)
+        self._show.go_on()
+
+
+class ScriptedShow:
+    """Ten looks, half a simulated second apart; then the robot has arrived."""
+
+    LOOKS = 10
+
+    def __init__(self):
+        """Begin at zero."""
+        self.now, self.end = 0.0, None
+
+    def progress(self):
+        """Return one line."""
+        return f'{self.now:.1f} s'
+
+    def go_on(self):
+        """Arrive after ten looks."""
+        self.now += 0.5
+        if self.now >= 0.5 * self.LOOKS:
+            self.end = self.now
+
+
+@pytest.fixture
+def watch(monkeypatch):
+    """Return a function that shows the scripted run and returns what was written, and the clock."""
+    def watched(live):
+        show, terminal = ScriptedShow(), Terminal(live)
+        clock = Clock(show)
+        monkeypatch.setattr(demo, 'time', clock)
+        monkeypatch.setattr('sys.stdout', terminal)
+        demo._watch(show, SimpleNamespace(check=lambda: None))
+        monkeypatch.undo()
+        return terminal.text, clock
+
+    return watched
+
+
+def test_on_a_terminal_one_line_is_rewritten_at_each_look(watch):
+    """Ten times a second, and the last one stays."""
+    text, clock = watch(live=True)
+    assert clock.slept == [0.1] * ScriptedShow.LOOKS
+    assert text == ''.join(f'{REWRITE}{0.5 * look:.1f} s' for look in range(11)) + '\n'
+
+
+def test_elsewhere_there_is_a_line_every_two_simulated_seconds(watch):
+    """Without control characters, and the end."""
+    assert watch(live=False)[0] == '0.0 s\n2.0 s\n4.0 s\n5.0 s\n'
+
+
+@pytest.fixture
+def run(monkeypatch):
+    """Return a function that shows a robot's distances to a show of `./ws demo` and returns it."""
+    def shown(arguments, moved, true=None):
+        callbacks = {}
+        monkeypatch.setattr('odometry_launch.shows.rospy.Subscriber',
+                            lambda topic, kind, callback, **_: callbacks.update({topic: callback}))
+        show = MoveShow(parse(arguments))
+        for step, (distance, before) in enumerate(zip(moved, [0.0, *moved])):
+            callbacks['moved_distance'](Float64(distance))
+            truth = odometry(x=(true or moved)[step], stamp=0.05 * step)
+            truth.twist.twist.linear.x = (distance - before) / 0.05
+            callbacks['base_pose_ground_truth'](truth)
+        return show
+
+    return shown
+
+
+DRIVE = [0.005 * step for step in range(400)]
+AT_ONCE, LATER = [2.0, 2.002, 2.002], [2.0, 2.03, 2.06, 2.06]
+
+
+@pytest.mark.parametrize('factor', ['0', '1', '20'])
+def test_a_robot_that_stops_after_braking_has_done_well(run, factor):
+    """At any pace."""
+    show = run(['--real-time-factor', factor], [*DRIVE, *AT_ONCE])
+    assert show.end is not None
+    summary, complaint = show.result()
+    assert re.search(r'moved distance +2\.002 m', summary) and complaint is None
+
+
+def test_in_lockstep_a_robot_that_goes_on_is_complained_of(run):
+    """Its controller has answered each odometry, so that only braking is left."""
+    show = run(['--real-time-factor', '20'], [*DRIVE, *LATER])
+    assert show.result()[1] == 'not between 2.000 and 2.007 m'
+
+
+def test_in_real_time_the_pace_of_the_machine_is_not_judged(run):
+    """A command that comes late because the processors were busy is no fault of the robot."""
+    assert run([], [*DRIVE, *LATER]).result()[1] is None
+
+
+@pytest.mark.parametrize('factor', ['1', '20'])
+@pytest.mark.parametrize('error', [-0.01, 0.01])
+def test_a_robot_that_is_not_where_its_odometry_says_is_complained_of(run, factor, error):
+    """A centimetre in two metres."""
+    moved = [*DRIVE, *AT_ONCE]
+    show = run(['--real-time-factor', factor], moved, [distance + error for distance in moved])
+    assert show.result()[1] == 'the two distances do not agree'
+
+
+@pytest.mark.parametrize('moved', [DRIVE, [*DRIVE, 2.0], [*DRIVE[:300], *[DRIVE[300]] * 50]])
+def test_who_still_drives_or_stands_too_early_has_not_arrived(run, moved):
+    """The demo waits for more."""
+    assert run([], moved).end is None
+
+
+def test_distances_that_are_late_are_waited_for(run):
+    """The robot stands already, and the sum still grows: its last value is what is shown."""
+    truth = [*DRIVE, 2.002, 2.002, 2.002]
+    show = run([], [*DRIVE, 2.0, 2.001, 2.002], truth)
+    assert show.end is None
+
+
+@pytest.mark.parametrize('factor, lockstep', [('1', 'false'), ('0', 'true'), ('0.5', 'true'),
+                                              ('3', 'true'), ('100', 'true')])
+def test_what_is_not_shown_in_real_time_runs_in_lockstep(factor, lockstep):
+    """Both tutorials, so that a run gives the same however fast it is."""
+    for tutorial in ('move', 'rotate'):
+        options = parse([tutorial, '--real-time-factor', factor])
+        assert launch_arguments(options)[1]['lockstep'] == lockstep
