@@ -7,7 +7,7 @@ from geometry_msgs.msg import Quaternion
 from hypothesis import given
 from hypothesis import strategies as st
 from rotate_robot.heading import euler_from_orientation, turn_command, wrap_to_pi
-from tf.transformations import quaternion_from_euler
+from tf.transformations import euler_from_quaternion, quaternion_from_euler
 
 angles = st.floats(-1e6, 1e6)
 yaws = st.floats(-math.pi, math.pi)
@@ -38,12 +38,26 @@ def test_a_command_never_passes_the_clamp_and_points_the_shorter_way(yaw, target
     assert command * error >= 0
 
 
+@given(yaws, yaws, yaws, st.floats(0.99, 1.01))
+def test_the_angles_are_those_of_the_tutorial_to_the_last_bit(roll, pitch, yaw, length):
+    """The original gives tf what is in the message."""
+    parts = [length * part for part in quaternion_from_euler(roll, pitch, yaw)]
+    assert euler_from_orientation(Quaternion(*parts)) == euler_from_quaternion(parts)
+
+
 @given(yaws, st.floats(1e-3, 1e3))
 def test_a_quaternion_of_any_length_has_its_yaw(yaw, length):
     """A driver need not normalise."""
     x, y, z, w = (length * part for part in quaternion_from_euler(0, 0, yaw))
     found = euler_from_orientation(Quaternion(x, y, z, w))[2]
     assert wrap_to_pi(found - yaw) == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize('length', [1e-320, 1e-200, 1e-9, 1e9, 1e200])
+def test_no_length_is_too_short_or_too_long_for_a_quaternion(length):
+    """Where its square would be zero or infinite, too."""
+    yaw = euler_from_orientation(Quaternion(0, 0, length, length))[2]
+    assert yaw == pytest.approx(math.pi / 2)
 
 
 @pytest.mark.parametrize('parts', [

@@ -4,6 +4,10 @@ import math
 
 from tf.transformations import euler_from_quaternion
 
+# tf normalises for itself, and doing it twice would change the last digits. But it works with the
+# square of the length, which can be too small for it or too large for a float.
+SHORT, LONG = 1e-3, 1e3
+
 
 def euler_from_orientation(orientation):
     """Return (roll, pitch, yaw) in radians of a geometry_msgs/Quaternion of any length.
@@ -14,7 +18,9 @@ def euler_from_orientation(orientation):
     length = math.hypot(x, y, z, w)
     if not math.isfinite(length) or length == 0:
         raise ValueError(f'the quaternion [{x} {y} {z} {w}] is no rotation')
-    return euler_from_quaternion([x / length, y / length, z / length, w / length])
+    if not SHORT < length < LONG:
+        x, y, z, w = x / length, y / length, z / length, w / length
+    return euler_from_quaternion([x, y, z, w])
 
 
 def wrap_to_pi(angle):
