@@ -9,9 +9,12 @@ import unittest
 import rospy
 import rostest
 from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+from odometry_tests.messages import odometry
 from odometry_tests.partners import NodeLog, Partner, SteppedClock, differences
-from odometry_tests.tutorial import mover
+from odometry_tests.tutorial import detector, mover
 from odometry_tests.waiting import wait_until
+from rosgraph_msgs.msg import Log
 from std_msgs.msg import Float64
 
 NODES = 3
@@ -151,6 +154,26 @@ class MoverTest(unittest.TestCase):
                        lambda: f'its end; it printed:\n{node.output}')
             self.assertEqual(node.wait(), 0, node.output)
         wait_until(lambda: done.answers.last == Twist(), 5.0, 'a zero at last')
+
+    def test_two_publishers_of_the_distance_are_warned_of_once_by_name(self):
+        """A detector that was left running sends the robot off whenever the other one stops it."""
+        there = {'ROS_NAMESPACE': 'two'}
+        talk = Talk('two/')
+        left = Partner('/two/odom', Odometry, '/two/moved_distance', Float64)
+        with mover(env=there):
+            wait_until(lambda: talk.begin() or self.lines_of_two(), 10.0, 'its log')
+            with detector(env=there):
+                # It tells each change in a line of its own, the last ones after any warning.
+                wait_until(lambda: talk.say(Float64(FAR)) or left.say(odometry())
+                           or len(self.lines_of_two()) > 100, 20.0, 'many starts and stops')
+        warnings = [line.msg for line in self.lines_of_two() if line.level == Log.WARN]
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn('/mover_test', warnings[0])
+        self.assertIn('/two/movement_detector_node_', warnings[0])
+
+    def lines_of_two(self):
+        """Return what the mover in that namespace has logged."""
+        return [line for line in self.log.messages if line.name == '/two/test_movement']
 
     def rest(self, talk):
         """Let the robot stand for a moment."""

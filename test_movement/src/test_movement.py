@@ -23,6 +23,7 @@ import threading
 import rospy
 from odometry_common.node import run_node
 from odometry_common.parameters import get_flag, get_number
+from odometry_common.senders import SenderWatch
 from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
@@ -67,6 +68,7 @@ class TestMovement:
         timeout = get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s')
         self._watchdog = Watchdog(timeout, min(timeout, WALL_TIMEOUT))
         self._rest = RestDetector(REST_BAND, REST_DURATION)
+        self._senders = SenderWatch()
         self._moving = False
         self._lock = threading.Lock()
         self._velocity = VelocityPublisher('cmd_vel')
@@ -89,6 +91,12 @@ class TestMovement:
                 self._rest.reset()
             elif self._rest.at_rest(now, message.data) and self._exit_when_done:
                 rospy.signal_shutdown('the robot has moved and stopped')
+            self._check_sender(message)
+
+    def _check_sender(self, message):
+        rivals = self._senders.rivals(message._connection_header['callerid'])
+        if rivals:
+            rospy.logwarn('moved_distance comes from both %s and %s: end one of them', *rivals)
 
     def _check_silence(self, _event):
         with self._lock:

@@ -1,0 +1,28 @@
+"""Who sends the messages of a topic that only one node should publish."""
+
+
+class SenderWatch:
+    """Notices that messages come from two nodes in turn.
+
+    Another node may take the place of the first, as after a restart; the first one is not heard
+    again then.
+    """
+
+    def __init__(self):
+        """Begin before the first message."""
+        self._current = None
+        self._earlier = set()
+        self._noticed = False
+
+    def rivals(self, sender):
+        """Take the sender's name of the next message; return the names of two rivals, but only once.
+
+        :return: None as long as there is nothing new to say
+        """
+        if self._noticed or sender == self._current:
+            return None
+        self._noticed = sender in self._earlier
+        rivals = sender, self._current
+        self._earlier.add(sender)
+        self._current = sender
+        return rivals if self._noticed else None
