@@ -6,7 +6,18 @@ import numpy
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.viewer.pad import BACK, FORWARD, HOLD_TIMEOUT, LEFT, STOP, Holds
+from sim_turtlebot.viewer.pad import (
+    BACK,
+    COMMAND_PERIOD,
+    FORWARD,
+    HOLD_RATE,
+    HOLD_TIMEOUT,
+    LEFT,
+    STANDSTILL,
+    STOP,
+    Holds,
+    Steering,
+)
 from sim_turtlebot.viewer.track import ORIGIN, Pose, RateGauge, Samples, Track
 
 PERIOD = 0.05  # s
@@ -160,3 +171,50 @@ def test_stop_overrules_whatever_is_held():
     holds.hold('one', FORWARD, 0.0)
     holds.hold('other', STOP, 0.0)
     assert holds.command(0.1) == (0, 0)
+
+
+def test_a_page_that_hangs_drives_no_longer_than_a_hold_lasts():
+    """The last word is one zero; until then the robot is told all the time."""
+    steering = Steering()
+    steering.choose('')
+    steps_between_holds = round(1 / HOLD_RATE / COMMAND_PERIOD)
+    hangs_after = 20
+    heard = []
+    for step in range(hangs_after + 100):
+        now = COMMAND_PERIOD * step
+        if step <= hangs_after and step % steps_between_holds == 0:
+            steering.hold('page', FORWARD, now)
+        heard.append(steering.commands(now))
+    last = heard.index([('', STANDSTILL)])
+    assert (last - hangs_after) * COMMAND_PERIOD == pytest.approx(HOLD_TIMEOUT, abs=COMMAND_PERIOD)
+    assert heard[:last] == [[('', (1, 0))]] * last
+    assert not any(heard[last + 1:])
+
+
+def test_a_release_is_one_zero_at_once():
+    """And nothing after it."""
+    steering = Steering()
+    steering.choose('')
+    steering.hold('page', LEFT, 0.0)
+    assert steering.commands(0.0) == [('', (0, 1))] and steering.is_driving
+    steering.release('page', LEFT)
+    assert steering.commands(0.0) == [('', STANDSTILL)] and not steering.is_driving
+    assert steering.commands(0.0) == []
+
+
+def test_another_robot_is_not_driven_before_the_first_one_stands():
+    """Who changes the robot lets go of the old one's button."""
+    steering = Steering()
+    steering.choose('robot_1/')
+    steering.hold('page', FORWARD, 0.0)
+    steering.commands(0.0)
+    steering.choose('robot_2/')
+    steering.hold('page', FORWARD, 0.1)
+    assert steering.commands(0.1) == [('robot_1/', STANDSTILL), ('robot_2/', (1, 0))]
+
+
+def test_without_a_robot_nothing_is_commanded():
+    """A page may be there first."""
+    steering = Steering()
+    steering.hold('page', FORWARD, 0.0)
+    assert steering.commands(0.0) == [] and not steering.is_driving

@@ -13,6 +13,7 @@ COMMAND_PERIOD = 0.05  # s
 
 FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
 # Shares of the greatest speed forwards and to the left.
+STANDSTILL = 0, 0
 DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
 ARROW_KEYS = {'ArrowUp': FORWARD, 'ArrowDown': BACK, 'ArrowLeft': LEFT, 'ArrowRight': RIGHT}
 
@@ -43,9 +44,52 @@ class Holds:
                            if deadline > now}
         buttons = {button for _, button in self._deadlines}
         if STOP in buttons:
-            return 0, 0
+            return STANDSTILL
         directions = [DIRECTIONS[button] for button in buttons]
         return tuple(map(sum, zip(*directions))) if directions else None
+
+
+class Steering:
+    """Decides what is commanded to which robot; times in seconds.
+
+    A robot that nobody has driven is commanded nothing.
+    """
+
+    def __init__(self):
+        """Drive none."""
+        self._holds = Holds()
+        self._chosen = None
+        self._driven = None
+
+    @property
+    def is_driving(self):
+        """Whether a robot has been told to move and has not been stopped."""
+        return self._driven is not None
+
+    def choose(self, robot):
+        """Drive this robot from now on."""
+        if robot != self._chosen:
+            self._holds.clear()
+        self._chosen = robot
+
+    def hold(self, client, button, now):
+        """Do what the button says for a short while."""
+        self._holds.hold(client, button, now)
+
+    def release(self, client, button=None):
+        """Let go of a button, or of all."""
+        self._holds.release(client, button)
+
+    def commands(self, now):
+        """Return what to command: pairs of a robot and its shares of speed forwards and to the left.
+
+        While a robot is driven, ask again each COMMAND_PERIOD.
+        """
+        shares = self._holds.command(now)
+        wanted = None if shares is None else self._chosen
+        stopped = [(self._driven, STANDSTILL)] if self._driven not in (None, wanted) else []
+        self._driven = wanted
+        return stopped if wanted is None else [*stopped, (wanted, shares)]
 
 
 class Pad:
@@ -57,8 +101,7 @@ class Pad:
     def __init__(self, speeds):
         """Take a function that returns the speed (m/s) and the turning speed (rad/s)."""
         self._speeds = speeds
-        self._holds = Holds()
-        self._namespace = None
+        self._steering = Steering()
         self._publishers = {}
         self._lock = threading.Lock()
         self._changed = threading.Event()
@@ -67,38 +110,30 @@ class Pad:
     def choose(self, namespace):
         """Drive the robot in this namespace from now on."""
         with self._lock:
-            if namespace != self._namespace:
-                self._holds.clear()
-            self._namespace = namespace
+            self._steering.choose(namespace)
         self._changed.set()
 
     def hold(self, client, button):
         """Do what the button says for a short while."""
         with self._lock:
-            self._holds.hold(client, button, time.monotonic())
+            self._steering.hold(client, button, time.monotonic())
         self._changed.set()
 
     def release(self, client, button=None):
         """Let go of a button, or of all."""
         with self._lock:
-            self._holds.release(client, button)
+            self._steering.release(client, button)
         self._changed.set()
 
     def _drive(self):
-        driven = None
         while True:
-            self._changed.wait(COMMAND_PERIOD if driven else None)
+            self._changed.wait(COMMAND_PERIOD if self._steering.is_driving else None)
             self._changed.clear()
             with self._lock:
-                command, namespace = self._holds.command(time.monotonic()), self._namespace
-            wanted = self._publisher(namespace) if command and namespace is not None else None
-            if driven and wanted is not driven:
-                driven.stop()
-            driven = wanted
-            if driven:
-                forward, left = command
+                commands = self._steering.commands(time.monotonic())
+            for namespace, (forward, left) in commands:
                 speed, turn_speed = self._speeds()
-                driven.publish(forward * speed, left * turn_speed)
+                self._publisher(namespace).publish(forward * speed, left * turn_speed)
 
     def _publisher(self, namespace):
         if namespace not in self._publishers:
