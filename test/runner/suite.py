@@ -1,15 +1,13 @@
 """What there is to run: test files, linters, and the commands for them."""
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import NamedTuple
 
 import rospkg
 
-# A link without a space where the path has one, which rostest cannot bear.
-ROOT = Path(os.environ['ODOMETRY_ROOT'])
+ROOT = Path(__file__).resolve().parents[2]
 TESTS = ROOT / 'test'
 RESULTS = ROOT / '.ws' / 'test_results'
 LAUNCH_FILES = ['sim.launch', 'move_two_meters.launch', 'rotate.launch']

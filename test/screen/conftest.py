@@ -21,9 +21,9 @@ def browser():
 
 
 @pytest.fixture(scope='module')
-def view(master):
-    """Start a viewer."""
-    with View() as running:
+def view(master, request):
+    """Start a viewer, with such options as a test gives."""
+    with View(**getattr(request, 'param', {})) as running:
         yield running
 
 

@@ -9,14 +9,12 @@ from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
 from odometry_tests.viewing import (
-    PICTURE_TIMEOUT,
-    REACTION_TIME,
     ROBOT_PIXELS,
     Motion,
     View,
     wait_for_robot,
 )
-from odometry_tests.waiting import wait_until
+from odometry_tests.waiting import TIMEOUT, wait_until
 
 
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
@@ -49,7 +47,7 @@ def test_odometry_that_is_off_is_drawn_as_a_ghost(master, browser):
         page.release()
         motion.wait_until_resting()
         page.wait_for_reading('speed', lambda speed: speed == 0)
-        wait_until(lambda: blue_pixels(page.scene()) > ROBOT_PIXELS, PICTURE_TIMEOUT,
+        wait_until(lambda: blue_pixels(page.scene()) > ROBOT_PIXELS, TIMEOUT,
                    'a blue robot beside the dark one')
 
 
@@ -63,7 +61,7 @@ def test_all_robots_of_a_world_are_shown_and_each_can_be_driven(master, browser)
             page.hold('forward')
             page.wait_for_reading('true_distance', lambda metres: metres > 0.01)
             page.release()
-            second.assert_it_stops(within=REACTION_TIME)
+            second.wait_until_stopped()
     assert not first.commands.messages
 
 

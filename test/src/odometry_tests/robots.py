@@ -10,7 +10,7 @@ from std_msgs.msg import Empty as EmptyMessage
 from std_srvs.srv import Empty
 
 from odometry_tests.tutorial import Truth, heading, speed
-from odometry_tests.waiting import Recorder, wait_for_subscribers
+from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers
 
 
 class Robot:
@@ -72,9 +72,13 @@ class Robot:
 
     def call(self, service):
         """Call a service of its simulator."""
-        name = f'{self._namespace}sim_turtlebot/{service}'
-        rospy.wait_for_service(name, 10.0)
-        rospy.ServiceProxy(name, Empty)()
+        call(f'{self._namespace}sim_turtlebot/{service}')
+
+
+def call(service):
+    """Call a service without arguments."""
+    rospy.wait_for_service(service, TIMEOUT * PATIENCE)
+    rospy.ServiceProxy(service, Empty)()
 
 
 def _first(recorder):
