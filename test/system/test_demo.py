@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 import rosbag
-import rospy
-from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 
@@ -125,31 +123,3 @@ def test_bad_options_get_one_clear_line(arguments):
     run = demo(*arguments)
     assert run.wait(30.0) == 2
     assert run.stderr.splitlines()[-1].startswith('./ws demo: error: argument')
-
-
-def test_plot_run_draws_any_bag_with_odometry(tmp_path):
-    """A real robot's bag has neither truth nor commands."""
-    bag_file, picture = tmp_path / 'real.bag', tmp_path / 'real.png'
-    with rosbag.Bag(str(bag_file), 'w') as bag:
-        for step in range(101):
-            message = odometry(x=0.01 * step, stamp=100 + 0.1 * step)
-            message.twist.twist.linear.x = 0.1
-            bag.write('/odom', message, rospy.Time.from_sec(100 + 0.1 * step))
-    plot = Process('rosrun', 'sim_turtlebot', 'plot_run.py', bag_file, '-o', picture)
-    assert plot.wait(30.0) == 0, plot.output
-    assert number('distance', plot.stdout) == 1.0
-    assert number('duration', plot.stdout) == 10.0
-    assert number('mean speed', plot.stdout) == 0.1
-    assert number('top speed', plot.stdout) == 0.1
-    assert picture.read_bytes().startswith(PNG)
-
-
-@pytest.mark.parametrize('content', [None, b'', b'no bag at all'])
-def test_plot_run_refuses_what_is_no_bag(tmp_path, content):
-    """One line that names the file."""
-    path = tmp_path / 'broken.bag'
-    if content is not None:
-        path.write_bytes(content)
-    plot = Process('rosrun', 'sim_turtlebot', 'plot_run.py', path)
-    assert plot.wait(30.0) == 2
-    assert len(plot.stderr.splitlines()) == 1 and str(path) in plot.stderr, plot.stderr

@@ -1,11 +1,15 @@
 """A picture of a run, from a bag with odometry in it."""
 
+import math
+from contextlib import suppress
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy
 import rosbag
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from moved_distance.distance_counter import DistanceCounter
 from tf.transformations import euler_from_quaternion
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
@@ -27,13 +31,7 @@ class Track(NamedTuple):
     heading: numpy.ndarray  # degrees, without jumps
     speed: numpy.ndarray  # m/s, forwards
     turn_speed: numpy.ndarray  # rad/s
-
-    @property
-    def distance(self):
-        """Metres travelled until each message."""
-        steps = numpy.hypot(numpy.diff(self.x), numpy.diff(self.y))
-        return numpy.concatenate([[0.0], numpy.cumsum(steps)])
-
+    distance: numpy.ndarray  # m, as the detector counts it
 
     def moved_onto(self, other):
         """Return the same way, turned and shifted so that it begins where another one does."""
@@ -48,6 +46,7 @@ class Track(NamedTuple):
 class Run(NamedTuple):
     """What a bag tells of a run."""
 
+    name: str  # of the bag, with its folder
     odometry: Track
     truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
@@ -67,7 +66,7 @@ def read_run(path, odometry_topic='/odom', truth_topic='/base_pose_ground_truth'
              command_topic='/cmd_vel'):
     """Return the Run in a bag.
 
-    :raises BagError: if it is no bag, or has no odometry on that topic
+    :raises BagError: if it is no bag, or has no odometry with finite numbers on that topic
     """
     try:
         with rosbag.Bag(str(path)) as bag:
@@ -81,15 +80,23 @@ def read_run(path, odometry_topic='/odom', truth_topic='/base_pose_ground_truth'
     start = _stamp(odometry[0])
     rows = [(row.timestamp.to_sec() - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
-    track = _track(odometry, start)
-    return Run(track, _track(truth, start).moved_onto(track) if truth else None,
-               numpy.array(rows).reshape(-1, 3))
+    track, true_track = _track(odometry, start), _track(truth, start)
+    if track is None:
+        raise BagError(f'{path} has no finite position on {odometry_topic}')
+    return Run('/'.join(Path(path).absolute().parts[-2:]), track,
+               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
 
 
 def draw(run, path):
-    """Draw path, distance, speed and heading of a Run into a PNG file."""
+    """Draw a Run into a PNG file."""
+    make_figure(run).savefig(str(path))
+
+
+def make_figure(run):
+    """Return a figure of path, distance, speed and heading of a Run."""
     figure = Figure(FIGURE_SIZE, dpi=RESOLUTION, layout='constrained')
     FigureCanvasAgg(figure)
+    figure.suptitle(run.name)
     (path_axes, distance_axes), (speed_axes, heading_axes) = figure.subplots(2, 2)
     tracks = [(run.odometry, 'odometry', '-')]
     if run.truth is not None:
@@ -98,7 +105,7 @@ def draw(run, path):
     _draw_distance(distance_axes, tracks)
     _draw_speed(speed_axes, tracks, run.commands)
     _draw_heading(heading_axes, tracks)
-    figure.savefig(str(path))
+    return figure
 
 
 def _draw_path(axes, tracks):
@@ -106,6 +113,7 @@ def _draw_path(axes, tracks):
         axes.plot(track.x, track.y, style, label=label)
     first = tracks[0][0]
     axes.plot(first.x[0], first.y[0], 'o', label='start')
+    axes.plot(first.x[-1], first.y[-1], 's', label='end')
     axes.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
     axes.set_aspect('equal', adjustable='datalim')
     axes.legend()
@@ -115,7 +123,8 @@ def _draw_path(axes, tracks):
 def _draw_distance(axes, tracks):
     for track, label, style in tracks:
         axes.plot(track.time, track.distance, style, label=label)
-    axes.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
+    if TWO_METRES / 2 <= tracks[0][0].distance[-1] <= TWO_METRES * 2:
+        axes.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
     axes.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
     axes.legend()
     axes.grid(True)
@@ -142,9 +151,18 @@ def _draw_heading(axes, tracks):
 
 
 def _track(rows, start):
-    columns = numpy.array([_numbers(row) for row in rows]).T
-    time, x, y, yaw, speed, turn_speed = columns
-    return Track(time - start, x, y, numpy.degrees(numpy.unwrap(yaw)), speed, turn_speed)
+    """Return the Track of the messages whose numbers are finite; None if there are none."""
+    counter, kept = DistanceCounter(), []
+    for row in rows:
+        _, x, y, *_ = numbers = _numbers(row)
+        with suppress(ValueError):  # of a position that is not finite
+            counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
+        if all(map(math.isfinite, numbers)):
+            kept.append((*numbers, counter.distance))
+    if not kept:
+        return None
+    time, x, y, yaw, *others = numpy.array(kept).T
+    return Track(time - start, x, y, numpy.degrees(numpy.unwrap(yaw)), *others)
 
 
 def _numbers(row):
