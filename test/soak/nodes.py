@@ -2,7 +2,6 @@
 
 import os
 import queue
-import xmlrpc.client
 
 import rosgraph
 import rospy
@@ -11,6 +10,7 @@ from course import RATE
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
+from odometry_tests.links import links
 from odometry_tests.processes import Master
 from odometry_tests.tutorial import detector, simulator
 from odometry_tests.waiting import wait_for_subscribers, wait_until
@@ -147,7 +147,7 @@ class Nodes:
 
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""
-        stale = {node: _links(node) for node in (SIMULATOR, NAME)}
+        stale = {node: links(node) for node in (SIMULATOR, NAME)}
         self._detector = detector(f'__name:={DETECTOR[1:]}')
         wait_until(lambda: _is_online(DETECTOR), START_TIMEOUT, 'a detector')
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
@@ -165,22 +165,14 @@ class Nodes:
     @staticmethod
     def _wait_for_links(node, wanted, stale=frozenset()):
         """Return once a node sends to others, by (topic, node), over links that are not stale."""
-        wait_until(lambda: wanted <= {link[:2] for link in _links(node) - stale}, START_TIMEOUT,
-                   lambda: f'{wanted} from {node}; there is {_links(node)}')
-
-
-def _links(node):
-    """Return (topic, receiving node, number) of each connection over which a node sends."""
-    uri = rosgraph.Master(NAME).lookupNode(node)
-    _, _, connections = xmlrpc.client.ServerProxy(uri).getBusInfo(NAME)
-    return {(topic, peer, number) for number, peer, direction, _, topic, *_ in connections
-            if direction == 'o'}
+        wait_until(lambda: wanted <= {link[:2] for link in links(node) - stale}, START_TIMEOUT,
+                   lambda: f'{wanted} from {node}; there is {links(node)}')
 
 
 def _is_online(node):
     """Tell whether a node has registered and answers."""
     try:
-        _links(node)
+        links(node)
     except (rosgraph.MasterError, OSError):
         return False
     return True

@@ -1,21 +1,27 @@
 """In lockstep a run as fast as the machine can has no control delay and can be repeated."""
 
+import contextlib
+import io
 import itertools
 import signal
 
 import numpy
 import pytest
-import rosbag
 import rosgraph
+import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_tests.processes import Process, rosrun
-from odometry_tests.waiting import Recorder
+from odometry_tests.processes import rosrun
+from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
+from std_srvs.srv import Empty
 
-TOPICS = {'/odom': Odometry, '/moved_distance': Float64, '/cmd_vel': Twist}
-SECONDS, COMPARED = 25, 24  # of simulated time; two metres take 20
-MOST_MISSED = 10  # messages at the beginning
+COMPARED = 24  # s of simulated time; two metres take 20
+RUN_TIME = 60.0  # s
+PATIENCE = 10.0  # s of wall time for a controller that the machine lets wait
+DETECTOR = 'odom_movement_detector', 'odom_movement_detector.py'
+MOVER = 'test_movement', 'test_movement.py'
+ROTATOR = 'rotate_robot', 'rotate.py'
 
 
 @pytest.fixture(autouse=True)
@@ -24,68 +30,80 @@ def simulated_time(master):
     rosgraph.Master('/test').setParam('/use_sim_time', True)
 
 
-def record(path, launch_file):
-    """Run a tutorial in lockstep and put its messages into a bag."""
-    recorders = {topic: Recorder(topic, kind) for topic, kind in TOPICS.items()}
-    with Process('roslaunch', 'odometry_launch', launch_file, 'lockstep:=true',
-                 'real_time_factor:=0'):
-        recorders['/odom'].wait_for(
-            lambda message: message.header.stamp.to_sec() > SECONDS, 60.0, f'{SECONDS} s')
-    with rosbag.Bag(str(path), 'w') as bag:
-        for topic, recorder in recorders.items():
-            for message in recorder.messages:
-                bag.write(topic, message)
+def simulator(rate=20, patience=PATIENCE):
+    """Start a simulator in lockstep, as fast as the machine can."""
+    return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_real_time_factor:=0',
+                  f'_lockstep_rate:={rate}', f'_lockstep_patience:={patience}')
 
 
-def messages_in(path, topic):
-    """Return the bytes of the messages on a topic up to the end of the comparison.
+def record(rate, nodes, topics):
+    """Run nodes in lockstep; return the messages on each topic, from time zero on.
+
+    :param topics: message class and number of messages by topic; repetitions of the first one do
+        not count
+    """
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(simulator(rate))
+        call('pause_physics')  # until there is an ear for everything
+        for node in nodes:
+            stack.enter_context(rosrun(*node))
+        recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in topics.items()}
+        for recorder in recorders.values():
+            recorder.wait_for_publisher()
+        call('unpause_physics')
+        for topic, (_, count) in topics.items():
+            wait_until(lambda topic=topic, count=count:
+                       len(from_time_zero(recorders[topic].messages)) >= count,
+                       RUN_TIME, f'{count} messages on {topic}', period=0.1)
+        return {topic: from_time_zero(recorders[topic].messages)[:count]
+                for topic, (_, count) in topics.items()}
+
+
+def call(service):
+    """Call a service of the simulator."""
+    rospy.wait_for_service(f'/sim_turtlebot/{service}', RUN_TIME)
+    rospy.ServiceProxy(f'/sim_turtlebot/{service}', Empty)()
+
+
+def from_time_zero(messages):
+    """Return the messages with the first one only once.
 
     Until the first command the simulator repeats the odometry; how often depends on how long
-    the nodes take to start. These repetitions are left out.
+    the nodes take to start.
     """
-    with rosbag.Bag(str(path)) as bag:
-        everything = [raw[1] for _, raw, _ in bag.read_messages(topic, raw=True)]
-    first = everything[:1]
-    return first + list(itertools.dropwhile(lambda message: message == first[0], everything))
+    return messages[:1] + list(itertools.dropwhile(lambda m: m == messages[0], messages))
 
 
-def without_missed(first, second):
-    """Drop the messages with which one begins, while the other's recorder was still connecting."""
-    for missed in range(MOST_MISSED):
-        if first[missed] == second[0]:
-            return first[missed:], second
-        if second[missed] == first[0]:
-            return first, second[missed:]
-    return first, second
+def bytes_of(message):
+    """Return a message as it is sent."""
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
 
 
-@pytest.mark.parametrize('launch_file, counts', [
-    # The mover's commands are all the same until it arrives, so that most count as repetitions.
-    ('move_two_meters.launch',
-     {'/odom': 20 * COMPARED, '/moved_distance': 20 * COMPARED, '/cmd_vel': 80}),
-    ('rotate.launch', {'/odom': 20 * COMPARED, '/cmd_vel': 10 * COMPARED})])
-def test_two_runs_are_the_same_bytes(master, tmp_path, launch_file, counts):
+MOVE = 20, [DETECTOR, MOVER], {
+    '/odom': (Odometry, 20 * COMPARED), '/moved_distance': (Float64, 20 * COMPARED),
+    # The mover's commands are all the same until it arrives, so that most are repetitions.
+    '/cmd_vel': (Twist, 80)}
+ROTATE = 10, [ROTATOR], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
+
+
+@pytest.mark.parametrize('tutorial', [MOVE, ROTATE], ids=['move', 'rotate'])
+def test_two_runs_are_the_same_bytes(master, tutorial):
     """Each message on each topic, from the first to the last."""
-    bags = [tmp_path / 'first.bag', tmp_path / 'second.bag']
-    for bag in bags:
-        record(bag, launch_file)
-    for topic, count in counts.items():
-        first, second = without_missed(*(messages_in(bag, topic) for bag in bags))
-        first, second = first[:count], second[:count]
-        assert len(first) == len(second) == count
-        different = [index for index in range(count) if first[index] != second[index]]
+    first, second = record(*tutorial), record(*tutorial)
+    for topic, messages in first.items():
+        different = [index for index, pair in enumerate(zip(messages, second[topic]))
+                     if bytes_of(pair[0]) != bytes_of(pair[1])]
         assert not different, f'{topic}: message {different[0]} is the first that differs'
 
 
 @pytest.fixture(scope='module')
-def drive(master, tmp_path_factory):
+def drive(master):
     """Record a drive of two metres; return its odometry and its distances."""
-    path = tmp_path_factory.mktemp('drive') / 'run.bag'
     rosgraph.Master('/test').setParam('/use_sim_time', True)
-    record(path, 'move_two_meters.launch')
-    with rosbag.Bag(str(path)) as bag:
-        return ([message for _, message, _ in bag.read_messages('/odom')],
-                [message.data for _, message, _ in bag.read_messages('/moved_distance')])
+    messages = record(*MOVE)
+    return messages['/odom'], [message.data for message in messages['/moved_distance']]
 
 
 def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(drive):
@@ -98,7 +116,7 @@ def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(drive):
 
 
 def test_the_distance_is_the_sum_of_the_recorded_steps(drive):
-    """Added up once more with numpy, from the bag."""
+    """Added up once more with numpy."""
     odometry, distances = drive
     positions = [message.pose.pose.position for message in odometry]
     ways = numpy.diff([(position.x, position.y) for position in positions], axis=0)
@@ -106,11 +124,8 @@ def test_the_distance_is_the_sum_of_the_recorded_steps(drive):
 
 
 def test_a_controller_that_falls_silent_does_not_stop_the_time(master):
-    """After two seconds the simulation goes on, and says so once."""
-    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_lockstep_rate:=20',
-                '_real_time_factor:=0', '_odom_rate:=20') as simulator, \
-            rosrun('odom_movement_detector', 'odom_movement_detector.py'), \
-            rosrun('test_movement', 'test_movement.py') as mover:
+    """After its patience the simulation goes on, and says so once."""
+    with simulator(patience=5.0) as simulation, rosrun(*DETECTOR), rosrun(*MOVER) as mover:
         odometry = Recorder('odom', Odometry)
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > 1, 20.0, 'a running simulation')
         mover.send(signal.SIGKILL)
@@ -118,15 +133,14 @@ def test_a_controller_that_falls_silent_does_not_stop_the_time(master):
         silent_from = odometry.last.header.stamp.to_sec()
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > silent_from + 10, 20.0,
                           'ten seconds more')
-        simulator.wait_for_output('lockstep: no command for')
+        simulation.wait_for_output('lockstep: no command for 5 s')
         assert odometry.last.twist.twist.linear.x == 0.0
-    assert simulator.output.count('lockstep: no command for') == 1
+    assert simulation.output.count('lockstep: no command for') == 1
 
 
 def test_simulated_time_stands_still_until_the_first_command(master):
     """The odometry is repeated meanwhile, the same message again."""
-    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_lockstep_rate:=20',
-                '_real_time_factor:=0'):
+    with simulator():
         seen = Recorder('odom', Odometry).wait_for_count(4, 20.0)
     assert seen[0].header.stamp.to_sec() == 0
     assert all(message == seen[0] for message in seen)

@@ -1,0 +1,75 @@
+# How ./ws runs the steps of its set-up, and installs parts of the system.
+
+fail() {
+    echo "./ws: $1" >&2
+    exit 1
+}
+
+# run_step TEXT COMMAND...: run a command with its output in the log, and show that it is alive.
+run_step() {
+    local text=$1 start=$SECONDS pid status=0 before
+    shift
+    before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
+    [ -t 2 ] || echo "./ws: $text ..." >&2
+    "$@" >>"$LOG" 2>&1 &
+    pid=$!
+    trap 'kill $pid 2>/dev/null || true; exit 130' INT TERM HUP
+    while [ -t 2 ] && kill -0 $pid 2>/dev/null; do
+        printf '\r\033[K./ws: %s ... %d s' "$text" $((SECONDS - start)) >&2
+        sleep 0.2
+    done
+    wait $pid || status=$?
+    trap - INT TERM HUP
+    if [ $status != 0 ]; then
+        [ ! -t 2 ] || echo >&2
+        show_reason $((before + 1)) >&2
+        fail "$text failed; the whole output is in $LOG. The next call tries again."
+    fi
+    [ ! -t 2 ] || printf '\r\033[K./ws: %s: done in %d s\n' "$text" $((SECONDS - start)) >&2
+}
+
+# show_reason LINE: show from the log, since that line, what looks like a reason, and the end.
+show_reason() {
+    local output reason='^E:|error|failed|fatal|not found|no such|cannot|denied|no space|unable'
+    output=$(tail -n "+$1" "$LOG")
+    {
+        grep -iE "$reason" <<<"$output" | head -n 8 || true
+        tail -n 12 <<<"$output"
+    } | awk '!seen[$0]++'
+}
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then
+        env DEBIAN_FRONTEND=noninteractive "$@"
+    else
+        sudo env DEBIAN_FRONTEND=noninteractive "$@"
+    fi
+}
+
+has_parts() {
+    local states
+    states=$(dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>/dev/null) || return 1
+    ! grep -qv '^installed$' <<<"$states"
+}
+
+need_parts() {
+    has_parts "$@" || install_parts "$@"
+}
+
+install_parts() {
+    if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
+        fail "installing $* needs root or sudo"
+    fi
+    [ "$(id -u)" = 0 ] || sudo -v
+    run_step "installing $# system packages and what they need" apt_install "$@"
+}
+
+apt_install() {
+    # An earlier set-up may have been killed in the middle of this.
+    if [ -n "$(dpkg --audit)" ]; then
+        as_root dpkg --configure -a
+        as_root apt-get -y -o DPkg::Lock::Timeout=600 --fix-broken install
+    fi
+    as_root apt-get -q -o DPkg::Lock::Timeout=600 update
+    as_root apt-get -q -y -o DPkg::Lock::Timeout=600 install --no-install-recommends "$@"
+}

@@ -1,0 +1,105 @@
+"""How ./ws makes a workspace: what is the user's stays, the path may be odd, failures say why."""
+
+import os
+import shutil
+import subprocess
+
+import pytest
+from odometry_tests.scripts import ROOT
+
+FILES = {
+    'package.xml': """<package format="3">
+  <name>mine</name>
+  <version>1.0.0</version>
+  <description>A package of the user's own.</description>
+  <maintainer email="me@example.com">Me</maintainer>
+  <license>BSD</license>
+  <buildtool_depend>catkin</buildtool_depend>
+</package>
+""",
+    'CMakeLists.txt': """cmake_minimum_required(VERSION 3.0.2)
+project(mine)
+find_package(catkin REQUIRED)
+catkin_package()
+catkin_install_python(PROGRAMS hello.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+""",
+    'hello.py': '#!/usr/bin/env python3\nimport pybullet\nprint("hello from", pybullet.__name__)\n'}
+RUN_MINE = """
+set_up true
+set +u
+. "$WORKSPACE/devel/setup.bash"
+rosrun mine hello.py
+"""
+FAIL = """
+fails() {
+    echo 'E: the disk is full'
+    seq 1 100
+    return 3
+}
+LOG=$CHECKOUT/.ws/setup.log
+run_step 'an earlier step' echo 'E: of another step'
+run_step 'filling the disk' fails
+"""
+
+
+@pytest.fixture
+def checkout(tmp_path):
+    """Make what looks like a checkout, with an odd path and with a package of the user's."""
+    folder = tmp_path / "my robots/50 % of $HOME's"
+    (folder / '.ws' / 'src' / 'mine').mkdir(parents=True)
+    for path in ROOT.iterdir():
+        if path.name not in ('.ws', 'test_movement'):
+            (folder / path.name).symlink_to(path)
+    # This one is going to be changed.
+    shutil.copytree(ROOT / 'test_movement', folder / 'test_movement')
+    for name, content in FILES.items():
+        (folder / '.ws' / 'src' / 'mine' / name).write_text(content)
+    (folder / '.ws' / 'src' / 'mine' / 'hello.py').chmod(0o755)
+    return folder
+
+
+def in_checkout(folder, commands, **variables):
+    """Run lines of bash with what ./ws does before a command, but faster."""
+    start = """
+set -euo pipefail
+. "$CHECKOUT/launch/scripts/set_up.bash"
+python_is_ready() { true; }
+PACKAGES=(odometry_common test_movement)
+"""
+    environment = {'HOME': os.environ['HOME'], 'PATH': os.environ['PATH'],
+                   'XDG_CACHE_HOME': str(folder.parents[1]), 'CHECKOUT': str(folder)}
+    return subprocess.run(['bash', '-c', start + commands], text=True, capture_output=True,
+                          check=False, env={**environment, **variables})
+
+
+def test_a_package_of_the_user_is_built_and_survives_a_change_of_ours(checkout):
+    """The README has readers clone into .ws/src; a changed package.xml has all built anew."""
+    run = in_checkout(checkout, RUN_MINE)
+    assert run.stdout == 'hello from pybullet\n', run.stderr
+    manifest = checkout / 'test_movement' / 'package.xml'
+    manifest.write_text(manifest.read_text().replace('1.0.0', '1.0.1'))
+    run = in_checkout(checkout, RUN_MINE)
+    assert 'building the packages' in run.stderr
+    assert run.stdout == 'hello from pybullet\n', run.stderr
+    assert 'building' not in in_checkout(checkout, RUN_MINE).stderr
+
+
+def test_a_failed_step_shows_its_reason(checkout):
+    """It may stand long before the end of what the step has printed."""
+    run = in_checkout(checkout, FAIL)
+    assert run.returncode == 1
+    shown = run.stderr.splitlines()
+    assert shown[1:3] == ['./ws: filling the disk ...', 'E: the disk is full']
+    assert '100' in shown[-2]
+    assert len(shown) < 20
+
+
+@pytest.mark.parametrize('folder', ['relative', '/with a space', '/proc'])
+def test_a_path_of_odd_characters_needs_no_cache(checkout, folder):
+    """A home may have a space too, or belong to somebody else."""
+    run = in_checkout(checkout, 'find_root; readlink "$ROOT"; echo "$ROOT"; rm "$ROOT"',
+                      XDG_CACHE_HOME=folder)
+    assert run.returncode == 0, run.stderr
+    target, root = run.stdout.splitlines()
+    assert target == str(checkout)
+    assert root.startswith('/var/tmp/')
