@@ -1,0 +1,70 @@
+"""Each package.xml names what the package uses: rosdep installs just that for a catkin workspace."""
+
+import ast
+import re
+import sys
+from xml.etree import ElementTree
+
+import pytest
+from odometry_tests.scripts import ROOT
+
+MANIFESTS = sorted(ROOT.glob('*/package.xml'))
+# Imported, but under a name that rosdep does not know: the requirements files list them.
+FROM_PYPI = {'hypothesis', 'pybullet', 'pybullet_utils', 'rich', 'selenium', 'trimesh', 'viser'}
+KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
+        'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
+COMMANDS = {'rosbag': 'rosbag', 'roscore': 'roslaunch', 'roslaunch': 'roslaunch',
+            'rosnode': 'rosnode', 'rosparam': 'rosparam', 'rosrun': 'rosbash',
+            'rosservice': 'rosservice', 'rostest': 'rostest', 'rostopic': 'rostopic'}
+
+
+def name_of(manifest):
+    """Return the name of a package."""
+    return ElementTree.parse(manifest).findtext('name')
+
+
+# A module here may have another name than the package that it comes from.
+KEYS.update((module.parent.name, name_of(manifest)) for manifest in MANIFESTS
+            for module in manifest.parent.glob('src/*/__init__.py'))
+
+
+def depends(manifest):
+    """Return the names that a package.xml gives."""
+    return {element.text for element in ElementTree.parse(manifest).getroot()
+            if element.tag.endswith('depend')}
+
+
+def imports(tree):
+    """Return the top-level modules that a syntax tree imports from elsewhere."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.partition('.')[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            yield node.module.partition('.')[0]
+
+
+def commands(tree):
+    """Return the first words of the strings in a syntax tree."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value.partition(' ')[0]
+
+
+def needs(folder):
+    """Return the keys of what a package's Python files and launch files use."""
+    # setup.py runs in catkin's own Python.
+    sources = [path for path in folder.rglob('*.py') if path.name != 'setup.py']
+    trees = [ast.parse(source.read_text()) for source in sources]
+    modules = {name for tree in trees for name in imports(tree)}
+    modules -= {source.stem for source in sources} | set(sys.stdlib_module_names) | FROM_PYPI
+    keys = {KEYS.get(module, module) for module in modules}
+    keys |= {COMMANDS[word] for tree in trees for word in commands(tree) if word in COMMANDS}
+    for path in [*folder.rglob('*.launch'), *folder.rglob('*.test')]:
+        keys |= set(re.findall(r'(?:pkg="|\$\(find )(\w+)', path.read_text()))
+    return keys
+
+
+@pytest.mark.parametrize('manifest', MANIFESTS, ids=lambda path: path.parent.name)
+def test_a_package_depends_on_what_it_uses(manifest):
+    """By import, as a command in a string, or in a launch file."""
+    assert needs(manifest.parent) - depends(manifest) - {name_of(manifest)} == set()
