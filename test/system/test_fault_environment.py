@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 import rosgraph
+from odometry_tests.linux import needs_children
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import detector, mover, rotator, simulator
@@ -29,11 +30,13 @@ def log_folder(request, tmp_path):
     mount = subprocess.run(['mount', '-t', 'tmpfs', '-o', options, 'tmpfs', folder],
                            capture_output=True, text=True, check=False)
     if mount.returncode:
-        pytest.skip(f'mounting needs root: {mount.stderr.strip()}')
-    if request.param == 'full':
-        fill(folder / 'filler')
-    yield folder
-    subprocess.run(['umount', '-l', folder], check=True)
+        pytest.skip(f'nothing can be mounted here: {mount.stderr.strip()}')
+    try:
+        if request.param == 'full':
+            fill(folder / 'filler')
+        yield folder
+    finally:
+        subprocess.run(['umount', '-l', folder], check=True)
 
 
 def fill(path):
@@ -114,6 +117,7 @@ def readable(hexadecimal, family):
     return socket.inet_ntop(family, b''.join(words))
 
 
+@needs_children
 def test_everything_that_ws_starts_listens_on_loopback_only(master):
     """Master, rosout, nodes: nobody else on the network can drive the robot."""
     clean = {name: value for name, value in os.environ.items()
