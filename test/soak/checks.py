@@ -7,40 +7,11 @@ from sim_turtlebot.rotations import yaw_of
 
 MAX_SPEED = 5.0  # m/s, the detector's ~max_speed
 SMALLEST_DISTANCE = 1e-6  # m
-STEPS_TO_OBEY = 150  # for a reset that is sent while everything goes on; events are further apart
 POSE_TOLERANCE = 1e-9  # m and rad
 
 
 class Violation(AssertionError):
     """Something that must hold does not; the message says what."""
-
-
-class Request:
-    """A reset that was asked for and shows at one of the next steps."""
-
-    def __init__(self, name):
-        """Name it for the user; none is open."""
-        self._name = name
-        self._left = 0
-        self._shows = False
-
-    def open(self, shows):
-        """Expect it from now on; `shows`: whether its coming can be seen for sure."""
-        self._left, self._shows = STEPS_TO_OBEY, shows
-
-    def close(self):
-        """Tell whether it was open, and expect it no more."""
-        was_open, self._left = self._left > 0, 0
-        return was_open
-
-    def count_step(self):
-        """Let a step pass in which it has not shown.
-
-        :raises Violation: if it was the last one in which it may come
-        """
-        self._left -= 1
-        if self._left == 0 and self._shows:
-            raise Violation(f'{self._name} has not come within {STEPS_TO_OBEY} steps')
 
 
 class DistanceCheck:
@@ -50,21 +21,15 @@ class DistanceCheck:
         """Begin with a detector that has not heard anything yet."""
         self._total = 0.0
         self._last = None
-        self._reset = Request('the reset of the distance')
 
-    def expect_reset(self):
-        """Take note of a reset that was sent to the detector."""
-        self._reset.open(shows=_published(self._total) > 0)
+    def reset(self):
+        """Take note that the detector has been told to count from zero."""
+        self._total = 0.0
 
     def check(self, odometry, distance):
         """Compare what the detector has said (m) with the sum, bit for bit."""
-        step = self._step_to(odometry)
-        self._total += step
-        if distance == _published(self._total):
-            self._reset.count_step()
-        elif distance == _published(step) and self._reset.close():
-            self._total = step
-        else:
+        self._total += self._step_to(odometry)
+        if distance != _published(self._total):
             raise Violation(f'/moved_distance is {distance!r}, and the sum of the steps is '
                             f'{_published(self._total)!r}')
 
@@ -82,31 +47,23 @@ class PoseCheck:
 
     def __init__(self):
         """Begin with a robot at its start."""
-        self._reset = Request('the reset of the odometry')
         self.start()
 
     def start(self):
         """Take note that the simulation has been reset."""
-        self._origin = self._truth = self._odometry = Pose(0.0, 0.0, 0.0)
-        self._reset.close()
+        self._origin = self._truth = Pose(0.0, 0.0, 0.0)
 
-    def expect_reset(self):
-        """Take note of a reset that was sent to the simulator."""
-        self._reset.open(shows=self._odometry.distance_to(Pose(0.0, 0.0, 0.0)) > POSE_TOLERANCE)
+    def reset(self):
+        """Take note that the odometry has been told to start from zero."""
+        self._origin = self._truth
 
     def check(self, odometry, truth):
         """Compare two messages of the same step."""
-        self._odometry, before, self._truth = pose_of(odometry), self._truth, pose_of(truth)
-        if self._agrees(self._origin):
-            self._reset.count_step()
-        elif self._agrees(before) and self._reset.close():
-            self._origin = before
-        else:
-            raise Violation(f'the odometry is {self._odometry}, and the truth seen from its '
-                            f'origin is {self._truth.seen_from(self._origin)}')
-
-    def _agrees(self, origin):
-        return self._odometry.distance_to(self._truth.seen_from(origin)) <= POSE_TOLERANCE
+        self._truth, seen = pose_of(truth), pose_of(odometry)
+        expected = self._truth.seen_from(self._origin)
+        if seen.distance_to(expected) > POSE_TOLERANCE:
+            raise Violation(f'the odometry is {seen}, and the truth seen from its origin is '
+                            f'{expected}')
 
 
 class Pose(NamedTuple):

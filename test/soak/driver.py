@@ -87,12 +87,12 @@ class Driver:
         return message
 
     def _reset_distance(self):
-        self._distance.expect_reset()
         self._nodes.reset_distance()
+        self._distance.reset()
 
     def _reset_odometry(self):
-        self._pose.expect_reset()
         self._nodes.reset_odometry()
+        self._pose.reset()
 
     def _restart(self, signum):
         self._nodes.pause()

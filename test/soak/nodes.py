@@ -10,7 +10,7 @@ from course import RATE
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_tests.links import links
+from odometry_tests.links import HEARS, links
 from odometry_tests.processes import Master
 from odometry_tests.tutorial import detector, simulator
 from odometry_tests.waiting import wait_for_subscribers, wait_until
@@ -101,12 +101,12 @@ class Nodes:
         self._velocity.publish(command)
 
     def reset_distance(self):
-        """Ask the detector to count from zero."""
-        self._distance_reset.publish()
+        """Have the detector count from zero."""
+        self._tell(DETECTOR, '/moved_distance/reset')
 
     def reset_odometry(self):
-        """Ask the simulator for odometry from zero."""
-        self._odometry_reset.publish()
+        """Have the simulator's odometry start from zero."""
+        self._tell(SIMULATOR, '/mobile_base/commands/reset_odometry')
 
     def reset_simulation(self):
         """Take the simulation back to its start."""
@@ -131,8 +131,6 @@ class Nodes:
         self.truth = Stream('base_pose_ground_truth', Odometry)
         self.distance = Stream('moved_distance', Float64)
         self._velocity = advertise('cmd_vel', Twist)
-        self._distance_reset = advertise('moved_distance/reset', Empty)
-        self._odometry_reset = advertise('mobile_base/commands/reset_odometry', Empty)
 
     def _start_simulator(self):
         """Start the simulator and pause it once it hears and is heard."""
@@ -140,19 +138,31 @@ class Nodes:
                                     '_real_time_factor:=0', '_lockstep_patience:=10')
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT)
-        for publisher in (self._velocity, self._odometry_reset):
-            wait_for_subscribers(publisher, timeout=START_TIMEOUT)
+        wait_for_subscribers(self._velocity, timeout=START_TIMEOUT)
         self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
         self.pause()
 
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""
-        stale = {node: links(node) for node in (SIMULATOR, NAME)}
+        stale = links(SIMULATOR)
         self._detector = detector(f'__name:={DETECTOR[1:]}')
         wait_until(lambda: _is_online(DETECTOR), START_TIMEOUT, 'a detector')
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
-        self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale[SIMULATOR])
-        self._wait_for_links(NAME, {('/moved_distance/reset', DETECTOR)}, stale[NAME])
+        self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale)
+
+    def _tell(self, node, topic):
+        """Publish an Empty and return once a node has taken it; time stands still meanwhile.
+
+        A topic has no answer, but its link is closed only after the last message on it.
+        """
+        self.pause()
+        publisher = advertise(topic, Empty)
+        wait_for_subscribers(publisher, timeout=START_TIMEOUT)
+        publisher.publish()
+        publisher.unregister()
+        wait_until(lambda: not any(link.topic == topic for link in links(node, HEARS)),
+                   START_TIMEOUT, f'{node} that has heard {topic}')
+        self.unpause()
 
     @staticmethod
     def _call(name):
