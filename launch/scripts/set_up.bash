@@ -142,7 +142,8 @@ build_fingerprint() {
 }
 
 build_is_ready() {
-    [ "$(cat "$WORKSPACE/ready" 2>/dev/null)" = "$(build_fingerprint)" ]
+    [ -f "$WORKSPACE/devel/setup.bash" ] &&
+        [ "$(cat "$WORKSPACE/ready" 2>/dev/null)" = "$(build_fingerprint)" ]
 }
 
 build() {

@@ -14,7 +14,7 @@ TIMEOUT = 30.0  # s
 def viewing(options):
     """Measure the unpaced graph with the viewer, nobody looking and somebody looking."""
     if importlib.util.find_spec('viser') is None:
-        print('view: left out, for viser is not installed; ./ws bench --view installs it')
+        print('view: left out, for viser is not installed; ./ws bench installs it')
         return
     with Graph(*UNPACED) as graph:
         def speed(viewer):
@@ -24,7 +24,7 @@ def viewing(options):
 
         yield _compare('view without a page', speed, _viewer, options, Target('>=', 0.97))
         if importlib.util.find_spec('selenium') is None:
-            print('view with a page: left out, for there is no browser; ./ws test installs it')
+            print('view with a page: left out, for there is no browser; ./ws bench view installs it')
             return
         yield _compare('view with a page', speed, _watched_viewer, options)
 

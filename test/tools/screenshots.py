@@ -1,6 +1,6 @@
 """Make the pictures in docs/images again: ./ws python3 test/tools/screenshots.py [NAME...].
 
-Needs what ./ws test installs: chromium, chromium-driver, xvfb, rviz and ros-robot-state-publisher.
+Needs what ./ws test needs, and ./ws installs: Chromium and its driver, Xvfb, RViz.
 """
 
 import argparse

@@ -19,10 +19,11 @@ from tf2_msgs.msg import TFMessage
 
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 from sim_turtlebot.pacing import Lockstep, Pacer
-from sim_turtlebot.physics import NoScreenError, WorldFileError
+from sim_turtlebot.physics import WorldFileError
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation, side_by_side
 from sim_turtlebot.topics import RobotTopics
+from sim_turtlebot.window import NoScreenError
 
 QUEUE_SIZE = 10
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
@@ -234,8 +235,8 @@ def _simulate():
     settings = read_settings()
     try:
         simulator = Simulator(settings)
-    except NoScreenError:
-        raise ParameterError('~gui', True, 'false where there is no screen (DISPLAY)') from None
+    except NoScreenError as error:
+        raise ParameterError('~gui', True, f'false where {error}') from None
     except WorldFileError as error:
         raise ParameterError('~world', settings.world, error) from None
     simulator.run()

@@ -29,10 +29,6 @@ CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the windo
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
 
-class NoScreenError(RuntimeError):
-    """There is no screen to open a window on."""
-
-
 class WorldFileError(ValueError):
     """A world file that cannot be loaded; the message says why in one line."""
 
@@ -179,9 +175,7 @@ class TurtleBot:
 def _connect(gui):
     if not gui:
         return _connect_to(pybullet.DIRECT)
-    with screen() as found:
-        if not found:
-            raise NoScreenError
+    with screen():
         return _connect_to(pybullet.GUI)
 
 

@@ -4,6 +4,12 @@ import contextlib
 import ctypes
 import threading
 
+LIBRARIES = ['libX11.so.6', 'libGL.so.1']  # PyBullet loads them, and ends the process without
+
+
+class NoScreenError(RuntimeError):
+    """There is no screen to open a window on; the message says what is missing."""
+
 
 class Window:
     """Notices when the window is closed.
@@ -28,20 +34,24 @@ class Window:
 
 @contextlib.contextmanager
 def screen():
-    """Yield whether there is a screen, and hold a connection to it meanwhile.
+    """Hold a connection to the screen.
 
     Without a screen PyBullet would end the whole process. And an X server whose last client has
     left starts anew, and turns away whoever comes at that moment.
+
+    :raises NoScreenError: if there is none, or no library to draw on it with
     """
-    try:
-        x11 = ctypes.CDLL('libX11.so.6')
-    except OSError:
-        yield False
-        return
+    for library in LIBRARIES:
+        try:
+            ctypes.CDLL(library)
+        except OSError:
+            raise NoScreenError(f'{library} is not installed') from None
+    x11 = ctypes.CDLL('libX11.so.6')
     x11.XOpenDisplay.restype = ctypes.c_void_p
     display = x11.XOpenDisplay(None)
+    if not display:
+        raise NoScreenError('there is no screen (DISPLAY)')
     try:
-        yield bool(display)
+        yield
     finally:
-        if display:
-            x11.XCloseDisplay(ctypes.c_void_p(display))
+        x11.XCloseDisplay(ctypes.c_void_p(display))
