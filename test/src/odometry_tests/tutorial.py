@@ -2,19 +2,34 @@
 
 import math
 
+import rosgraph
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
 from odometry_tests.processes import rosrun
-from odometry_tests.waiting import Recorder, wait_until
+from odometry_tests.waiting import PATIENCE, Recorder, wait_until
 
+NODES = 'sim_turtlebot', 'test_movement', 'rotate_robot'  # with parameters, by their own names
 REST_SPEED = 1e-3  # m/s or rad/s
 REST_COUNT = 100  # distances in a row; five seconds of the robot's time
+# Of the mover in lockstep, at its 0.1 m/s and 20 Hz; both have a margin of a tenth.
+LONGEST_STEP = 0.0055  # m in a period
+OVERSHOOT = 0.0075  # m: the way of a period and of the brakes
 
 
 def simulator(*arguments, **options):
     """Start the simulated robot."""
     return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
+
+
+def simulator_in_step(*arguments, rate=20, **options):
+    """Start the simulated robot in lockstep with a controller at `rate` (Hz).
+
+    Whatever the pace, no message is lost then and no command is late: what the robot does is the
+    same on every machine.
+    """
+    return simulator(f'_lockstep_rate:={rate}', f'_lockstep_patience:={PATIENCE}', *arguments,
+                     **options)
 
 
 def detector(*arguments, **options):
@@ -30,6 +45,13 @@ def mover(*arguments, **options):
 def rotator(*arguments, **options):
     """Start the node that turns to a heading."""
     return rosrun('rotate_robot', 'rotate.py', *arguments, **options)
+
+
+def forget_parameters():
+    """Let the nodes start with their defaults again: what `_name:=value` has set stays set."""
+    master = rosgraph.Master('/test')
+    for node in {name.split('/')[1] for name in master.getParamNames()} & set(NODES):
+        master.deleteParam(f'/{node}')
 
 
 def speed(message):
@@ -87,6 +109,12 @@ class Distance(Recorder):
         wait_until(lambda: len(self._recent()) == REST_COUNT and len(set(self._recent())) == 1,
                    timeout, lambda: f'a constant distance; the last were {self._recent()[-5:]}')
         return self.last.data
+
+    @property
+    def steps(self):
+        """What each message has added to the one before (m)."""
+        seen = [message.data for message in self.messages]
+        return [after - before for before, after in zip(seen, seen[1:])]
 
     def _recent(self):
         return [message.data for message in self.messages[-REST_COUNT:]]

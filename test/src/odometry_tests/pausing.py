@@ -1,0 +1,59 @@
+"""The simulator's services, and a pause of which a test can be sure."""
+
+import rospy
+from std_srvs.srv import Empty
+
+from odometry_tests.tutorial import REST_SPEED, speed
+from odometry_tests.waiting import TIMEOUT, wait_until
+
+TURNS = 200  # of the simulator's loop; were it not paused, it would simulate between them
+WATCHED = 2.0  # s of the robot's time
+
+
+def call(service, namespace='/'):
+    """Call a service of the simulator in a namespace that ends in a slash."""
+    _service(service, namespace)()
+
+
+def pause(*recorders, namespace='/'):
+    """Pause the robot; return once the recorders have heard all that was on its way.
+
+    A starved simulator is silent too, so wall time says nothing: the recorders have to stay as
+    they are while the simulator takes many turns. What others have sent it is read by then.
+    """
+    serve = _service('pause_physics', namespace, persistent=True)
+
+    def heard():
+        return [len(recorder.messages) for recorder in recorders]
+
+    def is_still():
+        before = heard()
+        for _ in range(TURNS):
+            serve()
+        return heard() == before
+
+    wait_until(is_still, TIMEOUT, 'a robot that is paused')
+    serve.close()
+
+
+def moves_on(truth, action):
+    """Do something while time stands still; return for how long (s) the robot then moves on.
+
+    That is until it was last seen moving, so that a message that gets lost changes nothing.
+    """
+    pause(truth)
+    paused = truth.stamp
+    action()
+    pause(truth)
+    truth.clear()
+    call('unpause_physics')
+    truth.wait_for(lambda m: m.header.stamp.to_sec() > paused + WATCHED,
+                   what=f'{WATCHED:g} s of the robot\'s time')
+    return max((m.header.stamp.to_sec() - paused for m in truth.messages
+                if speed(m) >= REST_SPEED), default=0.0)
+
+
+def _service(name, namespace, **options):
+    full_name = f'{namespace}sim_turtlebot/{name}'
+    rospy.wait_for_service(full_name, TIMEOUT)
+    return rospy.ServiceProxy(full_name, Empty, **options)
