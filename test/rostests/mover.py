@@ -4,6 +4,7 @@
 import math
 import random
 import sys
+import time
 import unittest
 
 import rospy
@@ -18,6 +19,7 @@ from rosgraph_msgs.msg import Log
 from std_msgs.msg import Float64
 
 NODES = 3
+WALL_SILENCE = 0.25  # s; it does not take less for silence, however fast its time runs
 FAR = 1e6  # m, beyond every goal
 JUST_BEFORE_TWO = 2.0 - 2.0**-52  # m
 
@@ -96,6 +98,18 @@ class MoverTest(unittest.TestCase):
         self.clock.advance(*[0.1] * 30)
         self.talk.say(Float64(1.0))
         self.assertEqual(self.talk.answers.wait_for_count(2), commands(0.0, 0.1))
+
+    def test_the_silence_that_stops_it_lasts_a_second(self):
+        """Not 0.9 s, and no more than two of its ten looks a second longer."""
+        self.talk.say(Float64(0.0))
+        self.talk.answers.wait_for_count(1)
+        time.sleep(WALL_SILENCE)
+        self.clock.advance(*[0.1] * 9)
+        self.talk.say(Float64(1.0))
+        self.assertEqual(self.talk.answers.wait_for_count(2), commands(0.1, 0.1))
+        time.sleep(WALL_SILENCE)
+        self.clock.advance(*[0.1] * 13)
+        self.assertEqual(self.talk.answers.wait_for_count(3), commands(0.1, 0.1, 0.0))
 
     def be_silent_until_it_stops(self):
         """Let time pass, simulated and real."""
