@@ -10,7 +10,7 @@ from urllib.parse import urlparse
 
 import rosgraph
 
-START_TIMEOUT = 30.0  # s
+START_TIMEOUT = 60.0  # s; much is running on some machines
 STOP_TIMEOUT = 20.0  # s; roslaunch gives its nodes 15
 
 

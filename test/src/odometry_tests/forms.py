@@ -1,0 +1,30 @@
+"""Outputs that differ in their numbers only."""
+
+import re
+
+ESCAPE = re.compile(r'\x1b\[[?\d;]*[A-Za-z]|\x1b\][^\x07]*\x07')
+FORMS = [
+    (re.compile(r'\[=* *\]'), '[bar]'),
+    (re.compile(r'(\d+ days?, )?\d+:\d\d:\d\d'), 'TIME'),
+    (re.compile(r' +MISSED$'), ''),  # is said of a number
+    (re.compile(r'-?\d+(\.\d+)?(e[-+]?\d+)?'), '#'),
+    (re.compile(r'(?<=\S) +'), ' '),
+]
+
+
+def plain_lines(output):
+    """Return the lines of a terminal's output without its colours, each of a live line's too."""
+    return [line.rstrip() for line in re.split(r'[\r\n]+', ESCAPE.sub('', output))]
+
+
+def form(line):
+    """Return a line with a sign in place of each number."""
+    for pattern, replacement in FORMS:
+        line = pattern.sub(replacement, line)
+    return line.rstrip()
+
+
+def first_missing(shown, printed):
+    """Return the first of the shown lines that is not printed, in form and in this order."""
+    forms = iter([form(line) for line in printed])
+    return next((line for line in shown if form(line) not in forms), None)

@@ -1,0 +1,95 @@
+"""A terminal into which a test types what a reader types."""
+
+import fcntl
+import os
+import pty
+import re
+import signal
+import struct
+import subprocess
+import termios
+import threading
+
+from odometry_tests.forms import plain_lines
+from odometry_tests.waiting import TIMEOUT, wait_until
+
+MARK = '\x1e'
+# Before each prompt the shell says with which status the last command ended.
+PROMPT_COMMAND = r"printf '\036%d\036' $?"
+PROMPT = re.compile(f'{MARK}(\\d+){MARK}')
+SIZE = struct.pack('HHHH', 50, 1000, 0, 0)  # rows and columns: no line is wrapped
+CTRL_C = b'\x03'
+LATEST = 40  # lines
+
+
+class Terminal:
+    """An interactive bash in a folder."""
+
+    def __init__(self, folder, env):
+        """Start it with this environment and nothing else; return once it shows a prompt."""
+        self._screen, keyboard = pty.openpty()
+        fcntl.ioctl(keyboard, termios.TIOCSWINSZ, SIZE)
+        self._bash = subprocess.Popen(
+            ['setsid', '--ctty', 'bash', '--noprofile', '-i'], cwd=folder,
+            env={**env, 'PROMPT_COMMAND': PROMPT_COMMAND},
+            stdin=keyboard, stdout=keyboard, stderr=keyboard)
+        os.close(keyboard)
+        self.in_shell = False  # whether ./ws shell was typed
+        self._bytes = b''
+        self._typed, self._line = 0, ''
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+        self.wait_for_prompt()
+
+    @property
+    def status(self):
+        """The exit status of what was typed last, or None while it runs."""
+        found = PROMPT.search(self._text)
+        return int(found[1]) if found else None
+
+    @property
+    def lines(self):
+        """What was printed since the last command was typed, up to the next prompt."""
+        lines = plain_lines(PROMPT.split(self._text)[0])
+        # The terminal echoes what is typed, and the shell once more if it was not ready for it.
+        while self._line and lines and lines[0].endswith(self._line):
+            lines.pop(0)
+        return lines
+
+    @property
+    def output(self):
+        """The latest of them as one text."""
+        return '\n'.join(self.lines[-LATEST:])
+
+    def wait_for_prompt(self, timeout=TIMEOUT):
+        """Return the status of what was typed last."""
+        wait_until(lambda: self.status is not None, timeout, lambda: f'a prompt after\n{self.output}')
+        return self.status
+
+    def type(self, line):
+        """Type a line at the prompt."""
+        self._typed, self._line = len(self._bytes), line
+        os.write(self._screen, f'{line}\n'.encode())
+
+    def press_ctrl_c(self):
+        """Interrupt what runs."""
+        os.write(self._screen, CTRL_C)
+
+    def close(self):
+        """Close the window; what ran in it gets SIGHUP."""
+        if self._bash.poll() is None:
+            self._bash.send_signal(signal.SIGHUP)
+        self._bash.wait()
+        self._reader.join(1.0)
+        os.close(self._screen)
+
+    @property
+    def _text(self):
+        return self._bytes[self._typed:].decode(errors='replace')
+
+    def _read(self):
+        try:
+            while chunk := os.read(self._screen, 65536):
+                self._bytes += chunk
+        except OSError:
+            pass  # Linux's way to say that nobody is there any more

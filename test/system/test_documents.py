@@ -1,0 +1,197 @@
+"""Every command that the documents show, typed as it is shown; what they print is compared in form.
+
+A command that is added to a document is covered at once. If its reader has something running
+already, or it cannot be run here, the tables below are the place to say so.
+"""
+
+import os
+import re
+import shlex
+import shutil
+import socket
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack, nullcontext
+
+import pytest
+import rosbag
+import rospy
+from odometry_tests.documents import read_commands
+from odometry_tests.messages import odometry
+from odometry_tests.processes import hold_port
+from odometry_tests.reader import Reader
+from odometry_tests.screen import Screen
+from odometry_tests.scripts import ROOT
+from odometry_tests.waiting import TIMEOUT, wait_until
+
+DOCUMENTS = [path for path in sorted(ROOT.rglob('*.md')) if not re.search(r'/\.', str(
+    path.relative_to(ROOT.parent)))]
+ROBOT = ['roscore', 'rosrun sim_turtlebot sim_turtlebot_node.py']
+DETECTOR = 'rosrun odom_movement_detector odom_movement_detector.py'
+NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
+# What runs already when a reader comes to a heading, or to a single command.
+BEFORE = {
+    'Has the robot moved one metre?': ROBOT,
+    'Turn the robot to a heading': ROBOT,
+    'On a real TurtleBot 2': [*ROBOT, DETECTOR],
+    'Troubleshooting': ['roslaunch odometry_launch rotate.launch target:=180'],
+    'How to run': [*ROBOT, DETECTOR],
+    'In a catkin workspace of your own': NOETIC,
+    './ws demo --view': [],
+    './ws rostopic echo /moved_distance': ['./ws demo'],
+    'roslaunch odometry_launch move_two_meters.launch view:=true': [],
+    'rosrun sim_turtlebot view.py': ROBOT,
+    'ROS_NAMESPACE=robot_2 rosrun rotate_robot rotate.py': [
+        'roslaunch odometry_launch sim.launch robots:=3'],
+}
+OUTSIDE_THE_SHELL = ['In a catkin workspace of your own']
+# Words that a reader replaces by his own.
+PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
+                'NODE': 'rotate_robot', 'N': '10', '192.168.1.10': '127.0.0.1'}
+# What takes too long here, or would be in the way of others: what is typed in its place.
+IN_PLACE = [
+    (r'^roscore$', r'\g<0> -p "${ROS_MASTER_URI##*:}"', 'the usual port may be taken'),
+    (r'^git clone .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}', 'is set up already'),
+    (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
+    (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
+    (r'^(\./ws bench .*) latency (.*)$', r'\1 \2 --runs 1 --window 0.1', 'takes minutes'),
+    (r'^\./ws soak\b.*', r'\g<0> --hours 0.017', 'takes an hour'),
+    (r'^\./ws python3 test/tools/screenshots.py$', r'\g<0> --help', 'changes the pictures'),
+    (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
+    (r'^\./ws catkin_make -C \.ws$', r'\g<0> --help', 'builds what other tests run'),
+]
+NOT_HERE = {
+    r'^ssh\b': 'there is no other machine',
+    r'^rosnode kill$': 'names a command, not a node',
+    r'^rosrun teleop_twist_keyboard ': 'its package is not here',
+    r'^(sudo )?rosdep ': 'needs the network',
+    r'^pip install ': 'needs the network',
+}
+if not (ROOT / '.git').exists() or not shutil.which('git'):
+    NOT_HERE['git clone '] = 'this is no clone'
+NOT_PRINTED = re.compile('latency at ')  # is a part of the bench that is left out
+NEEDS_PAGE = re.compile(r'--view|view:=|view\.py')
+NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
+PAGE_PORT = 8080
+PAGE = threading.Lock()  # is held by whom the port is for
+READERS = 3
+
+
+def sessions():
+    """Return the commands that are typed one after the other, by heading or by command."""
+    found, seen = {}, set()
+    for path in DOCUMENTS:
+        name = str(path.relative_to(ROOT))
+        for command in read_commands(name, path.read_text()):
+            if command.text in seen and command.inline and not command.shown:
+                continue
+            seen.add(command.text)
+            key = command.text if command.text in BEFORE else f'{name}: {command.heading}'
+            found.setdefault(key, []).append(command)
+    return found
+
+
+SESSIONS = sessions()
+
+
+@pytest.fixture(scope='module')
+def readers(request, tmp_path_factory):
+    """Have several readers at work, side by side; return what has become of each session."""
+    keys = [item.callspec.params['key'] for item in request.session.items
+            if hasattr(item, 'callspec') and 'key' in item.callspec.params]
+    with ExitStack() as stack:
+        if shutil.which('Xvfb'):
+            stack.enter_context(Screen(800, 600))
+        pool = stack.enter_context(ThreadPoolExecutor(READERS))
+        yield {key: pool.submit(read, key, tmp_path_factory.mktemp('home')) for key in keys}
+
+
+def read(key, home):
+    """Follow the commands of a session; return why not, or None."""
+    commands = SESSIONS[key]
+    text = '\n'.join(command.text for command in commands)
+    if NEEDS_SCREEN.search(text) and 'DISPLAY' not in os.environ:
+        return 'Xvfb is not installed'
+    make_home(home)
+    in_shell = commands[0].heading not in OUTSIDE_THE_SHELL
+    with PAGE if NEEDS_PAGE.search(text) else nullcontext(), hold_port() as port, \
+            Reader(home, environment(port), in_shell) as reader:
+        if NEEDS_PAGE.search(text) and not page_is_free():
+            return f'port {PAGE_PORT} is taken'
+        for before in BEFORE.get(key, BEFORE.get(commands[0].heading, [])):
+            reader.follow(typed(before))
+        for command in commands:
+            try:
+                follow(reader, command)
+            except AssertionError as error:
+                raise AssertionError(f'{command}\n{error}') from None
+    return None
+
+
+def page_is_free():
+    """Return whether nobody has the port of the page, or lets go of it soon."""
+    try:
+        wait_until(can_listen, TIMEOUT, '')
+    except AssertionError:
+        return False
+    return True
+
+
+def can_listen():
+    """Return whether the page's port is free at this moment."""
+    try:
+        socket.create_server(('localhost', PAGE_PORT)).close()
+    except OSError:
+        return False
+    return True
+
+
+def follow(reader, command):
+    """Follow a command, unless it cannot be followed here."""
+    if any(re.search(pattern, command.text) for pattern in NOT_HERE):
+        return
+    text = typed(command.text)
+    shown = [line for line in command.shown if not NOT_PRINTED.match(line)]
+    reader.follow(text, [] if '--help' in text else shown)
+
+
+def typed(text):
+    """Return what is typed here for a command of a document."""
+    for pattern, replacement, _ in IN_PLACE:
+        text = re.sub(pattern, replacement, text)
+    for word, value in PLACEHOLDERS.items():
+        text = re.sub(rf'(?<!\w){word}(?!\w)', lambda _, value=value: value, text)
+    return text
+
+
+def make_home(home):
+    """Make what a reader has: a catkin workspace, and a bag of a robot's."""
+    (home / 'catkin_ws' / 'src').mkdir(parents=True)
+    with rosbag.Bag(str(home / 'run.bag'), 'w') as bag:
+        for step in range(50):
+            bag.write('/odom', odometry(x=0.01 * step, stamp=100 + 0.1 * step),
+                      rospy.Time.from_sec(100 + 0.1 * step))
+
+
+def environment(port):
+    """Return a login's environment, with the port for a ROS master of its own."""
+    return {'PATH': '/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin',
+            'TERM': 'xterm', 'LANG': 'C.UTF-8', 'DISPLAY': os.environ.get('DISPLAY', ''),
+            'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}'}
+
+
+@pytest.mark.parametrize('key', SESSIONS)
+def test_what_is_typed_does_what_is_shown(key, readers):
+    """Each command ends well or is at work, and prints what the document shows."""
+    if error := readers[key].exception():
+        pytest.fail(f'{error}', pytrace=False)
+    if reason := readers[key].result():
+        pytest.skip(reason)
+
+
+def test_pip_installs_what_is_tested():
+    """The versions are those that ./ws installs."""
+    commands = [command for session in SESSIONS.values() for command in session]
+    wanted = {word for c in commands for word in c.text.split() if '==' in word}
+    pinned = {line.split()[0] for line in (ROOT / 'requirements.txt').read_text().splitlines()}
+    assert wanted and wanted <= pinned
