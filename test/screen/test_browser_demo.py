@@ -11,7 +11,7 @@ import urllib.request
 import pytest
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 PORT = 8080
 PAGE = f'http://localhost:{PORT}'
@@ -31,7 +31,7 @@ def port():
 
 def assert_the_page_is_served():
     """Fetch it, as a browser does."""
-    with urllib.request.urlopen(PAGE, timeout=10.0) as answer:
+    with urllib.request.urlopen(PAGE, timeout=TIMEOUT * PATIENCE) as answer:
         assert b'viser' in answer.read().lower()
 
 
@@ -74,7 +74,7 @@ class Terminal:
     def interrupt(self):
         """Press Ctrl-C and return the exit status."""
         self._process.send_signal(signal.SIGINT)
-        return self._process.wait(30.0)
+        return self._process.wait(TIMEOUT * PATIENCE)
 
 
 def test_on_a_terminal_the_page_stays_after_the_run():

@@ -31,8 +31,8 @@ def assert_refused(viewer, *words):
 def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
     """One line on stdout, nothing else, exit status 0."""
     with hold_port() as port, view(f'_port:={port}') as viewer:
-        viewer.wait_for_output('view: ', timeout=20.0)
-        assert viewer.end(signum, timeout=3.0) == 0, viewer.output
+        viewer.wait_for_output('view: ')
+        assert viewer.end(signum) == 0, viewer.output
     assert viewer.output.split('\n') == [f'view: http://localhost:{port}', '']
 
 
@@ -40,7 +40,7 @@ def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
 def test_it_listens_on_loopback_only(master):
     """The network would get a robot to drive."""
     with hold_port() as port, view(f'_port:={port}') as viewer:
-        viewer.wait_for_output('view: ', timeout=20.0)
+        viewer.wait_for_output('view: ')
         with socket.create_connection(('127.0.0.1', port)):
             pass
         with socket.socket() as elsewhere:
