@@ -4,7 +4,7 @@ import rospy
 from std_srvs.srv import Empty
 
 from odometry_tests.tutorial import REST_SPEED, speed
-from odometry_tests.waiting import TIMEOUT, wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 TURNS = 200  # of the simulator's loop; were it not paused, it would simulate between them
 WATCHED = 2.0  # s of the robot's time
@@ -55,5 +55,5 @@ def moves_on(truth, action):
 
 def _service(name, namespace, **options):
     full_name = f'{namespace}sim_turtlebot/{name}'
-    rospy.wait_for_service(full_name, TIMEOUT)
+    rospy.wait_for_service(full_name, TIMEOUT * PATIENCE)
     return rospy.ServiceProxy(full_name, Empty, **options)

@@ -6,11 +6,11 @@ import rospy
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
-from std_msgs.msg import Empty as EmptyMessage
-from std_srvs.srv import Empty
+from std_msgs.msg import Empty
 
+from odometry_tests.pausing import call, pause
 from odometry_tests.tutorial import Truth, heading, speed
-from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers
+from odometry_tests.waiting import Recorder, wait_for_subscribers
 
 
 class Robot:
@@ -24,7 +24,7 @@ class Robot:
         self.joints = Recorder(f'{self._namespace}joint_states', JointState)
         self._velocity = self._publisher('cmd_vel', Twist)
         self._base_velocity = self._publisher('mobile_base/commands/velocity', Twist)
-        self._reset_odometry = self._publisher('mobile_base/commands/reset_odometry', EmptyMessage)
+        self._reset_odometry = self._publisher('mobile_base/commands/reset_odometry', Empty)
 
     def _publisher(self, topic, kind):
         return rospy.Publisher(self._namespace + topic, kind, queue_size=10)
@@ -46,7 +46,7 @@ class Robot:
 
     def reset_odometry(self):
         """Have the odometry start from zero."""
-        self._reset_odometry.publish(EmptyMessage())
+        self._reset_odometry.publish(Empty())
 
     def stop(self):
         """Return once it stands quite still."""
@@ -63,29 +63,26 @@ class Robot:
         self.truth.clear()
         self.truth.wait_for(accepts, what=f'{forwards} m/s ahead, {left} rad/s to the left')
 
+    def pause(self):
+        """Let its time stand still; return once that is so."""
+        pause(self.odometry, self.truth, namespace=self._namespace)
+
     def restart(self):
-        """Reset robot and time; return the first odometry and the first truth of the new run."""
+        """Reset robot and time; return the first odometry and the first truth of the new run.
+
+        Paused, so that no later message pushes them out of a queue before they are read.
+        """
+        self.pause()
         for recorder in self.odometry, self.truth:
             recorder.clear()
         self.call('reset_simulation')
-        return [_first(self.odometry), _first(self.truth)]
+        first = [recorder.wait_for() for recorder in (self.odometry, self.truth)]
+        self.call('unpause_physics')
+        return first
 
     def call(self, service):
         """Call a service of its simulator."""
-        call(f'{self._namespace}sim_turtlebot/{service}')
-
-
-def call(service):
-    """Call a service without arguments."""
-    rospy.wait_for_service(service, TIMEOUT * PATIENCE)
-    rospy.ServiceProxy(service, Empty)()
-
-
-def _first(recorder):
-    """Wait for the message at time zero, forget it and all before it, and return it."""
-    message = recorder.wait_for(lambda m: m.header.seq == 0)
-    recorder.clear()
-    return message
+        call(service, self._namespace)
 
 
 def twist(forwards, left=0.0, sideways=0.0, up=0.0, roll=0.0, pitch=0.0):

@@ -7,8 +7,8 @@ import numpy
 import pytest
 from geometry_msgs.msg import Twist
 
+from odometry_tests.pausing import call
 from odometry_tests.processes import Process, hold_port, rosrun
-from odometry_tests.robots import call
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
@@ -88,9 +88,9 @@ class Motion(Truth):
     @contextlib.contextmanager
     def paused(self):
         """Use it as a context in which its time stands still."""
-        call(f'{self._namespace}sim_turtlebot/pause_physics')
+        call('pause_physics', self._namespace)
         yield
-        call(f'{self._namespace}sim_turtlebot/unpause_physics')
+        call('unpause_physics', self._namespace)
 
 
 def dark_pixels(picture):
