@@ -5,6 +5,7 @@ absolute values belong to the machine. The exit status is 1 if a target was miss
 """
 
 import argparse
+import math
 import sys
 import time
 from pathlib import Path
@@ -31,7 +32,7 @@ MEASUREMENTS = {
 
 def main():
     """Measure, report, and exit 0 if all targets are met."""
-    options = _parse()
+    options = parse(sys.argv[1:])
     folder = RUNS / time.strftime('bench-%Y-%m-%d-%H%M%S')
     print(f'on {machine()}; medians of {options.runs} runs')
     with Master(use_sim_time=True):
@@ -58,19 +59,39 @@ def _measure(options):
             yield figure
 
 
-def _parse():
+def parse(arguments):
+    """Return the options; without the name of a part all parts are measured."""
     parser = argparse.ArgumentParser(prog='./ws bench', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('only', nargs='*', metavar='PART', default=list(MEASUREMENTS),
-                        choices=list(MEASUREMENTS),
+                        type=_part,
                         help=f'measure only these: {", ".join(MEASUREMENTS)}')
-    parser.add_argument('--runs', type=int, default=5, metavar='N',
+    parser.add_argument('--runs', type=_positive(int), default=5, metavar='N',
                         help='of which the median is shown (default: %(default)s)')
-    parser.add_argument('--window', type=float, default=2.0, metavar='S',
+    parser.add_argument('--window', type=_positive(float), default=2.0, metavar='S',
                         help='wall time of one look at a speed (default: %(default)s)')
     parser.add_argument('--csv', type=Path, metavar='FILE',
                         help='write the figures there instead of into the folder runs')
-    return parser.parse_args()
+    return parser.parse_args(arguments)
+
+
+def _part(name):
+    if name not in MEASUREMENTS:
+        raise argparse.ArgumentTypeError(
+            f'{name!r} is not one of {", ".join(MEASUREMENTS)}')
+    return name
+
+
+def _positive(kind):
+    def parse_number(text):
+        try:
+            value = kind(text)
+        except ValueError:
+            value = 0
+        if not 0 < value < math.inf:
+            raise argparse.ArgumentTypeError(f'{text!r} is not a positive number')
+        return value
+    return parse_number
 
 
 if __name__ == '__main__':

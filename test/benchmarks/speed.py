@@ -7,6 +7,7 @@ from worlds import BareWorld, RobotWorld
 SPEED_UNIT = 'simulated s/s'
 CPU_UNIT = 'ms/simulated s'
 UNPACED = ['_real_time_factor:=0']
+UNDER_WAY = 1.0  # s of simulated time; lockstep begins with a pause of wall time
 LOCKSTEP = ['_real_time_factor:=0', '_lockstep_rate:=20']
 
 
@@ -37,6 +38,7 @@ def _graph(options, name, arguments, target):
     """Return speed and CPU time, each against bare stepping."""
     bare = BareWorld()
     with Graph(*arguments) as graph:
+        graph.run_until(UNDER_WAY, 0.01)
         pairs = in_turns(options.runs, lambda: graph.watch(options.window),
                          lambda: bare.speed(options.window))
     speeds = [(sample.simulated / sample.wall, limit) for sample, limit in pairs]

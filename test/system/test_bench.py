@@ -1,0 +1,63 @@
+"""The commands of ./ws bench that the documents show, but for the time that they take."""
+
+import csv
+import re
+
+import pytest
+from odometry_tests.processes import Process
+from odometry_tests.scripts import ROOT, load_script
+
+
+def bench(*arguments):
+    """Run ./ws bench to its end."""
+    run = Process(ROOT / 'ws', 'bench', *arguments)
+    run.wait(180.0)
+    return run
+
+
+@pytest.fixture
+def run_bench(monkeypatch):
+    """Return the module that ./ws bench runs."""
+    monkeypatch.syspath_prepend(str(ROOT / 'test' / 'benchmarks'))
+    return load_script('test/benchmarks/run_bench.py')
+
+
+def test_without_a_part_everything_is_measured(run_bench):
+    """As ./ws bench is typed first; and with parts nothing but these."""
+    assert run_bench.parse([]).only == list(run_bench.MEASUREMENTS)
+    assert run_bench.parse(['--window', '1']).only == list(run_bench.MEASUREMENTS)
+    assert run_bench.parse(['unpaced', 'robot']).only == ['unpaced', 'robot']
+
+
+@pytest.mark.parametrize('part, names', [
+    ('robot', ['bare PyBullet stepping', 'robot without ROS']),
+    ('lockstep', ['graph in lockstep', 'graph in lockstep, times real time',
+                  'graph in lockstep, CPU time'])])
+def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
+    """Name, value, limit and ratio in the table and in a file; what is missed decides the status."""
+    file = tmp_path / 'figures.csv'
+    run = bench(part, '--runs', '1', '--window', '0.2', '--csv', file)
+    _, heading, *rows = run.stdout.splitlines()
+    assert heading.split() == ['name', 'value', 'unit', 'limit', 'ratio', 'target'], run.output
+    assert [re.split(' {2,}', row)[0] for row in rows[:len(names)]] == names, run.output
+    with open(file, newline='') as lines:
+        assert [row['name'] for row in csv.DictReader(lines) if float(row['value']) > 0] == names
+    missed = re.search('^targets missed: (.*)', run.stdout, re.MULTILINE).group(1)
+    assert run.wait() == (0 if missed == 'none' else 1), run.output
+    assert 'Traceback' not in run.stderr
+
+
+def test_help_names_every_part(run_bench):
+    """So that nobody has to guess."""
+    run = bench('--help')
+    assert run.wait() == 0, run.output
+    assert ','.join(run_bench.MEASUREMENTS) in re.sub(r'\s', '', run.stdout)
+
+
+@pytest.mark.parametrize('arguments', [['--view'], ['dance'], ['--runs', '0'], ['--runs', '1.5'],
+                                       ['--window', '-1'], ['--window', 'nan']])
+def test_bad_options_get_one_clear_line(arguments):
+    """And exit status 2, before anything is started."""
+    run = bench(*arguments)
+    assert run.wait() == 2, run.output
+    assert run.stderr.splitlines()[-1].startswith('./ws bench: error: ')
