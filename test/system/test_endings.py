@@ -89,6 +89,11 @@ def call(service):
     rospy.ServiceProxy(f'{ROBOT}/{service}', Empty)()
 
 
+def controllers():
+    """Return the links over which the robot hears commands."""
+    return {link for link in links(ROBOT, HEARS) if link.topic == '/cmd_vel'}
+
+
 def ctrl_c(node):
     """Press Ctrl-C in its terminal."""
     node.send(signal.SIGINT)
@@ -119,11 +124,11 @@ def test_the_robot_is_at_rest_at_once(driver, truth, ending):
     Its time stands still meanwhile: how long a busy machine takes to end a process is no matter.
     """
     call('pause_physics')
+    before = controllers()
     ending(driver)
     assert driver.wait() == 0, driver.output
     # The link is closed after the last command on it has been taken.
-    wait_until(lambda: not any(link.topic == '/cmd_vel' for link in links(ROBOT, HEARS)), 10.0,
-               'a robot that has heard the last command')
+    wait_until(lambda: controllers() < before, 10.0, 'a robot that has heard the last command')
     ended = truth.last.header.stamp
     call('unpause_physics')
     at_rest = truth.wait_for(lambda m: m.header.stamp > ended and speed(m) < REST_SPEED,
