@@ -78,7 +78,8 @@ def robot_paused_on_its_way():
 def test_a_listener_stopped_for_a_minute_stops_nobody_else(minute):
     """The simulator goes on, and holds no more messages for one that sleeps than its queue."""
     numbers = minute.deaf.heard
-    held = next(count for count in range(1, len(numbers)) if numbers[-count] > numbers[-count - 1] + 1)
+    held = next((count for count in range(1, len(numbers))
+                 if numbers[-count] > numbers[-count - 1] + 1), len(numbers))
     assert held <= QUEUE_SIZE
 
 
