@@ -1,5 +1,6 @@
 """A bag and a picture of the run."""
 
+import itertools
 import threading
 import time
 from pathlib import Path
@@ -19,8 +20,7 @@ class Recording:
 
     def __init__(self, runs):
         """Make a new folder for this moment in the folder `runs`; raise OSError if it cannot."""
-        self.folder = Path(runs) / time.strftime('%Y-%m-%d_%H-%M-%S')
-        self.folder.mkdir(parents=True, exist_ok=True)
+        self.folder = new_folder(runs)
         self._bag = rosbag.Bag(str(self.folder / 'run.bag'), 'w')
         self._lock = threading.Lock()
         self._subscribers = [rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
@@ -44,3 +44,15 @@ class Recording:
         with self._lock:
             if self._bag:
                 self._bag.write(f'/{topic}', message, now)
+
+
+def new_folder(runs):
+    """Make a folder for this moment; another demo may have begun in the same second."""
+    moment = time.strftime('%Y-%m-%d_%H-%M-%S')
+    for suffix in itertools.chain([''], map('_{}'.format, itertools.count(2))):
+        folder = Path(runs) / f'{moment}{suffix}'
+        try:
+            folder.mkdir(parents=True)
+        except FileExistsError:
+            continue
+        return folder
