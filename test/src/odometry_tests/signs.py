@@ -102,10 +102,11 @@ def _lacks_partner(nodes, graph):
 
 def _ignores_remapping(words, node, graph):
     topics = graph.publications(node) | graph.subscriptions(node)
+    topics &= graph.publications() & graph.subscriptions()
     for word in words:
         _, separator, target = word.partition(':=')
         if separator and not word.startswith('_') and f'/{target}' not in topics:
-            return f'a topic {target} of {node}, which has {sorted(topics)}'
+            return f'{target} among what {node} shares with others: {sorted(topics)}'
     return None
 
 
