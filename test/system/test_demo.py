@@ -10,10 +10,18 @@ from pathlib import Path
 
 import pytest
 import rosbag
-from odometry_tests.processes import Process
+from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 
 PNG = b'\x89PNG'
+
+
+@pytest.fixture(autouse=True)
+def port(monkeypatch):
+    """Have the demo's ROS master on a port that no other test's demo can take."""
+    with hold_port() as number:
+        monkeypatch.setenv('ROS_MASTER_URI', f'http://localhost:{number}')
+        yield
 
 
 def demo(*arguments):

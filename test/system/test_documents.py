@@ -57,6 +57,7 @@ IN_PLACE = [
     (r'^(\./ws bench .*) latency (.*)$', r'\1 \2 --runs 1 --window 0.1', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.017', 'takes an hour'),
     (r'^\./ws python3 test/tools/screenshots.py$', r'\g<0> --help', 'changes the pictures'),
+    (r'^sudo apt install', 'apt-get --simulate install', 'is installed already'),
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
     (r'^\./ws catkin_make -C \.ws$', r'\g<0> --help', 'builds what other tests run'),
 ]

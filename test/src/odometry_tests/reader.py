@@ -11,6 +11,7 @@ from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
 
 TIMEOUT = 45.0  # s; a demo takes 26
+LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found']
@@ -53,7 +54,7 @@ class Reader:
         wait_until(lambda: terminal.status is not None
                    or not self._missing(words, shown, terminal, nodes), TIMEOUT,
                    lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, nodes)}; '
-                           f'it printed:\n{terminal.output}')
+                           f'it printed:\n{terminal.output}', LOOKING_PERIOD)
         if terminal.status is not None:
             self._check_end(text, shown, terminal)
             self._running.remove((words, terminal))
@@ -65,7 +66,7 @@ class Reader:
 
     def _wait_for_sense(self, words):
         wait_until(lambda: not objection(words, self._graph), TIMEOUT,
-                   lambda: f'{" ".join(words)}: {objection(words, self._graph)}')
+                   lambda: f'{" ".join(words)}: {objection(words, self._graph)}', LOOKING_PERIOD)
 
     def _check_end(self, text, shown, terminal):
         accepted = {0, 1} if text.startswith('./ws bench') else {0}  # 1: a target is missed

@@ -20,6 +20,7 @@ PROMPT = re.compile(f'{MARK}(\\d+){MARK}')
 SIZE = struct.pack('HHHH', 50, 1000, 0, 0)  # rows and columns: no line is wrapped
 CTRL_C = b'\x03'
 LATEST = 40  # lines
+LOOKING_PERIOD = 0.05  # s
 
 
 class Terminal:
@@ -63,7 +64,8 @@ class Terminal:
 
     def wait_for_prompt(self, timeout=TIMEOUT):
         """Return the status of what was typed last."""
-        wait_until(lambda: self.status is not None, timeout, lambda: f'a prompt after\n{self.output}')
+        wait_until(lambda: self.status is not None, timeout,
+                   lambda: f'a prompt after\n{self.output}', LOOKING_PERIOD)
         return self.status
 
     def type(self, line):

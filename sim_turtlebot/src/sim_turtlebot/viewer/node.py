@@ -31,7 +31,8 @@ class Viewer:
 
     def run(self):
         """View until shutdown."""
-        while not self._stopping:
+        # A shutdown that began before there was a hook for it has called none.
+        while not (self._stopping or rospy.is_shutdown()):
             if self._page.is_open:
                 self._view()
                 time.sleep(FRAME_PERIOD)
