@@ -62,12 +62,16 @@ need_for_view() {
 find_root() {
     ROOT=$CHECKOUT
     has_odd_characters "$CHECKOUT" || return 0
-    local folder
+    # Whoever comes later, with another home, has to find the same name, or all would be built anew.
+    local chosen=$CHECKOUT/.ws/root folder
+    ROOT=$(cat "$chosen" 2>/dev/null) && [ "$(readlink "$ROOT")" = "$CHECKOUT" ] && return
     for folder in "${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}" /var/tmp; do
         [[ $folder == /* ]] || continue
         folder=$folder/turtlebot2-odometry-$(id -u)
         ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
         if ! has_odd_characters "$ROOT" && link_root "$folder"; then
+            mkdir -p "$CHECKOUT/.ws"
+            echo "$ROOT" >"$chosen"
             return
         fi
     done

@@ -26,9 +26,10 @@ class Running:
         self._start = time.monotonic()
         job.results.mkdir(parents=True)
         with open(log, 'wb') as file:
-            # In a session of its own: Ctrl-C is passed on by end(), and then once.
+            # In a session of its own: Ctrl-C is passed on by end(), and then once. A command that is
+            # not there ends env with a line and status 127.
             self._popen = subprocess.Popen(
-                [str(part) for part in job.command], cwd=job.results, stdin=subprocess.DEVNULL,
+                ['env', *map(str, job.command)], cwd=job.results, stdin=subprocess.DEVNULL,
                 stdout=file, stderr=subprocess.STDOUT, start_new_session=True)
 
     @property

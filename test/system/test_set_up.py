@@ -94,6 +94,17 @@ def test_a_failed_step_shows_its_reason(checkout):
     assert len(shown) < 20
 
 
+def test_another_home_finds_the_same_workspace(checkout, tmp_path):
+    """It would be built anew in the middle of what runs in it; after a move it has to be."""
+    show = 'find_root; echo "$ROOT"'
+    root = in_checkout(checkout, show).stdout
+    assert root.startswith(str(tmp_path))
+    assert in_checkout(checkout, show, XDG_CACHE_HOME=str(tmp_path / 'other')).stdout == root
+    moved = checkout.rename(checkout.with_name("moved 'again'"))
+    again = in_checkout(moved, show)
+    assert again.stdout != root and again.returncode == 0, again.stderr
+
+
 @pytest.mark.parametrize('folder', ['relative', '/with a space', '/proc'])
 def test_a_path_of_odd_characters_needs_no_cache(checkout, folder):
     """A home may have a space too, or belong to somebody else."""

@@ -90,6 +90,14 @@ def test_jobs_run_side_by_side_but_for_those_that_run_alone(suite, running, tmp_
     assert all(names == {'alone'} for names in seen if 'alone' in names)
 
 
+def test_a_command_that_is_not_there_has_failed(suite, results, running, tmp_path):
+    """Whatever the reason, the others go on."""
+    job = suite.Job('lint', ['no_such_linter'], is_linter=True)
+    ended, = running.run([job], 1, tmp_path, lambda _: None)
+    case, = results.read_cases(job, ended.status, ended.output, ended.seconds)
+    assert case.counts == (0, 1, 0) and 'no_such_linter' in case.failure
+
+
 def test_an_interrupted_run_leaves_no_process(suite, running, tmp_path):
     """Ctrl-C while a job runs: it is interrupted, and has ended when the run has."""
     job = python(suite, 'long', 'import time\nprint("up", flush=True)\ntime.sleep(600)')
