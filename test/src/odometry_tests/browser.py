@@ -6,6 +6,7 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 from odometry_tests.page import Page
+from odometry_tests.waiting import PATIENCE
 
 CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 # Without a graphics card Chromium draws with the processor, if it is told that it may.
@@ -13,6 +14,8 @@ SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-
             '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
             # A window that no other one covers is still hidden to Chromium.
             '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
+
+ANSWER_TIMEOUT = 120.0 * PATIENCE  # s
 
 
 class Browser:
@@ -65,5 +68,10 @@ class Browser:
         options.binary_location = CHROMIUM
         for switch in self._switches:
             options.add_argument(switch)
-        self._drivers.append(webdriver.Chrome(options=options, service=Service(DRIVER)))
-        return self._drivers[-1]
+        driver = webdriver.Chrome(options=options, service=Service(DRIVER))
+        self._drivers.append(driver)
+        # A browser that draws on a busy processor answers late, to whatever it is asked.
+        driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
+        driver.set_page_load_timeout(ANSWER_TIMEOUT)
+        driver.set_script_timeout(ANSWER_TIMEOUT)
+        return driver
