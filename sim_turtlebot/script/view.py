@@ -18,6 +18,10 @@ Parameters:
     ~port (int, 8080): where the page is
     ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the network in, and
         whoever sees the page can drive the robot
+    ~allowed_hosts (str, none): further names of the page, where a proxy or a forwarded port gives
+        it others: with or without a port, separated by commas or spaces. It is always reached as
+        localhost, as ~host and by the address of this machine; who comes by another name, or from
+        another page, is refused
 """
 
 from odometry_common.node import run_node

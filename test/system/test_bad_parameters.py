@@ -82,6 +82,8 @@ TABLE = [
     Parameter(SIMULATOR, 'lockstep_patience', [*NOT_NUMBERS, '-1', '0']),
     Parameter(VIEWER, 'port', [*NOT_NUMBERS, '0', '70000', '80.5']),
     Parameter(VIEWER, 'host', [*NOT_TEXTS, 'no such host', '192.0.2.1']),
+    Parameter(VIEWER, 'allowed_hosts', [*NOT_TEXTS, '*', 'http://lab', 'lab/page', 'lab:0', 'lab:70000',
+                                        'lab:', 'me@lab', '"::1"', 'lab, -x', 'good bad!']),
 ]
 
 

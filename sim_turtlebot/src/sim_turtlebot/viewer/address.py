@@ -6,15 +6,18 @@ from typing import NamedTuple
 
 from odometry_common.parameters import ParameterError, get_number, get_text
 
+from sim_turtlebot.viewer.hosts import OwnHosts, parse_hosts
+
 ADDRESSES = 'a name or an address of this machine'
 
 
 class Address(NamedTuple):
-    """A place to listen on."""
+    """A place to listen on, and the names under which it is reached."""
 
     host: str  # as it was given
     ip: str
     port: int
+    own_hosts: OwnHosts
 
 
 def read_address():
@@ -22,7 +25,16 @@ def read_address():
     port = int(get_number('~port', 8080, lambda v: v == int(v) and 1 <= v <= 65535,
                           'a whole number from 1 to 65535'))
     host = get_text('~host', 'localhost')
-    return Address(host, _find_ip(host, port), port)
+    return Address(host, _find_ip(host, port), port, OwnHosts(host, _read_allowed_hosts()))
+
+
+def _read_allowed_hosts():
+    text = get_text('~allowed_hosts', '')
+    try:
+        return parse_hosts(text)
+    except ValueError:
+        raise ParameterError('~allowed_hosts', text, 'host names or addresses, each with or without '
+                             'a port, separated by commas or spaces') from None
 
 
 def _find_ip(host, port):

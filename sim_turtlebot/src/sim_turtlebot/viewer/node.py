@@ -81,7 +81,7 @@ class Viewer:
 
 def view(address):
     """Serve the page at an Address until shutdown."""
-    page = Page(address.ip, address.port, load_links(_urdf()))
+    page = Page(address, load_links(_urdf()))
     print(f'view: http://{address.host}:{address.port}')
     Viewer(page).run()
 

@@ -8,6 +8,8 @@ import rich
 import viser
 from odometry_common.parameters import ParameterError
 
+from sim_turtlebot.viewer.guard import guarded
+from sim_turtlebot.viewer.messages import checked
 from sim_turtlebot.viewer.pad import Pad, add_pad
 from sim_turtlebot.viewer.panel import Readings, Simulation
 from sim_turtlebot.viewer.plots import Plots
@@ -27,10 +29,10 @@ FAR = 3.0  # m
 class Page:
     """What every browser shows; all pages show the same."""
 
-    def __init__(self, address, port, links):
+    def __init__(self, address, links):
         """Serve the page until the process ends.
 
-        :param address, port: free ones, to listen on
+        :param address: an Address that is free
         :param links: of the robot, from model.load_links()
         """
         self._links = links
@@ -39,12 +41,17 @@ class Page:
         self._changed = threading.Event()
         # viser prints with rich that it begins and ends, verbose or not.
         rich.get_console().quiet = True
-        self._server = viser.ViserServer(address, port, label='TurtleBot 2', verbose=False)
+        self._inputs = {}
+        with guarded(address.own_hosts, lambda data: checked(data, self._inputs)):
+            self._server = viser.ViserServer(address.ip, address.port, label='TurtleBot 2',
+                                             verbose=False)
         # With it viser would wait for busy browsers to say goodbye, for seconds.
         atexit.unregister(self._server.stop)
-        if self._server.get_port() != port:
-            raise ParameterError('~port', port, 'a port that nobody listens on')
+        if self._server.get_port() != address.port:
+            raise ParameterError('~port', address.port, 'a port that nobody listens on')
         self._build()
+        # viser has no public name for it.
+        self._inputs = self._server.gui._gui_input_handle_from_uuid
         self._server.on_client_connect(lambda _: self._changed.set())
         self._server.on_client_disconnect(self._on_disconnect)
 
@@ -105,6 +112,7 @@ class Page:
         if namespaces:
             self.pad.choose(self.chosen)
         else:
+            self.pad.choose(None)
             self._readings.show({})
 
     def move(self, sights):

@@ -1,0 +1,90 @@
+"""A client of the page's websocket that says whatever a test has it say, as no browser would."""
+
+import contextlib
+import socket
+import threading
+
+import msgspec
+import viser
+import zstandard
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+from odometry_tests.waiting import TIMEOUT, wait_until
+
+HEADER = 16  # bytes before the compressed part of a message; its length is in the second eight
+CAMERA = {'wxyz': [1.0, 0.0, 0.0, 0.0], 'position': [0.0, 0.0, 1.0], 'fov': 1.0, 'near': 0.1,
+          'far': 100.0, 'image_height': 480, 'image_width': 640, 'look_at': [0.0, 0.0, 0.0],
+          'up_direction': [0.0, 0.0, 1.0]}
+
+
+class RawPage:
+    """A websocket to the page, in viser's wire format."""
+
+    def __init__(self, port, host=None, origin=None):
+        """Connect.
+
+        :param host: what the Host header says, with its port; None: what it has to say
+        :param origin: what the Origin header says; None: there is none
+        :raises websockets.exceptions.InvalidStatus: if the answer is no
+        """
+        self._inputs = {}  # properties by label
+        self._websocket = connect(
+            f'ws://{host or f"localhost:{port}"}', origin=origin, compression=None, max_size=None,
+            sock=socket.create_connection(('localhost', port)),
+            subprotocols=[f'viser-v{viser.__version__}'])
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def __enter__(self):
+        """Use it as a context, at whose end it is closed."""
+        return self
+
+    def __exit__(self, *_):
+        """Close it."""
+        self._websocket.close()
+
+    def show(self):
+        """Say where the camera is, as a browser does first: from then on it is a page."""
+        self.send(type='ViewerCameraMessage', **CAMERA)
+
+    def hold(self, label, frequency=10.0):
+        """Say that a button is held."""
+        self.send(type='GuiButtonHoldMessage', uuid=self.find(label), frequency=frequency)
+
+    def set(self, label, value, name='value'):
+        """Give an input another value, which is a click for a button, or another property."""
+        self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={name: value})
+
+    def send(self, **message):
+        """Send a message."""
+        self.send_raw(msgspec.msgpack.encode(message))
+
+    def send_raw(self, data):
+        """Send bytes or, as text, a string."""
+        self._websocket.send(data)
+
+    def find(self, label):
+        """Return the id of an input once the page shows it."""
+        wait_until(lambda: self._inputs.get(label, {}).get('visible'), TIMEOUT,
+                   lambda: f'{label!r} in the page, which has {self._inputs}')
+        return self._inputs[label]['uuid']
+
+    def _read(self):
+        with contextlib.suppress(ConnectionClosed):
+            for data in self._websocket:
+                for message in _decode(data)['messages']:
+                    self._note(message)
+
+    def _note(self, message):
+        if 'label' in message.get('props', {}):
+            self._inputs[message['props']['label']] = {**message['props'], 'uuid': message['uuid']}
+        elif message['type'] == 'GuiUpdateMessage':
+            for properties in self._inputs.values():
+                if properties['uuid'] == message['uuid']:
+                    properties.update(message['updates'])
+
+
+def _decode(data):
+    length = int.from_bytes(data[8:HEADER], 'little')
+    packed = zstandard.ZstdDecompressor().decompress(data[HEADER:HEADER + length])
+    return msgspec.msgpack.decode(packed)
