@@ -25,6 +25,8 @@ def view(master, request):
     """Start a viewer, with such options as a test gives."""
     with View(**getattr(request, 'param', {})) as running:
         yield running
+        said = running.process.output
+        assert 'ignored' not in said, f'something that an honest page says is not taken:\n{said}'
 
 
 @pytest.fixture(scope='module')

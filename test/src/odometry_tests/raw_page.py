@@ -5,14 +5,19 @@ import socket
 import threading
 
 import msgspec
+import rospy
 import viser
 import zstandard
+from nav_msgs.msg import Odometry
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
+from odometry_tests.messages import odometry
+from odometry_tests.viewing import View
 from odometry_tests.waiting import TIMEOUT, wait_until
 
 HEADER = 16  # bytes before the compressed part of a message; its length is in the second eight
+ROBOTS = 'robot_1', 'robot_2'
 CAMERA = {'wxyz': [1.0, 0.0, 0.0, 0.0], 'position': [0.0, 0.0, 1.0], 'fov': 1.0, 'near': 0.1,
           'far': 100.0, 'image_height': 480, 'image_width': 640, 'look_at': [0.0, 0.0, 0.0],
           'up_direction': [0.0, 0.0, 1.0]}
@@ -88,3 +93,36 @@ def _decode(data):
     length = int.from_bytes(data[8:HEADER], 'little')
     packed = zstandard.ZstdDecompressor().decompress(data[HEADER:HEADER + length])
     return msgspec.msgpack.decode(packed)
+
+
+def port(view):
+    """Return where the page is."""
+    return int(view.url.rpartition(':')[2])
+
+
+@contextlib.contextmanager
+def honest_page(view):
+    """Open a page that shows both robots."""
+    with RawPage(port(view), origin=view.url) as page:
+        page.show()
+        page.find('robot')
+        yield page
+
+
+@contextlib.contextmanager
+def published(namespace):
+    """Publish an odometry for each of two robots; yield the publishers."""
+    publishers = [rospy.Publisher(f'{namespace}/{robot}/odom', Odometry, queue_size=1, latch=True)
+                  for robot in ROBOTS]
+    for publisher in publishers:
+        publisher.publish(odometry(x=0.0, stamp=5.0))
+    yield publishers
+    for publisher in publishers:
+        publisher.unregister()
+
+
+@contextlib.contextmanager
+def view_of_two(namespace, *arguments):
+    """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
+    with published(namespace), View(f'__ns:={namespace}', *arguments) as view, honest_page(view):
+        yield view
