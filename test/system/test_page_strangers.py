@@ -83,6 +83,19 @@ def test_a_page_of_somebody_else_may_not_frame_it(view):
     assert answer.headers['Content-Security-Policy'] == "frame-ancestors 'self'"
 
 
+@pytest.mark.parametrize('noise', [b'', b'\x16\x03\x01\x02\x00\x01', b'GET / HTTP/1.1\r\n\r\n',
+                                   b'GET / HTTP/1.1\r\nHost: \x1b[2J\r\n\r\n', b'x' * 100000])
+def test_noise_at_the_port_is_no_error(view, noise):
+    """Nothing but warnings in the log, and the page is there for the next one."""
+    with socket.create_connection(('localhost', raw_page.port(view))) as stranger, \
+            contextlib.suppress(ConnectionError):
+        stranger.sendall(noise)
+        stranger.shutdown(socket.SHUT_WR)
+        stranger.recv(4096)
+    assert fetch(view, f'localhost:{raw_page.port(view)}')[0] == 200
+    assert not [line for line in view.process.stderr.splitlines() if '[WARN]' not in line]
+
+
 def test_the_log_has_one_line_for_many_strangers(master):
     """It names the first, in printable characters; no page is needed for it."""
     origin = b'http://evil.example\xff ' + b'x' * 5000

@@ -1,0 +1,23 @@
+"""The guard stands at the server that viser makes, or there is no page."""
+
+import pytest
+
+pytest.importorskip('viser', reason='viser is not installed')
+
+from odometry_common.parameters import ParameterError
+from sim_turtlebot.viewer.guard import guarded
+from websockets.asyncio import server
+
+
+def test_a_server_that_is_made_in_another_way_is_refused():
+    """Another version of viser would let everybody in."""
+    with pytest.raises(ParameterError, match='version of viser'), guarded(None, None):
+        pass
+
+
+def test_servers_of_others_are_not_guarded():
+    """The function that makes them is as before."""
+    serve = server.serve
+    with pytest.raises(ZeroDivisionError), guarded(None, None):
+        raise ZeroDivisionError
+    assert server.serve is serve
