@@ -175,6 +175,9 @@ class RotateTest(unittest.TestCase):
         talk = Talk('done/')
         with rotator('_tolerance:=1', env={'ROS_NAMESPACE': 'done'}) as node:
             talk.face(88.9, 0.5 * math.radians(1.1))
+            # Behind this answer no earlier one is still on its way.
+            talk.say(talk.heading(88.8))
+            talk.answers.wait_for(lambda m: turns_at(m, 0.5 * math.radians(1.2)))
             for degrees in [88.9] * 10 + [89.1 + 0.15 * count for count in range(12)]:
                 self.clock.advance(PERIOD)
                 command, = talk.ask(talk.heading(degrees))
