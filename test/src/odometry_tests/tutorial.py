@@ -61,9 +61,11 @@ def speed(message):
 
 
 def heading(message):
-    """Return the yaw (degrees) of an Odometry on level ground."""
-    turn = message.pose.pose.orientation
-    return math.degrees(2 * math.atan2(turn.z, turn.w))
+    """Return the yaw (degrees, from -180 to 180) of an Odometry on level ground."""
+    orientation = message.pose.pose.orientation
+    # A quaternion and its negative are the same orientation.
+    yaw = 2 * math.atan2(orientation.z, orientation.w)
+    return math.degrees(math.remainder(yaw, 2 * math.pi))
 
 
 class Truth(Recorder):
