@@ -39,6 +39,12 @@ enter() {
     cd "$CALLED_FROM"
 }
 
+# exec_kept PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
+exec_kept() {
+    # -S makes Python's own start short: Ctrl-C would show a traceback from it.
+    exec python3 -S "$ROOT/launch/scripts/kept.py" "$@"
+}
+
 main() {
     if [ "${1:-}" = --host ]; then
         [ -n "${2:-}" ] || fail '--host needs the address of this machine that others reach'
@@ -53,9 +59,9 @@ main() {
     set_up "$@"
     enter
     case $1 in
-        demo) shift; exec "$ROOT/launch/scripts/demo.py" "$@" ;;
-        bench) shift; exec python3 "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
-        soak) shift; exec python3 "$ROOT/test/soak/run_soak.py" "$@" ;;
+        demo) shift; exec_kept "$ROOT/launch/scripts/demo.py" "$@" ;;
+        bench) shift; exec_kept "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
+        soak) shift; exec_kept "$ROOT/test/soak/run_soak.py" "$@" ;;
         test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
         *) exec "$@" ;;

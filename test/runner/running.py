@@ -1,11 +1,12 @@
 """Jobs as processes: some at a time, and none left behind."""
 
 import contextlib
-import os
 import signal
 import subprocess
 import sys
 import time
+
+from odometry_launch.keeping import Kept
 
 END_TIMEOUT = 60.0  # s; a test that is interrupted ends its nodes first
 POLL_PERIOD = 0.05  # s
@@ -26,16 +27,14 @@ class Running:
         self._start = time.monotonic()
         job.results.mkdir(parents=True)
         with open(log, 'wb') as file:
-            # In a session of its own: Ctrl-C is passed on by end(), and then once. A command that is
-            # not there ends env with a line and status 127.
-            self._popen = subprocess.Popen(
-                ['env', *map(str, job.command)], cwd=job.results, stdin=subprocess.DEVNULL,
-                stdout=file, stderr=subprocess.STDOUT, start_new_session=True)
+            # In a session of its own: Ctrl-C is passed on by end(), and then once.
+            self._kept = Kept(*job.command, cwd=job.results, stdout=file,
+                              stderr=subprocess.STDOUT)
 
     @property
     def status(self):
         """Its exit status, None while it runs."""
-        return self._popen.poll()
+        return self._kept.poll()
 
     @property
     def seconds(self):
@@ -49,13 +48,12 @@ class Running:
 
     def end(self):
         """Interrupt it as Ctrl-C does, and kill what does not end."""
-        with contextlib.suppress(ProcessLookupError):
-            self._popen.send_signal(signal.SIGINT)
-            try:
-                self._popen.wait(END_TIMEOUT)
-            except subprocess.TimeoutExpired:
-                os.killpg(self._popen.pid, signal.SIGKILL)
-                self._popen.wait()
+        self._kept.send_signal(signal.SIGINT)
+        try:
+            self._kept.wait(END_TIMEOUT)
+        except subprocess.TimeoutExpired:
+            self._kept.let_go()
+            self._kept.wait()
 
 
 def run(jobs, at_a_time, logs, on_tick):

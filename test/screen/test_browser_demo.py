@@ -3,6 +3,7 @@
 import errno
 import os
 import pty
+import re
 import signal
 import socket
 import subprocess
@@ -95,18 +96,18 @@ def test_without_a_terminal_the_demo_ends_as_without_a_page():
     with Process(ROOT / 'ws', 'demo', '--view', 'rotate', '--target', '20',
                  '--real-time-factor', '0') as demo:
         assert demo.wait(60.0) == 0, demo.output
-    assert demo.stdout.splitlines()[0] == f'view            {PAGE}'
+    assert f'view            {PAGE}' in demo.stdout.splitlines()
     assert STAYS not in demo.stdout
 
 
-def test_the_demo_says_that_the_port_is_taken():
-    """Before it starts anything, with the way out."""
+def test_the_demo_says_where_its_page_is_when_the_usual_port_is_taken():
+    """On the next one that is free: this machine may have any number of demos."""
     with socket.create_server(('localhost', PORT)), \
-            Process(ROOT / 'ws', 'demo', '--view') as demo:
-        assert demo.wait(30.0) == 1, demo.output
-    assert not demo.stdout
-    assert demo.stderr.startswith(f'demo: the page cannot be at {PAGE}')
-    assert '_port:=8081' in demo.stderr and len(demo.stderr.splitlines()) == 1
+            Process(ROOT / 'ws', 'demo', '--view', '--distance', '0.1',
+                    '--real-time-factor', '0') as demo:
+        assert demo.wait(60.0) == 0, demo.output
+    found = re.search(r'^view            http://localhost:(\d+)$', demo.stdout, re.MULTILINE)
+    assert found and PORT < int(found[1]) < PORT + 100, demo.output
 
 
 @pytest.mark.parametrize('launch_file', ['sim.launch', 'move_two_meters.launch', 'rotate.launch'])

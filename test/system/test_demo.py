@@ -3,10 +3,7 @@
 import os
 import pty
 import re
-import signal
 import subprocess
-import uuid
-from pathlib import Path
 
 import pytest
 import rosbag
@@ -42,7 +39,7 @@ def test_the_demo_drives_two_metres_and_leaves_a_picture():
     assert run.wait(90.0) == 0, run.output
     assert 2.0 <= number('moved distance', run.stdout) <= 2.01
     assert 2.0 <= number('true distance', run.stdout) <= 2.01
-    assert 'of 2.00 m' in run.stdout.splitlines()[0], 'no progress in plain lines'
+    assert re.search('^.* of 2.00 m', run.stdout, re.MULTILINE), 'no progress in plain lines'
     picture = re.search(r'picture +(.*)', run.stdout).group(1)
     with open(picture, 'rb') as file:
         assert file.read(4) == PNG
@@ -52,8 +49,8 @@ def test_the_demo_drives_two_metres_and_leaves_a_picture():
 
 
 def test_the_demo_takes_a_distance_and_a_speed():
-    """Backwards too."""
-    run = demo('--distance', '0.5', '--speed', '-0.2')
+    """Backwards too, however it is written."""
+    run = demo('--distance', '0.5', '--speed', '-2e-1')
     assert run.wait(90.0) == 0, run.output
     assert 0.5 <= number('moved distance', run.stdout) <= 0.53
 
@@ -97,35 +94,10 @@ def read_all(descriptor):
     return b''.join(chunks).decode()
 
 
-def test_ctrl_c_ends_the_demo_and_all_its_nodes():
-    """Nothing is left running."""
-    mark = {'DEMO_UNDER_TEST': str(uuid.uuid4())}
-    run = Process(ROOT / 'ws', 'demo', '--distance', '100', env=mark)
-    run.wait_for_output('of 100.00 m', 60.0)
-    assert len(marked(mark)) > 4
-    assert run.end(signal.SIGINT, timeout=30.0) == 128 + signal.SIGINT, run.output
-    assert 'Traceback' not in run.output
-    assert not marked(mark)
-
-
-def marked(mark):
-    """Return the ids of the processes that have a variable in their environment."""
-    (name, value), = mark.items()
-    return [folder.name for folder in Path('/proc').glob('[0-9]*')
-            if f'{name}={value}' in environment(folder)]
-
-
-def environment(folder):
-    """Return the environment of a process, nothing if it has ended meanwhile."""
-    try:
-        return (folder / 'environ').read_text(errors='replace').split('\0')
-    except OSError:
-        return []
-
-
 @pytest.mark.parametrize('arguments', [
     ['--speed', '0'], ['--speed', '2'], ['--distance', '-1'], ['--distance', 'far'],
-    ['--real-time-factor', 'nan'], ['rotate', '--target', 'north'], ['dance']])
+    ['--real-time-factor', 'nan'], ['--real-time-factor', '0.0001'], ['--target', '45'],
+    ['rotate', '--target', 'north'], ['rotate', '--speed', '-1e-1'], ['dance']])
 def test_bad_options_get_one_clear_line(arguments):
     """And exit status 2, before anything is started."""
     run = demo(*arguments)

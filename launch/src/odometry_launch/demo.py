@@ -1,5 +1,10 @@
-"""Run a tutorial with a simulated robot, show how it goes, and tell how it went."""
+"""Run a tutorial with a simulated robot, show how it goes, and tell how it went.
 
+Whoever starts this ends it by SIGTERM, which Python obeys at every moment without a word; the
+nodes end with it.
+"""
+
+import logging
 import math
 import os
 import signal
@@ -9,9 +14,11 @@ from pathlib import Path
 
 import rospy
 
-from odometry_launch import page
 from odometry_launch.graph import DemoError, Graph
-from odometry_launch.options import launch_arguments, parse
+from odometry_launch.logs import find_place_for_logs
+from odometry_launch.options import launch_arguments, nodes_that_end, parse
+from odometry_launch.output import REWRITE, complain, forget_output
+from odometry_launch.page import Page
 from odometry_launch.recording import Recording
 from odometry_launch.shows import MoveShow, RotateShow
 
@@ -21,46 +28,61 @@ SHOWS = {'move': MoveShow, 'rotate': RotateShow}
 
 def main():
     """Exit 0 only if the robot did what it was told and stands."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     options = parse(sys.argv[1:])
-    for signum in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(signum, lambda signum, _: sys.exit(128 + signum))
     try:
-        sys.exit(0 if _run(options) else 1)
-    except DemoError as error:
-        print(f'demo: {error}', file=sys.stderr)
-        sys.exit(1)
-    except KeyboardInterrupt:
-        sys.exit(128 + signal.SIGINT)
+        status = 0 if _run(options) else 1
+        sys.stdout.flush()
+    except BrokenPipeError:
+        status = 128 + signal.SIGPIPE
+    except (DemoError, OSError) as error:
+        status = 1
+        complain(error)
+    forget_output()
+    sys.exit(status)
 
 
 def _run(options):
-    if options.view:
-        page.check_port()
-    with Graph(*launch_arguments(options)) as graph:
-        complaint = _show(options, graph)
-        if options.view and sys.stdout.isatty():
+    # What rospy cannot write to its log is no news for the user.
+    logging.raiseExceptions = False
+    find_place_for_logs()
+    page = Page() if options.view else None
+    launch_file, arguments = launch_arguments(options, page.port if page else None)
+    with Graph(launch_file, arguments, nodes_that_end(options)) as graph:
+        if graph.unusual_address:
+            print('rostopic in another terminal: '
+                  f'export ROS_MASTER_URI={graph.unusual_address}', flush=True)
+        complaint = _show(options, graph, page)
+        if page and sys.stdout.isatty():
             page.stay(graph)
     return not complaint
 
 
-def _show(options, graph):
+def _show(options, graph, page):
     """Follow the robot to its end, tell how it went, and return a complaint or None."""
-    rospy.init_node('demo', anonymous=True, disable_signals=True)
+    graph.wait_for(_join, 'the demo does not become a node')
     recording = _record()
     show = SHOWS[options.tutorial](options)
     graph.wait_for(show.started, 'the robot does not begin to move')
     wall_start = time.monotonic()
-    if options.view:
+    if page:
         page.announce(graph)
     _watch(show, graph)
     wall_time = time.monotonic() - wall_start
     summary, complaint = show.result()
-    print(f'{summary}\ntime            {show.duration:.1f} s simulated, {wall_time:.1f} s real')
-    if recording:
-        print(f'picture         {os.path.relpath(recording.finish())}')
+    print(f'{summary}\ntime            {show.duration:.1f} s simulated, {wall_time:.1f} s real',
+          flush=True)
+    picture = recording and recording.finish()
+    if picture:
+        print(f'picture         {os.path.relpath(picture)}', flush=True)
     if complaint:
-        print(f'demo: {complaint}', file=sys.stderr)
+        complain(complaint)
     return complaint
+
+
+def _join():
+    rospy.init_node('demo', anonymous=True, disable_signals=True)
+    return True
 
 
 def _record():
@@ -68,7 +90,7 @@ def _record():
     try:
         return Recording(RUNS)
     except OSError as error:
-        print(f'demo: no recording: {error}', file=sys.stderr)
+        complain(f'no recording: {error}')
         return None
 
 
@@ -94,11 +116,11 @@ class Line:
     def show(self, text, now):
         """Show the text, at `now` simulated seconds."""
         if self._live:
-            print(f'\r\033[K{text}', end='', flush=True)
+            print(f'{REWRITE}{text}', end='', flush=True)
         elif now >= self._next:
             self._next = now + self.PERIOD
             print(text, flush=True)
 
     def finish(self, text):
         """Leave the text on the screen."""
-        print(f'\r\033[K{text}' if self._live else text, flush=True)
+        print(f'{REWRITE}{text}' if self._live else text, flush=True)

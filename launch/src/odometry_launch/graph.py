@@ -1,17 +1,19 @@
 """A tutorial's nodes and their ROS master, as roslaunch starts them."""
 
 import os
-import signal
-import socket
 import subprocess
-import tempfile
+import threading
 import time
-from urllib.parse import urlparse
 
 import rosgraph
 
+from odometry_launch.keeping import Kept
+from odometry_launch.launch_log import LaunchLog
+from odometry_launch.ports import master_port
+
 START_TIMEOUT = 60.0  # s; much is running on some machines
-STOP_TIMEOUT = 20.0  # s; roslaunch gives its nodes 15
+LOOK_PERIOD = 0.02  # s
+RESPAWNED = 'rosout'  # roslaunch starts it again
 
 
 class DemoError(RuntimeError):
@@ -21,18 +23,22 @@ class DemoError(RuntimeError):
 class Graph:
     """A context in which the nodes run."""
 
-    def __init__(self, launch_file, arguments):
-        """Take the name of a launch file and a dictionary of its arguments."""
+    def __init__(self, launch_file, arguments, may_end=()):
+        """Take the name of a launch file and a dictionary of its arguments.
+
+        :param may_end: names of nodes that end when they have done what they were told
+        """
         self._command = [launch_file, *(f'{name}:={value}' for name, value in arguments.items())]
+        self._may_end = may_end
 
     def __enter__(self):
         """Start everything and return once the launch file has been read."""
-        port = _free_port()
-        os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
-        self._log = tempfile.TemporaryFile('w+')
-        self._process = subprocess.Popen(
-            ['roslaunch', '-p', str(port), 'odometry_launch', *self._command],
-            stdout=self._log, stderr=subprocess.STDOUT, start_new_session=True)
+        self._port = master_port()
+        os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
+        self._log = LaunchLog()
+        self._roslaunch = Kept('roslaunch', '-p', self._port.number, 'odometry_launch',
+                               *self._command, stdout=self._log.file, stderr=subprocess.STDOUT,
+                               env={**os.environ, 'PYTHONUNBUFFERED': '1'})
         try:
             self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
             # The master is up a moment before it says whose clock rules.
@@ -45,39 +51,49 @@ class Graph:
 
     def __exit__(self, *_):
         """End everything."""
-        self._process.send_signal(signal.SIGINT)
-        try:
-            self._process.wait(STOP_TIMEOUT)
-        except subprocess.TimeoutExpired:
-            os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()
-        self._log.close()
+        self._roslaunch.let_go()
+        self._roslaunch.wait()
+        self._port.close()
+
+    @property
+    def unusual_address(self):
+        """Where the master is if rostopic would not look for it there, else None."""
+        return None if self._port.is_first_choice else os.environ['ROS_MASTER_URI']
 
     def check(self):
-        """Raise DemoError if the nodes have ended by themselves."""
-        if self._process.poll() is not None:
-            self._log.seek(0)
-            raise DemoError(f'the nodes ended too early; they said:\n{self._log.read().strip()}')
+        """Raise DemoError if the nodes have ended by themselves, or one of them has."""
+        is_over = self._roslaunch.poll() is not None
+        self._log.read()
+        for name, how in self._log.ended.items():
+            if name != RESPAWNED and (how or name not in self._may_end):
+                raise DemoError(self._log.complaint or f'{name} has ended{how}')
+        if is_over:
+            raise DemoError(f'the nodes have ended: {self._log.reason()}')
 
     def wait_for(self, condition, complaint):
-        """Return once the condition holds; raise DemoError if it takes too long."""
+        """Return once the condition holds; raise DemoError if it takes too long.
+
+        It is looked at from a thread, since rospy and the master may wait for ever themselves.
+        """
+        holds = threading.Event()
+
+        def look():
+            while not _holds(condition):
+                time.sleep(LOOK_PERIOD)
+            holds.set()
+
+        threading.Thread(target=look, daemon=True).start()
         end = time.monotonic() + START_TIMEOUT
-        while not condition():
+        while not holds.wait(LOOK_PERIOD):
             self.check()
             if time.monotonic() > end:
-                raise DemoError(f'{complaint} within {START_TIMEOUT:g} s')
-            time.sleep(0.02)
+                raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
+                                f'{self._log.reason()}')
 
 
-def _free_port():
-    """Return the usual port if nobody has it, so that rostopic finds the demo, else another."""
-    usual = urlparse(os.environ.get('ROS_MASTER_URI', '')).port or rosgraph.DEFAULT_MASTER_PORT
-    for port in (usual, 0):
-        with socket.socket() as probe:
-            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            try:
-                probe.bind(('localhost', port))
-            except OSError:
-                continue
-            return probe.getsockname()[1]
-    raise DemoError('there is no free port for a ROS master')
+def _holds(condition):
+    """Return whether a condition holds; it does not while the master does not answer."""
+    try:
+        return condition()
+    except (OSError, rosgraph.MasterException):
+        return False

@@ -2,12 +2,16 @@
 
 import argparse
 import math
+import re
 
-from odometry_launch.page import URL
+from odometry_launch.page import PORT
 
 MAX_SPEED = 0.7  # m/s, TurtleBot 2
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; slower than this no reader would wait
+MIN_FACTOR = 0.001  # what the simulator accepts
+# The tutorial of an option, and its default.
+BELONGING = {'distance': ('move', 2.0), 'speed': ('move', 0.1), 'target': ('rotate', 90.0)}
 
 
 def parse(arguments):
@@ -17,22 +21,39 @@ def parse(arguments):
         'it goes. A recording and a picture of the run are left in the folder runs.')
     parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
                         help='drive two metres, or turn to a heading (default: %(default)s)')
-    parser.add_argument('--distance', type=_number(0.01, 1000), default=2.0, metavar='M',
-                        help='move: where to stop (m; default: %(default)s)')
-    parser.add_argument('--speed', type=_speed, default=0.1, metavar='M/S',
-                        help='move: how fast (m/s; negative drives backwards; '
-                             'default: %(default)s)')
-    parser.add_argument('--target', type=_number(-1e6, 1e6), default=90.0, metavar='DEGREES',
-                        help='rotate: heading to turn to (default: %(default)s)')
-    parser.add_argument('--real-time-factor', type=_number(0, 100), default=1.0, metavar='N',
+    parser.add_argument('--distance', type=_number(0.01, 1000), metavar='M',
+                        help='move: where to stop (m; default: 2.0)')
+    parser.add_argument('--speed', type=_speed, metavar='M/S',
+                        help='move: how fast (m/s; negative drives backwards; default: 0.1)')
+    parser.add_argument('--target', type=_number(-1e6, 1e6), metavar='DEGREES',
+                        help='rotate: heading to turn to (default: 90.0)')
+    parser.add_argument('--real-time-factor', type=_factor, default=1.0, metavar='N',
                         help='simulated seconds per second; 0: as fast as possible. At '
                              'each but 1 the robot waits for its controller, so that it goes '
                              'equally far (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
     parser.add_argument('--view', action='store_true',
-                        help=f'show the robot in a browser, at {URL}; on a terminal the page '
-                             'stays after the run, and its pad drives the robot, until Ctrl-C')
-    return parser.parse_args(arguments)
+                        help=f'show the robot in a browser, at http://localhost:{PORT} or the '
+                             'next port that is free; on a terminal the page stays after the run, '
+                             'and its pad drives the robot, until Ctrl-C')
+    options = parser.parse_args(_with_numbers_joined(arguments))
+    for name, (tutorial, default) in BELONGING.items():
+        if getattr(options, name) is None:
+            setattr(options, name, default)
+        elif options.tutorial != tutorial:
+            parser.error(f'argument --{name}: is for ./ws demo {tutorial}')
+    return options
+
+
+def _with_numbers_joined(arguments):
+    """Return --speed -1e-1 as --speed=-1e-1: argparse takes its -1e-1 for an option."""
+    joined = []
+    for argument in arguments:
+        if joined and joined[-1].startswith('--') and re.match(r'-[\d.]', argument):
+            joined[-1] += f'={argument}'
+        else:
+            joined.append(argument)
+    return joined
 
 
 def in_lockstep(options):
@@ -40,13 +61,24 @@ def in_lockstep(options):
     return options.real_time_factor != 1
 
 
-def launch_arguments(options):
-    """Return the launch file and its arguments for these options."""
+def nodes_that_end(options):
+    """Return the names of the nodes that end when they have done what they were told."""
+    # Beside a page the tutorial's node does so, or it would go on to command zero, against the
+    # page's pad.
+    return {'move': ['test_movement'], 'rotate': ['rotate_robot']}[options.tutorial] \
+        if options.view else []
+
+
+def launch_arguments(options, page_port=None):
+    """Return the launch file and its arguments for these options.
+
+    :param page_port: where the page is, if there is one
+    """
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor,
                  'lockstep': _flag(in_lockstep(options))}
-    # Beside a page the tutorial's node ends once it has arrived, or it would go on to command
-    # zero, against the page's pad.
+    if page_port:
+        arguments['view_port'] = page_port
     if options.tutorial == 'move':
         arguments.update(distance=options.distance, speed=options.speed,
                          exit_when_done=_flag(options.view))
@@ -70,6 +102,13 @@ def _number(lowest, highest):
                 f'{text!r} is not a number from {lowest:g} to {highest:g}')
         return value
     return parse_number
+
+
+def _factor(text):
+    value = _number(0, 100)(text)
+    if 0 < value < MIN_FACTOR:
+        raise argparse.ArgumentTypeError(f'{text!r} is neither 0 nor {MIN_FACTOR:g} or more')
+    return value
 
 
 def _speed(text):

@@ -1,44 +1,46 @@
 """The browser window beside the demo."""
 
+import errno
+import signal
 import socket
 import time
 
 from odometry_launch.graph import DemoError
+from odometry_launch.ports import page_port
 
 PORT = 8080
-URL = f'http://localhost:{PORT}'
 CHECK_PERIOD = 0.2  # s
 
 
-def check_port():
-    """Raise DemoError if another program has the page's port."""
-    with socket.socket() as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+class Page:
+    """Where the page is, on the usual port or the next one that is free."""
+
+    def __init__(self):
+        """Hold the port; raise DemoError if there is none."""
         try:
-            probe.bind(('localhost', PORT))
+            self._held = page_port(PORT)
         except OSError as error:
-            raise DemoError(f'the page cannot be at {URL}: {error.strerror}. For another port run '
-                            'without --view, and beside it: ./ws rosrun sim_turtlebot view.py '
-                            '_port:=8081') from None
+            raise DemoError(f'no port is free for the page, from {PORT} on: '
+                            f'{error.strerror}') from None
+        self.port = self._held.number
+        self.url = f'http://localhost:{self.port}'
 
+    def announce(self, graph):
+        """Print where the page is, once it is there."""
+        graph.wait_for(self._answers, 'the page does not answer')
+        print(f'view            {self.url}', flush=True)
 
-def announce(graph):
-    """Print where the page is, once it is there."""
-    graph.wait_for(_answers, 'the page does not answer')
-    print(f'view            {URL}', flush=True)
-
-
-def stay(graph):
-    """Leave the page open until Ctrl-C."""
-    try:
+    def stay(self, graph):
+        """Leave the page open until Ctrl-C, which is no failure then."""
+        ended = []
+        signal.signal(signal.SIGTERM, lambda *_: ended.append(True))
         print('The page stays, and its pad drives the robot, until Ctrl-C.', flush=True)
-        while True:
+        while not ended:
             graph.check()
             time.sleep(CHECK_PERIOD)
-    except KeyboardInterrupt:
-        print()
+        # Whoever ends this may say so again, which must not spoil the exit status.
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
-
-def _answers():
-    with socket.socket() as connection:
-        return connection.connect_ex(('localhost', PORT)) == 0
+    def _answers(self):
+        with socket.socket() as connection:
+            return connection.connect_ex(('localhost', self.port)) != errno.ECONNREFUSED

@@ -1,5 +1,6 @@
 """A bag and a picture of the run."""
 
+import contextlib
 import itertools
 import threading
 import time
@@ -11,12 +12,14 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
+from odometry_launch.output import complain
+
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
           'cmd_vel': Twist}
 
 
 class Recording:
-    """Records the robot's topics from its making to its end."""
+    """Records the robot's topics from its making to its end, or until the disk is full."""
 
     def __init__(self, runs):
         """Make a new folder for this moment in the folder `runs`; raise OSError if it cannot."""
@@ -27,23 +30,40 @@ class Recording:
                              for topic, kind in TOPICS.items()]
 
     def finish(self):
-        """Close the bag and draw the picture; return its path."""
+        """Close the bag and draw the picture; return its path, or None if it cannot be."""
         for subscriber in self._subscribers:
             subscriber.unregister()
         with self._lock:
-            self._bag.close()
+            if self._bag:
+                self._try(self._bag.close)
+            if not self._bag:
+                return None
             self._bag = None
         # matplotlib takes a second to import, which the start of the demo need not wait for.
-        from sim_turtlebot.run_plot import draw, read_run
+        from sim_turtlebot.run_plot import BagError, draw, read_run
         picture = self.folder / 'run.png'
-        draw(read_run(self.folder / 'run.bag'), picture)
+        try:
+            draw(read_run(self.folder / 'run.bag'), picture)
+        except (OSError, BagError) as error:
+            complain(f'no picture: {error}')
+            return None
         return picture
 
     def _keep(self, message, topic):
         now = rospy.get_rostime()
         with self._lock:
             if self._bag:
-                self._bag.write(f'/{topic}', message, now)
+                self._try(lambda: self._bag.write(f'/{topic}', message, now))
+
+    def _try(self, write):
+        """Write, or record no more."""
+        try:
+            write()
+        except OSError as error:
+            complain(f'the recording ends: {error}')
+            with contextlib.suppress(OSError):
+                self._bag.close()
+            self._bag = None
 
 
 def new_folder(runs):

@@ -8,6 +8,7 @@ import subprocess
 import threading
 
 import rosgraph
+from odometry_launch.keeping import Kept
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
@@ -20,17 +21,16 @@ class Process:
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
         environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
-        self._popen = subprocess.Popen(
-            [str(part) for part in command], env=environment,
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            start_new_session=True, **popen_options)
+        # Nothing is left of it when pytest is killed.
+        self._kept = Kept(*command, env=environment, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, **popen_options)
         self._lines = {'stdout': [], 'stderr': []}
         self._readers = [self._read('stdout'), self._read('stderr')]
 
     @property
     def pid(self):
-        """Process id, and id of the process group."""
-        return self._popen.pid
+        """Process id of the command itself."""
+        return self._kept.pid
 
     @property
     def stdout(self):
@@ -50,7 +50,7 @@ class Process:
     @property
     def running(self):
         """Whether the command has not ended yet."""
-        return self._popen.poll() is None
+        return self._kept.poll() is None
 
     def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
@@ -59,12 +59,12 @@ class Process:
 
     def send(self, signum):
         """Send a signal to the command itself."""
-        self._popen.send_signal(signum)
+        self._kept.send_signal(signum)
 
     def wait(self, timeout=TIMEOUT):
         """Return the exit status once the command has ended and all its output is read."""
         try:
-            status = self._popen.wait(timeout * PATIENCE)
+            status = self._kept.wait(timeout * PATIENCE)
         except subprocess.TimeoutExpired:
             raise AssertionError(f'{self.command} has not ended within {timeout * PATIENCE:g} s; '
                                  f'it printed:\n{self.output}') from None
@@ -87,13 +87,13 @@ class Process:
         try:
             if self.running:
                 self.send(signal.SIGINT)
-                self._popen.wait(TIMEOUT * PATIENCE)
+                self._kept.wait(TIMEOUT * PATIENCE)
         except subprocess.TimeoutExpired:
-            os.killpg(self.pid, signal.SIGKILL)
-            self._popen.wait()
+            self._kept.let_go()
+            self._kept.wait()
 
     def _read(self, name):
-        stream, lines = getattr(self._popen, name), self._lines[name]
+        stream, lines = getattr(self._kept, name), self._lines[name]
 
         def collect():
             with stream:

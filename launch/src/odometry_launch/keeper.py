@@ -1,0 +1,176 @@
+"""Run a command, and end all that it has started when it has ended, or who asked for it.
+
+usage: python3 -I -S keeper.py COMMAND [ARGUMENT...]
+
+Standard input is a socket to who asked for the command. The process id of the command is written
+to it. When it is closed at the other end, however that came about, or on SIGTERM, everything is
+asked to end, from the top: the command first, and what its end leaves behind. What has not
+ended then is asked without regard to order, and at last killed. The exit status is the
+command's; the same signal ends this process that has ended the command.
+
+It starts in a few hundredths of a second, since it imports little.
+"""
+
+import ctypes
+import os
+import select
+import signal
+import sys
+import time
+
+ASK_ALL_AFTER = 4.0  # s; roslaunch ends its nodes one after the other
+KILL_AFTER = 9.0  # s
+LOOK_PERIOD = 0.1  # s, for orphans; the end of a child is heard of at once
+LIFELINE = 0  # standard input
+# prctl's numbers in <linux/prctl.h>
+PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
+
+prctl = ctypes.CDLL(None).prctl
+
+
+def main(command):
+    """Keep the command and end as it has ended."""
+    told = []
+    woken = _wake_on_signals(told)
+    # Orphans come to this process, also those that have a session of their own.
+    prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    command_pid = _start(command)
+    statuses = {}
+    try:
+        os.write(LIFELINE, b'%d\n' % command_pid)
+        while command_pid not in statuses and not told:
+            ready = select.select([LIFELINE, woken], [], [])[0]
+            _reap(statuses)
+            if woken in ready:
+                os.read(woken, 4096)
+            if LIFELINE in ready and not os.read(LIFELINE, 1):
+                break
+    except OSError:
+        pass  # nobody is there any more
+    _end_all(statuses, woken)
+    _end_as(statuses[command_pid])
+
+
+def _wake_on_signals(told):
+    """Have signals make a descriptor readable, and return it; SIGTERM is put into `told`.
+
+    What the terminal sends is no affair of this process. It is handled rather than ignored, since
+    the command would inherit that.
+    """
+    woken, waker = os.pipe()
+    os.set_blocking(woken, False)
+    os.set_blocking(waker, False)
+    signal.set_wakeup_fd(waker, warn_on_full_buffer=False)
+    for signum in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGCHLD):
+        signal.signal(signum, lambda *_: None)
+    signal.signal(signal.SIGTERM, lambda signum, _: told.append(signum))
+    signal.pthread_sigmask(signal.SIG_SETMASK, [])
+    return woken
+
+
+def _start(command):
+    """Start the command, asked to end should this process be killed, and return its id."""
+    keeper = os.getpid()
+    pid = os.fork()
+    if pid:
+        return pid
+    try:
+        # Python ignores the first two, and the command would inherit it. Handled here, the last
+        # would be forgotten if it came now.
+        for signum in (signal.SIGPIPE, signal.SIGXFSZ, signal.SIGTERM):
+            signal.signal(signum, signal.SIG_DFL)
+        os.dup2(os.open(os.devnull, os.O_RDONLY), LIFELINE)
+        prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
+        if os.getppid() == keeper:
+            os.execvp(command[0], command)
+    except OSError as error:
+        os.write(2, f'{command[0]}: {error.strerror}\n'.encode())
+    finally:
+        os._exit(127)
+
+
+def _reap(statuses):
+    """Note how children have ended; return whether any are left."""
+    while True:
+        try:
+            pid, status = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            return False
+        if not pid:
+            return True
+        statuses[pid] = status
+
+
+def _end_all(statuses, woken):
+    """Return when no descendant is left."""
+    start, asked = time.monotonic(), set()
+    asked_all = False
+    while _reap(statuses):
+        passed = time.monotonic() - start
+        children = _children()
+        mine = children.get(os.getpid(), [])
+        if passed > KILL_AFTER:
+            _signal(signal.SIGKILL, _descendants(mine, children))
+        elif passed > ASK_ALL_AFTER and not asked_all:
+            # This includes those that have missed the first time.
+            asked_all = True
+            _ask(_descendants(mine, children), asked)
+        else:
+            _ask([pid for pid in mine if pid not in asked], asked)
+        if select.select([woken], [], [], LOOK_PERIOD)[0]:
+            os.read(woken, 4096)
+
+
+def _ask(pids, asked):
+    """Ask processes to end, also those that are stopped."""
+    _signal(signal.SIGTERM, pids)
+    _signal(signal.SIGCONT, pids)
+    asked.update(pids)
+
+
+def _signal(signum, pids):
+    for pid in pids:
+        try:
+            os.kill(pid, signum)
+        except ProcessLookupError:
+            pass
+        except PermissionError:
+            pass  # it has become another user's
+
+
+def _children():
+    """Return the ids of the children of each process."""
+    children = {}
+    for entry in os.listdir('/proc'):
+        if entry.isdigit():
+            try:
+                with open(f'/proc/{entry}/stat', 'rb') as file:
+                    parent = int(file.read().rpartition(b')')[2].split()[1])
+            except OSError:
+                continue  # it has ended meanwhile
+            children.setdefault(parent, []).append(int(entry))
+    return children
+
+
+def _descendants(pids, children):
+    """Return processes and all their descendants."""
+    found = list(pids)
+    for pid in found:
+        found += children.get(pid, [])
+    return found
+
+
+def _end_as(status):
+    """Exit as a process with this status of os.wait() has exited."""
+    if os.WIFSIGNALED(status):
+        import resource
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        signum = os.WTERMSIG(status)
+        if signum != signal.SIGKILL:
+            signal.signal(signum, signal.SIG_DFL)
+        os.kill(os.getpid(), signum)
+    sys.exit(os.WEXITSTATUS(status))
+
+
+if __name__ == '__main__':
+    main(sys.argv[1:])

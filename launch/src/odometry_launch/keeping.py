@@ -1,0 +1,104 @@
+"""Processes that never outlive who has started them, whatever becomes of that."""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+KEEPER = Path(__file__).with_name('keeper.py')
+STANDARD_FILES = range(3)
+STANDARD_OUTPUT = 1
+MAX_LINE = 64  # bytes
+
+
+class Kept:
+    """A command that has ended, with all that it has started, soon after this process has."""
+
+    def __init__(self, *command, **popen_options):
+        """Start it; its standard input is empty, and its session its own."""
+        self._lifeline, theirs = socket.socketpair()
+        with theirs:
+            self._popen = subprocess.Popen(
+                [sys.executable, '-I', '-S', KEEPER, *map(str, command)], stdin=theirs,
+                start_new_session=True, **popen_options)
+        self.stdout, self.stderr = self._popen.stdout, self._popen.stderr
+        self._pid = None
+
+    @property
+    def pid(self):
+        """The process id of the command itself; it may have ended."""
+        if self._pid is None:
+            self._pid = int(self._lifeline.recv(MAX_LINE))
+        return self._pid
+
+    def poll(self):
+        """Return the exit status as subprocess does, None while anything is running."""
+        status = self._popen.poll()
+        if status is not None and self._lifeline.fileno() >= 0:
+            self._pid = self.pid
+            self._lifeline.close()
+        return status
+
+    def wait(self, timeout=None):
+        """Return the exit status once all has ended; raise subprocess.TimeoutExpired."""
+        self._popen.wait(timeout)
+        return self.poll()
+
+    def send_signal(self, signum):
+        """Send a signal to the command itself."""
+        if self.poll() is None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, signum)
+
+    def let_go(self):
+        """Have everything ended; return at once."""
+        with contextlib.suppress(OSError):
+            self._lifeline.shutdown(socket.SHUT_WR)
+
+
+def stand_in(*command):
+    """Run a command in this process's stead and return its exit status.
+
+    Whatever ends this process, from its first moment, ends the command and all that it has
+    started. A signal to do so is obeyed once, and not cut short by further ones. A command that
+    exits with 0 all the same has meant to.
+    """
+    _open_standard_files()
+    received, kept = [], []
+
+    def end(signum, _frame):
+        received.append(signum)
+        for one in kept:
+            one.let_go()
+
+    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+        # nohup has SIGHUP ignored.
+        if signum != signal.SIGHUP or signal.getsignal(signum) != signal.SIG_IGN:
+            signal.signal(signum, end)
+    kept.append(Kept(*command))
+    if received:
+        kept[0].let_go()
+    status = kept[0].wait()
+    if received:
+        _end_line()
+        return status and 128 + received[0]
+    return status if status >= 0 else 128 - status
+
+
+def _open_standard_files():
+    """Open those that are closed, or a socket would be taken for one of them."""
+    for descriptor in STANDARD_FILES:
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.set_inheritable(os.open(os.devnull, os.O_RDWR), True)
+
+
+def _end_line():
+    """Leave a line for the shell's prompt."""
+    with contextlib.suppress(OSError):
+        if os.isatty(STANDARD_OUTPUT):
+            os.write(STANDARD_OUTPUT, b'\n')

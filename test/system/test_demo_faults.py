@@ -1,0 +1,88 @@
+"""The demo notices what becomes of its nodes, its output and its disk, and says so in one line."""
+
+import os
+import re
+import signal
+from xmlrpc.client import ServerProxy
+
+import pytest
+import rosgraph
+from odometry_tests.processes import Process, hold_port
+from odometry_tests.scripts import ROOT
+
+SHORT = '--distance 0.3 --real-time-factor 0'
+KILOBYTES = 100  # more than the logs of a run need, and less than its bag
+
+
+def run(line, **env):
+    """Run a line of bash in this project to its end and return its process."""
+    process = Process('bash', '-o', 'pipefail', '-c', line, cwd=ROOT, env=env)
+    process.wait(90.0)
+    return process
+
+
+def pid_of(node, port):
+    """Return the process id of a node, from itself."""
+    master = rosgraph.Master('/test', f'http://localhost:{port}')
+    return ServerProxy(master.lookupNode(node)).getPid('/test')[2]
+
+
+@pytest.mark.parametrize('command, node, signum, how', [
+    ('move --distance 100', 'test_movement', signal.SIGKILL, ' by SIGKILL'),
+    ('move --distance 100', 'test_movement', signal.SIGTERM, ''),
+    ('move --distance 100', 'movement_detector_node', signal.SIGKILL, ' by SIGKILL'),
+    ('move --distance 100', 'sim_turtlebot', signal.SIGKILL, ''),
+    ('rotate --target 180', 'rotate_robot', signal.SIGKILL, ' by SIGKILL')])
+def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
+    """With one line that names it, instead of the same progress for ever."""
+    with hold_port() as port, Process(
+            ROOT / 'ws', 'demo', *command.split(), '--real-time-factor', '0.5',
+            env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as demo:
+        demo.wait_for_output(' s\n', 60.0)
+        os.kill(pid_of(f'/{node}', port), signum)
+        assert demo.wait(30.0) == 1, demo.output
+    assert demo.stderr == f'demo: {node} has ended{how}', demo.output
+
+
+def test_it_runs_in_an_odd_environment():
+    """Settings that make no sense are not used; logs go where they can be written."""
+    demo = run(f'./ws demo {SHORT}', HOME='/dev/null', ROS_NAMESPACE='elsewhere',
+               ROS_MASTER_URI='http://localhost:none')
+    assert demo.wait() == 0, demo.output
+    assert re.fullmatch(r'demo: logs are in \S+: .*', demo.stderr), demo.output
+
+
+def test_it_drives_on_when_the_disk_is_full():
+    """Without a recording and a picture."""
+    demo = run(f'ulimit -f {KILOBYTES}; ./ws demo {SHORT} --distance 1')
+    assert demo.wait() == 0, demo.output
+    assert re.fullmatch('demo: the recording ends: .*File too large', demo.stderr), demo.output
+    assert 'true distance' in demo.stdout and 'picture' not in demo.stdout
+
+
+@pytest.mark.parametrize('output, status', [('>&-', 0), ('| head -n 1', 128 + signal.SIGPIPE)])
+def test_it_is_quiet_when_nobody_listens(output, status):
+    """No traceback of Python's own end either."""
+    demo = run(f'./ws demo {SHORT} {output}')
+    assert (demo.wait(), demo.stderr) == (status, ''), demo.output
+
+
+def test_a_window_without_a_screen_is_refused_in_one_line():
+    """The simulator's own."""
+    demo = run('./ws demo --gui', DISPLAY='')
+    assert demo.wait() == 1, demo.output
+    assert re.fullmatch('demo: sim_turtlebot: parameter ~gui is True, .*', demo.stderr), demo.output
+
+
+def test_demos_that_start_together_all_arrive():
+    """Each with a master and a folder of its own; one of them tells where its master is."""
+    with hold_port() as port:
+        usual = {'ROS_MASTER_URI': f'http://localhost:{port}'}
+        demos = [Process(ROOT / 'ws', 'demo', *SHORT.split(), env=usual) for _ in range(2)]
+        for demo in demos:
+            assert demo.wait(90.0) == 0, demo.output
+    output = '\n'.join(demo.output for demo in demos)
+    told = re.findall('^rostopic in another terminal: export ROS_MASTER_URI=http://localhost:',
+                      output, re.MULTILINE)
+    assert len(told) == 1, output
+    assert len(set(re.findall('^picture +(.*)', output, re.MULTILINE))) == 2, output
