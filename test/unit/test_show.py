@@ -7,6 +7,7 @@ import pytest
 from odometry_launch import demo
 from odometry_launch.options import launch_arguments, parse
 from odometry_launch.shows import MoveShow
+from odometry_launch.silence import Silence
 from odometry_tests.messages import odometry
 from std_msgs.msg import Float64
 
@@ -71,7 +72,7 @@ def watch(monkeypatch):
         clock = Clock(show)
         monkeypatch.setattr(demo, 'time', clock)
         monkeypatch.setattr('sys.stdout', terminal)
-        demo._watch(show, SimpleNamespace(check=lambda: None))
+        demo._watch(show, SimpleNamespace(check=lambda: None), SimpleNamespace(look=lambda _: None))
         monkeypatch.undo()
         return terminal.text, clock
 
@@ -88,6 +89,19 @@ def test_on_a_terminal_one_line_is_rewritten_at_each_look(watch):
 def test_elsewhere_there_is_a_line_every_two_simulated_seconds(watch):
     """Without control characters, and the end."""
     assert watch(live=False)[0] == '0.0 s\n2.0 s\n4.0 s\n5.0 s\n'
+
+
+@pytest.mark.parametrize('factor, patience', [(1.0, 10.0), (0.0, 10.0), (0.001, 200.0)])
+def test_a_robot_of_which_nothing_is_heard_is_worth_one_line(monkeypatch, capsys, factor, patience):
+    """At the slowest pace too, and once again after it has gone on."""
+    clock = SimpleNamespace(monotonic=lambda: wall)
+    monkeypatch.setattr('odometry_launch.silence.time', clock)
+    silence = Silence(factor)
+    for wall, now, lines in [(0.0, 1.0, 0), (patience - 1.0, 1.0, 0), (patience + 1.0, 1.0, 1),
+                             (patience + 2.0, 1.0, 0), (patience + 3.0, 1.1, 0),
+                             (patience * 3, 1.1, 1)]:
+        silence.look(now)
+        assert capsys.readouterr().err.count('demo: nothing has come') == lines, wall
 
 
 @pytest.fixture

@@ -21,6 +21,7 @@ from odometry_launch.output import REWRITE, complain, forget_output
 from odometry_launch.page import Page
 from odometry_launch.recording import Recording
 from odometry_launch.shows import MoveShow, RotateShow
+from odometry_launch.silence import Silence
 
 RUNS = Path(__file__).resolve().parents[3] / 'runs'
 SHOWS = {'move': MoveShow, 'rotate': RotateShow}
@@ -67,7 +68,7 @@ def _show(options, graph, page):
     wall_start = time.monotonic()
     if page:
         page.announce(graph)
-    _watch(show, graph)
+    _watch(show, graph, Silence(options.real_time_factor))
     wall_time = time.monotonic() - wall_start
     summary, complaint = show.result()
     print(f'{summary}\ntime            {show.duration:.1f} s simulated, {wall_time:.1f} s real',
@@ -94,10 +95,11 @@ def _record():
         return None
 
 
-def _watch(show, graph):
+def _watch(show, graph, silence):
     line = Line()
     while show.end is None:
         graph.check()
+        silence.look(show.now)
         line.show(show.progress(), show.now)
         time.sleep(0.1)
     line.finish(show.progress())

@@ -29,16 +29,20 @@ class Kept:
 
     @property
     def pid(self):
-        """The process id of the command itself; it may have ended."""
+        """The process id of the command itself; raise ProcessLookupError if it never was one."""
         if self._pid is None:
-            self._pid = int(self._lifeline.recv(MAX_LINE))
+            line = self._lifeline.recv(MAX_LINE)
+            if not line:
+                raise ProcessLookupError('the keeper has ended before the command began')
+            self._pid = int(line)
         return self._pid
 
     def poll(self):
         """Return the exit status as subprocess does, None while anything is running."""
         status = self._popen.poll()
         if status is not None and self._lifeline.fileno() >= 0:
-            self._pid = self.pid
+            with contextlib.suppress(ProcessLookupError):
+                self._pid = self.pid  # while it can be read
             self._lifeline.close()
         return status
 

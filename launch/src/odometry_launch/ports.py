@@ -10,22 +10,34 @@ from rosgraph.rosenv import DEFAULT_MASTER_PORT
 NEXT_PORTS = 100  # are tried after the first
 
 
+def bind(number):
+    """Return a socket that has a port, or any for 0; raise OSError if somebody listens there.
+
+    A server that sets SO_REUSEADDR, as ROS's and asyncio's do, can listen on it all the same,
+    since the socket does not.
+    """
+    holder = socket.socket()
+    holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        holder.bind(('localhost', number))
+    except OSError:
+        holder.close()
+        raise
+    return holder
+
+
 class HeldPort:
     """A port that nobody else is given until it is closed.
 
-    A server that sets SO_REUSEADDR, as ROS's and asyncio's do, can listen on it all the same,
-    since what holds it does not. Two such holders do not hinder each other: a name that belongs
-    to one process at a time tells them apart. Linux forgets it with its socket.
+    Two sockets that do not listen may have the same port: a name that belongs to one process at
+    a time tells their owners apart. Linux forgets it with its socket.
     """
 
     def __init__(self, number, is_first_choice=True):
         """Take a port, or any for 0; raise OSError if it is another's."""
         self.is_first_choice = is_first_choice
         with contextlib.ExitStack() as stack:
-            holder = stack.enter_context(socket.socket())
-            holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            holder.bind(('localhost', number))
-            self.number = holder.getsockname()[1]
+            self.number = stack.enter_context(bind(number)).getsockname()[1]
             name = stack.enter_context(socket.socket(socket.AF_UNIX))
             name.bind(f'\0odometry-port-{self.number}')
             self.close = stack.pop_all().close

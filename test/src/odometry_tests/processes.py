@@ -3,12 +3,12 @@
 import contextlib
 import os
 import signal
-import socket
 import subprocess
 import threading
 
 import rosgraph
 from odometry_launch.keeping import Kept
+from odometry_launch.ports import bind
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
@@ -131,12 +131,9 @@ class Master(Process):
 def hold_port():
     """Yield a TCP port of this machine that is given to nobody else meanwhile.
 
-    A server that sets SO_REUSEADDR, as ROS's and asyncio's do, can listen on it all the same: the
-    socket that holds the port does not listen.
+    Only who is told of it can listen on it, or hold it as the demo does.
     """
-    with socket.socket() as holder:
-        holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        holder.bind(('localhost', 0))
+    with bind(0) as holder:
         yield holder.getsockname()[1]
 
 
