@@ -1,18 +1,23 @@
 """The soak passes a simulated minute, and finds what is wrong."""
 
+import os
 import re
 import signal
+import subprocess
+import uuid
 
 import pytest
-from odometry_tests.linux import needs_children
+from odometry_tests.linux import marked, needs_children
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
+from odometry_tests.waiting import wait_until
 
 SOAK = ROOT / 'test' / 'soak' / 'run_soak.py'
 A_MINUTE = 0.017  # hours; in the first minute of any course each event comes once
 STEPS = 1224  # of a 20th of a second in that time
 HEARD = 20  # distances, before it is interrupted
 TIMEOUT = 180.0  # s
+LOOK_PERIOD = 0.2  # s
 EVENTS = ['resets of the distance', 'resets of the odometry', 'resets of the simulation',
           'pauses', 'restarts of the detector', 'kills of the detector']
 
@@ -78,6 +83,17 @@ def test_ctrl_c_ends_it_and_its_nodes_with_a_summary():
     with Process('rosnode', 'list', env=environment) as listing:
         assert listing.wait() == 1
     assert 'Unable to communicate with master' in listing.output
+
+
+def test_nothing_is_left_of_a_soak_that_is_killed():
+    """By kill -9, which it cannot notice itself."""
+    mark = {'SOAK_UNDER_TEST': str(uuid.uuid4())}
+    with subprocess.Popen([ROOT / 'ws', 'soak'], env={**os.environ, **mark},
+                          stdout=subprocess.PIPE, text=True) as soaking:
+        assert 'ROS_MASTER_URI=' in soaking.stdout.readline()
+        assert len(marked(mark)) > 4
+        soaking.kill()
+    wait_until(lambda: not marked(mark), 15.0, lambda: f'the end of {marked(mark)}', LOOK_PERIOD)
 
 
 @pytest.mark.parametrize('hours', ['0', '-1', 'nan', 'inf', 'many'])
