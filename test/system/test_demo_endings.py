@@ -78,9 +78,13 @@ class Demo:
         return marked(self._mark)
 
     def end(self, signals):
-        """Send it signals, as fast as can be."""
+        """Send it signals, as fast as can be; those of keys as a terminal does, to its group."""
         for signum in signals:
-            self._process.send_signal(signum)
+            if signum in (signal.SIGINT, signal.SIGQUIT):
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(self._process.pid, signum)
+            else:
+                self._process.send_signal(signum)
 
     def assert_that_all_ends(self, signum):
         """Wait until there are no processes, and look at the exit status and the port."""
