@@ -4,11 +4,13 @@
 usage: kept.py PROGRAM [ARGUMENT...]
 """
 
-import signal
 import sys
 
-# Until there is something to end, Ctrl-C has nothing to say.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
+# Until there is something to end, Ctrl-C has nothing to say; in the import of `signal`, which
+# takes some milliseconds, it would show a traceback. This is what it is made of.
+from _signal import SIG_DFL, SIGINT, signal
+
+signal(SIGINT, SIG_DFL)
 
 
 def main():
