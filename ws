@@ -41,8 +41,10 @@ enter() {
 
 # exec_kept PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
 exec_kept() {
-    # -S makes Python's own start short: Ctrl-C would show a traceback from it.
-    exec python3 -S "$ROOT/launch/scripts/kept.py" "$@"
+    # Python would answer Ctrl-C with a traceback while it starts: signals wait until it has begun.
+    local wait=(env --block-signal=INT,TERM,HUP,QUIT)
+    "${wait[@]}" true 2>/dev/null || wait=()  # coreutils before 8.31
+    exec "${wait[@]}" python3 -S "$ROOT/launch/scripts/kept.py" "$@"
 }
 
 main() {

@@ -12,6 +12,7 @@ KEEPER = Path(__file__).with_name('keeper.py')
 STANDARD_FILES = range(3)
 STANDARD_OUTPUT = 1
 MAX_LINE = 64  # bytes
+ENDING_SIGNALS = signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT
 
 
 class Kept:
@@ -78,10 +79,12 @@ def stand_in(*command):
         for one in kept:
             one.let_go()
 
-    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+    for signum in ENDING_SIGNALS:
         # nohup has SIGHUP ignored.
         if signum != signal.SIGHUP or signal.getsignal(signum) != signal.SIG_IGN:
             signal.signal(signum, end)
+    # ./ws has them wait until here.
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING_SIGNALS)
     kept.append(Kept(*command))
     if received:
         kept[0].let_go()
