@@ -2,8 +2,10 @@
 # The front door: sets up what is missing, then runs a command in the workspace.
 set -euo pipefail
 
-CHECKOUT=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
+CHECKOUT=${CHECKOUT%/*}
 . "$CHECKOUT/launch/scripts/set_up.bash"
+end_by_signals
 
 usage() {
     cat <<'TEXT'
@@ -28,15 +30,8 @@ TEXT
 
 enter() {
     set +u
-    . "$WORKSPACE/devel/setup.bash"
+    . "$ROOT/launch/scripts/enter.bash"
     set -u
-    export PATH=$VENV/bin:$PATH
-    if [ -z "${ROS_IP:-}${ROS_HOSTNAME:-}" ]; then
-        # Without a name of its own ROS would listen to the whole network.
-        export ROS_HOSTNAME=localhost ROS_ETC_DIR=$ROOT/launch/etc
-    fi
-    export ODOMETRY_ROOT=$ROOT
-    cd "$CALLED_FROM"
 }
 
 # exec_kept PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
@@ -44,7 +39,9 @@ exec_kept() {
     # Python would answer Ctrl-C with a traceback while it starts: signals wait until it has begun.
     local wait=(env --block-signal=INT,TERM,HUP,QUIT)
     "${wait[@]}" true 2>/dev/null || wait=()  # coreutils before 8.31
-    exec "${wait[@]}" python3 -S "$ROOT/launch/scripts/kept.py" "$@"
+    # So would catkin's, which the keeper has in a session that hears no key of the terminal.
+    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/keeping.py" \
+        bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/launch/scripts/enter.bash" "$@"
 }
 
 main() {
@@ -59,11 +56,15 @@ main() {
         --set-up) shift; set_up "$@"; exit ;;
     esac
     set_up "$@"
-    enter
+    export ODOMETRY_ROOT=$ROOT
+    cd "$CALLED_FROM"
     case $1 in
         demo) shift; exec_kept "$ROOT/launch/scripts/demo.py" "$@" ;;
         bench) shift; exec_kept "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
         soak) shift; exec_kept "$ROOT/test/soak/run_soak.py" "$@" ;;
+    esac
+    enter
+    case $1 in
         test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
         *) exec "$@" ;;

@@ -2,7 +2,10 @@
 """Run a tutorial with a simulated TurtleBot 2 and show how it goes."""
 
 import os
+import signal
 
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
 # Nobody else is at the demo's master, for whom a namespace could be meant. rospy reads this when
 # it is imported.
 os.environ.pop('ROS_NAMESPACE', None)

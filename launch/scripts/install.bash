@@ -5,6 +5,14 @@ fail() {
     exit 1
 }
 
+# end_by_signals: end by Ctrl-C and Ctrl-\ also when the command that bash waits for does not: bash
+# would forget them.
+end_by_signals() {
+    trap 'trap - INT; kill -INT $$' INT
+    trap 'exit 131' QUIT
+    trap - TERM HUP
+}
+
 # run_step TEXT COMMAND...: run a command with its output in the log, and show that it is alive.
 run_step() {
     local text=$1 start=$SECONDS pid status=0 before
@@ -19,7 +27,7 @@ run_step() {
         sleep 0.2
     done
     wait $pid || status=$?
-    trap - INT TERM HUP
+    end_by_signals
     if [ $status != 0 ]; then
         [ ! -t 2 ] || echo >&2
         show_reason $((before + 1)) >&2

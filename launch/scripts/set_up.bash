@@ -19,18 +19,37 @@ set_up() {
     LOG=$WORKSPACE/setup.log
     cd "$ROOT"
     find_ros
+    is_ready "$@" || make_ready_alone "$@"
+}
+
+# is_ready COMMAND ARGUMENT...: return whether there is nothing to do. It runs in the background,
+# since bash forgets a Ctrl-C now and then while it waits for a $(...), but never in `wait`.
+is_ready() {
+    (
+        install_parts() { exit 1; }
+        run_step() { exit 1; }
+        make_ready "$@"
+    ) &
+    wait $!
+}
+
+# make_ready_alone COMMAND ARGUMENT...: do what is to be done, one call of ./ws at a time.
+make_ready_alone() {
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
     if ! flock -n 9; then
         echo './ws: another set-up is running; waiting for it' >&2
         flock 9
     fi
+    make_ready "$@"
+    exec 9>&-
+}
+
+make_ready() {
     need_parts "${PARTS[@]}"
     python_is_ready || run_step 'installing PyBullet' make_python
-    load_ros
     build_is_ready || run_step 'building the packages' build
     set_up_extras "$@"
-    exec 9>&-
 }
 
 # set_up_extras COMMAND ARGUMENT...: what only some commands need; below is the table of both.
@@ -151,7 +170,8 @@ build_is_ready() {
 }
 
 build() {
-    rm -rf "$WORKSPACE/build" "$WORKSPACE/devel"
+    load_ros
+    rm -rf "$WORKSPACE/ready" "$WORKSPACE/build" "$WORKSPACE/devel"
     mkdir "$WORKSPACE/build"
     # A package of an earlier version may be gone. What else is there is the user's.
     find "$WORKSPACE/src" -maxdepth 1 -lname '../../*' -xtype l -delete

@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 import subprocess
 
 import pytest
@@ -39,6 +40,13 @@ fails() {
 LOG=$CHECKOUT/.ws/setup.log
 run_step 'an earlier step' echo 'E: of another step'
 run_step 'filling the disk' fails
+"""
+SIGNAL_IT = """
+end_by_signals
+LOG=$CHECKOUT/.ws/setup.log
+run_step 'a step' true
+bash -c "kill -$SIGNAL $$; sleep 0.1"
+echo forgotten
 """
 
 
@@ -92,6 +100,14 @@ def test_a_failed_step_shows_its_reason(checkout):
     assert shown[1:3] == ['./ws: filling the disk ...', 'E: the disk is full']
     assert '100' in shown[-2]
     assert len(shown) < 20
+
+
+@pytest.mark.parametrize('signum, status', [
+    (signal.SIGINT, -signal.SIGINT), (signal.SIGQUIT, 128 + signal.SIGQUIT)])
+def test_a_signal_is_not_forgotten_that_bash_alone_has_heard(checkout, signum, status):
+    """It forgets it when the command that it waits for ends well."""
+    run = in_checkout(checkout, SIGNAL_IT, SIGNAL=str(int(signum)))
+    assert (run.returncode, run.stdout) == (status, ''), run.stderr
 
 
 def test_another_home_finds_the_same_workspace(checkout, tmp_path):

@@ -29,7 +29,6 @@ SHOWS = {'move': MoveShow, 'rotate': RotateShow}
 
 def main():
     """Exit 0 only if the robot did what it was told and stands."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
     options = parse(sys.argv[1:])
     try:
         status = 0 if _run(options) else 1

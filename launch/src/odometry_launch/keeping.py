@@ -1,4 +1,9 @@
-"""Processes that never outlive who has started them, whatever becomes of that."""
+"""Processes that never outlive who has started them, whatever becomes of that.
+
+usage: python3 -I -S keeping.py COMMAND [ARGUMENT...]
+
+As a program it stands in for a command.
+"""
 
 import contextlib
 import os
@@ -109,3 +114,7 @@ def _end_line():
     with contextlib.suppress(OSError):
         if os.isatty(STANDARD_OUTPUT):
             os.write(STANDARD_OUTPUT, b'\n')
+
+
+if __name__ == '__main__':
+    sys.exit(stand_in(*sys.argv[1:]))
