@@ -2,7 +2,8 @@
 # The front door: sets up what is missing, then runs a command in the workspace.
 set -euo pipefail
 
-CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
+# Not by $(...): bash may forget a Ctrl-C while it waits for that.
+IFS= read -rd '' CHECKOUT < <(readlink -fz "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}
 . "$CHECKOUT/launch/scripts/set_up.bash"
 end_by_signals
