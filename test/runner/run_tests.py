@@ -12,7 +12,7 @@ from results import read_cases
 from running import load, run
 from suite import RESULTS, all_jobs, job
 
-JOBS_PER_PROCESSOR = 2  # most tests wait most of the time, for each other's processes
+JOBS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
 
 
 def main():

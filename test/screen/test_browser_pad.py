@@ -1,18 +1,34 @@
-"""The pad of the browser window, in a real browser: it drives, and nobody can lose the robot.
+"""The pad of the browser window, in a real browser: it drives, no other page does.
 
 How long a page that says no more goes on driving is tested with a stepped clock, in
 unit/test_viewer.py.
 """
 
+import contextlib
+import http.server
 import signal
+import threading
 
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from odometry_tests.viewing import MOVING, View
+from odometry_tests.viewing import MOVING
+
+viser = pytest.importorskip('viser', reason='viser is not installed')
 
 # So it is not this that stops the robot, but what the test is about.
 WITHOUT_WATCHDOG = pytest.mark.parametrize('view', [{'patient': True}], indirect=True)
+
+# The element is what a Browser waits for when it opens a page.
+HOSTILE_PAGE = '''<!DOCTYPE html><title>Win a robot</title><p id="readings"></p><script>
+const note = (word) => { document.getElementById('readings').textContent += word + ' '; };
+for (const name of ['localhost', '127.0.0.1']) {
+  const socket = new WebSocket(`ws://${name}:PORT`, ['viser-vVERSION']);
+  let isOpen = false;
+  socket.onopen = () => { isOpen = true; note('connected'); };
+  socket.onclose = () => { if (!isOpen) note('refused'); };
+}
+</script>'''
 
 
 def drive(robot, page):
@@ -21,6 +37,58 @@ def drive(robot, page):
     robot.commands.clear()
     page.hold('forward')
     robot.wait_until_moving()
+
+
+@contextlib.contextmanager
+def hostile_page(view):
+    """Serve a page that connects to a viewer's websocket; yield where it is."""
+    port = view.url.rpartition(':')[2]
+    text = HOSTILE_PAGE.replace('PORT', port).replace('VERSION', viser.__version__)
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            self.send_response(200)
+            self.send_header('Content-Type', 'text/html')
+            self.end_headers()
+            self.wfile.write(text.encode())
+
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(('localhost', 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f'http://localhost:{server.server_address[1]}'
+        server.shutdown()
+
+
+def test_stop_commands_zero(robot, page):
+    """Also if it was not the pad that drove."""
+    page.wait_for_reading('speed', lambda speed: speed == 0)
+    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1, latch=True)
+    command = Twist()
+    command.linear.x = 0.2
+    publisher.publish(command)
+    robot.wait_until_moving()
+    page.click('stop')
+    robot.wait_until_stopped()
+    publisher.unregister()
+
+
+def test_a_page_that_hangs_in_mid_drive_stops_the_robot(robot, page):
+    """It cannot tell whether the button is still held."""
+    drive(robot, page)
+    with page.hanging():
+        robot.wait_until_stopped()
+
+
+def test_a_page_of_another_origin_gets_no_connection(browser, robot, view, page):
+    """While the page itself is open beside it, and stays so."""
+    with hostile_page(view) as url, browser.open(url) as hostile:
+        hostile.wait_for_text('refused refused')
+        assert 'connected' not in hostile.text
+        view.process.wait_for_output(f'Origin header is "{url}"')
+    shown = page.reading('simulated_time')
+    page.wait_for_reading('simulated_time', lambda seconds: seconds > shown)
 
 
 @WITHOUT_WATCHDOG
@@ -52,30 +120,11 @@ def test_a_page_that_is_closed_in_mid_drive_stops_the_robot(robot, page):
     robot.wait_until_stopped()
 
 
-def test_a_page_that_hangs_in_mid_drive_stops_the_robot(robot, page):
-    """It cannot tell whether the button is still held."""
-    drive(robot, page)
-    with page.hanging():
-        robot.wait_until_stopped()
-
-
-def test_stop_commands_zero(robot, page):
-    """Also if it was not the pad that drove."""
-    page.wait_for_reading('speed', lambda speed: speed == 0)
-    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1, latch=True)
-    command = Twist()
-    command.linear.x = 0.2
-    publisher.publish(command)
-    robot.wait_until_moving()
-    page.click('stop')
-    robot.wait_until_stopped()
-    publisher.unregister()
-
-
-def test_the_robot_stops_when_the_viewer_ends(robot, browser):
+@WITHOUT_WATCHDOG
+def test_the_robot_stops_when_the_viewer_ends(robot, view, page):
     """Its last word is zero, also with somebody's finger on the button; it ends at once."""
-    with View(patient=True) as short_lived, browser.open(short_lived.url) as page:
-        drive(robot, page)
-        assert short_lived.process.end(signal.SIGTERM) == 0, short_lived.process.output
-        robot.wait_until_stopped()
-    assert 'Traceback' not in short_lived.process.output
+    drive(robot, page)
+    assert view.process.end(signal.SIGTERM) == 0, view.process.output
+    robot.wait_until_stopped()
+    page.close()
+    assert 'Traceback' not in view.process.output

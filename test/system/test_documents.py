@@ -8,10 +8,8 @@ import os
 import re
 import shlex
 import shutil
-import socket
-import threading
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack, nullcontext
+from contextlib import ExitStack
 
 import pytest
 import rosbag
@@ -22,7 +20,6 @@ from odometry_tests.processes import hold_port
 from odometry_tests.reader import Reader
 from odometry_tests.screen import Screen
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import TIMEOUT, wait_until
 
 DOCUMENTS = [path for path in sorted(ROOT.rglob('*.md')) if not re.search(r'/\.', str(
     path.relative_to(ROOT.parent)))]
@@ -31,19 +28,18 @@ DETECTOR = 'rosrun odom_movement_detector odom_movement_detector.py'
 NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
 # What runs already when a reader comes to a heading, or to a single command.
 BEFORE = {
-    'Has the robot moved one metre?': ROBOT,
     'Turn the robot to a heading': ROBOT,
     'On a real TurtleBot 2': [*ROBOT, DETECTOR],
     'Troubleshooting': ['roslaunch odometry_launch rotate.launch target:=180'],
     'How to run': [*ROBOT, DETECTOR],
     'In a catkin workspace of your own': NOETIC,
-    './ws demo --view': [],
-    './ws rostopic echo /moved_distance': ['./ws demo'],
     'roslaunch odometry_launch move_two_meters.launch view:=true': [],
     'rosrun sim_turtlebot view.py': ROBOT,
     'ROS_NAMESPACE=robot_2 rosrun rotate_robot rotate.py': [
         'roslaunch odometry_launch sim.launch robots:=3'],
 }
+# Where a reader goes on with what he has running.
+GOES_ON = {'Has the robot moved one metre?': 'The tutorials'}
 OUTSIDE_THE_SHELL = ['In a catkin workspace of your own']
 # Words that a reader replaces by his own.
 PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
@@ -51,11 +47,13 @@ PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
     (r'^roscore$', r'\g<0> -p "${ROS_MASTER_URI##*:}"', 'the usual port may be taken'),
+    (r' view:=true$', r'\g<0> view_port:=$PAGE_PORT', 'the usual port may be taken'),
+    (r'view\.py$', r'\g<0> _port:=$PAGE_PORT', 'the usual port may be taken'),
     (r'^git clone .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}', 'is set up already'),
     (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench .*) latency (.*)$', r'\1 \2 --runs 1 --window 0.1', 'takes minutes'),
-    (r'^\./ws soak\b.*', r'\g<0> --hours 0.017', 'takes an hour'),
+    (r'^\./ws soak\b.*', r'\g<0> --hours 0.005', 'takes an hour'),
     (r'^\./ws python3 test/tools/screenshots.py$', r'\g<0> --help', 'changes the pictures'),
     (r'^sudo apt install', 'apt-get --simulate install', 'is installed already'),
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
@@ -71,11 +69,8 @@ NOT_HERE = {
 if not (ROOT / '.git').exists() or not shutil.which('git'):
     NOT_HERE['git clone '] = 'this is no clone'
 NOT_PRINTED = re.compile('latency at ')  # is a part of the bench that is left out
-NEEDS_PAGE = re.compile(r'--view|view:=|view\.py')
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
-PAGE_PORT = 8080
-PAGE = threading.Lock()  # is held by whom the port is for
-READERS = 3
+READERS = 4
 
 
 def sessions():
@@ -87,7 +82,8 @@ def sessions():
             if command.text in seen and command.inline and not command.shown:
                 continue
             seen.add(command.text)
-            key = command.text if command.text in BEFORE else f'{name}: {command.heading}'
+            heading = GOES_ON.get(command.heading, command.heading)
+            key = command.text if command.text in BEFORE else f'{name}: {heading}'
             found.setdefault(key, []).append(command)
     return found
 
@@ -115,10 +111,8 @@ def read(key, home):
         return 'Xvfb is not installed'
     make_home(home)
     in_shell = commands[0].heading not in OUTSIDE_THE_SHELL
-    with PAGE if NEEDS_PAGE.search(text) else nullcontext(), hold_port() as port, \
-            Reader(home, environment(port), in_shell) as reader:
-        if NEEDS_PAGE.search(text) and not page_is_free():
-            return f'port {PAGE_PORT} is taken'
+    with hold_port() as port, hold_port() as page_port, \
+            Reader(home, environment(port, page_port), in_shell) as reader:
         for before in BEFORE.get(key, BEFORE.get(commands[0].heading, [])):
             reader.follow(typed(before))
         for command in commands:
@@ -127,24 +121,6 @@ def read(key, home):
             except AssertionError as error:
                 raise AssertionError(f'{command}\n{error}') from None
     return None
-
-
-def page_is_free():
-    """Return whether nobody has the port of the page, or lets go of it soon."""
-    try:
-        wait_until(can_listen, TIMEOUT, '')
-    except AssertionError:
-        return False
-    return True
-
-
-def can_listen():
-    """Return whether the page's port is free at this moment."""
-    try:
-        socket.create_server(('localhost', PAGE_PORT)).close()
-    except OSError:
-        return False
-    return True
 
 
 def follow(reader, command):
@@ -174,11 +150,12 @@ def make_home(home):
                       rospy.Time.from_sec(100 + 0.1 * step))
 
 
-def environment(port):
-    """Return a login's environment, with the port for a ROS master of its own."""
+def environment(port, page_port):
+    """Return a login's environment, with the ports for a ROS master and for a page of its own."""
     return {'PATH': '/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin',
             'TERM': 'xterm', 'LANG': 'C.UTF-8', 'DISPLAY': os.environ.get('DISPLAY', ''),
-            'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}'}
+            'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}',
+            'PAGE_PORT': str(page_port)}
 
 
 @pytest.mark.parametrize('key', SESSIONS)

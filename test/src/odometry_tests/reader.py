@@ -117,6 +117,8 @@ def words_of(text):
 
 def _role(words):
     """Return what a reader has only one of: who types another ends the first with Ctrl-C."""
+    if '--help' in words:
+        return object()
     if words[0] == 'roslaunch' or words[:2] == ['./ws', 'demo']:
         return 'launch'
     if words[0] == 'rosrun':
