@@ -46,17 +46,24 @@ exec_kept() {
 }
 
 main() {
-    if [ "${1:-}" = --host ]; then
-        [ -n "${2:-}" ] || fail '--host needs the address of this machine that others reach'
-        export ROS_IP=$2
-        shift 2
-    fi
+    local only_set_up=false
     CALLED_FROM=$PWD
-    case ${1:-} in
-        '' | -h | --help) usage; [ $# != 0 ]; exit ;;
-        --set-up) shift; set_up "$@"; exit ;;
-    esac
+    while [[ ${1:-} == -* ]]; do
+        case $1 in
+            -h | --help) usage; exit ;;
+            --set-up) only_set_up=true ;;
+            --host)
+                [ -n "${2:-}" ] || fail '--host needs the address of this machine that others reach'
+                unset ROS_HOSTNAME
+                export ROS_IP=$2
+                shift ;;
+            *) refuse "$1 is not one of --host ADDRESS, --set-up, --help" ;;
+        esac
+        shift
+    done
+    $only_set_up || [ $# != 0 ] || { usage; exit 1; }
     set_up "$@"
+    ! $only_set_up || exit 0
     export ODOMETRY_ROOT=$ROOT
     cd "$CALLED_FROM"
     case $1 in

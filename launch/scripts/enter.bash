@@ -1,8 +1,21 @@
-# What ./ws does before a command: it enters the workspace in ODOMETRY_ROOT. catkin looks at arguments,
-# so that a function without any has to source this.
+# What ./ws and its shell do before a command: they enter the workspace in ODOMETRY_ROOT. catkin looks
+# at arguments, so that a function without any has to source this.
 . "$ODOMETRY_ROOT/.ws/devel/setup.bash"
 export PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
-if [ -z "${ROS_IP:-}${ROS_HOSTNAME:-}" ]; then
-    # Without a name of its own ROS would listen to the whole network.
+
+listens_on_this_machine_only() {
+    local address=${ROS_HOSTNAME:-${ROS_IP:-localhost}}
+    case ${address,,} in
+        localhost | localhost.* | *.localhost | localhost[46] | ip6-localhost | ip6-loopback) ;;
+        127.* | ::1) ;;
+        *) return 1 ;;
+    esac
+}
+
+if listens_on_this_machine_only; then
+    # Of loopback's names rospy knows this one only; under another it listens to the whole network,
+    # as without any. The C++ rosout does so in any case, and catkin's files have just named that.
     export ROS_HOSTNAME=localhost ROS_ETC_DIR=$ODOMETRY_ROOT/launch/etc
+    unset ROS_IP
 fi
+unset -f listens_on_this_machine_only

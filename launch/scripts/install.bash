@@ -5,6 +5,12 @@ fail() {
     exit 1
 }
 
+# refuse TEXT: end, since what was typed makes no sense.
+refuse() {
+    echo "./ws: $1" >&2
+    exit 2
+}
+
 # end_by_signals: end by Ctrl-C and Ctrl-\ also when the command that bash waits for does not: bash
 # would forget them.
 end_by_signals() {
@@ -14,12 +20,16 @@ end_by_signals() {
 }
 
 # run_step TEXT COMMAND...: run a command with its output in the log, and show that it is alive.
+# What it makes stands on no workspace that happens to be sourced.
 run_step() {
     local text=$1 start=$SECONDS pid status=0 before
     shift
     before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
     [ -t 2 ] || echo "./ws: $text ..." >&2
-    "$@" >>"$LOG" 2>&1 &
+    (
+        unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH PYTHONHOME PKG_CONFIG_PATH LD_LIBRARY_PATH
+        "$@"
+    ) >>"$LOG" 2>&1 &
     pid=$!
     trap 'kill $pid 2>/dev/null || true; exit 130' INT TERM HUP
     while [ -t 2 ] && kill -0 $pid 2>/dev/null; do

@@ -1,5 +1,6 @@
 # What ./ws does before a command: find ROS, install what is missing, build.
 . "$CHECKOUT/launch/scripts/install.bash"
+. "$CHECKOUT/launch/scripts/make.bash"
 
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
 PYTHON_PARTS=(python3-venv)
@@ -19,7 +20,31 @@ set_up() {
     LOG=$WORKSPACE/setup.log
     cd "$ROOT"
     find_ros
+    if asks_for_help "$@"; then
+        is_ready || help_without_base "$1"
+        return
+    fi
     is_ready "$@" || make_ready_alone "$@"
+}
+
+# asks_for_help COMMAND ARGUMENT...: whether a command of our own is only to say how it is used.
+asks_for_help() {
+    local word
+    case ${1:-} in
+        demo | test | bench | soak)
+            for word in "${@:2}"; do
+                case $word in -h | --help) return ;; esac
+            done ;;
+    esac
+    return 1
+}
+
+# help_without_base COMMAND: nobody wants to install anything only to read what it is for.
+help_without_base() {
+    usage
+    echo
+    echo "./ws $1 --help tells more once what is missing is installed and built: ./ws --set-up $1"
+    exit
 }
 
 # is_ready COMMAND ARGUMENT...: return whether there is nothing to do. It runs in the background,
@@ -116,73 +141,4 @@ find_ros() {
     else
         PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
     fi
-}
-
-load_ros() {
-    if [ -f /opt/ros/noetic/setup.bash ]; then
-        set +u
-        . /opt/ros/noetic/setup.bash
-        set -u
-    fi
-}
-
-# fingerprint FILE...: what the files contain and where they are.
-fingerprint() {
-    { echo "$ROOT"; cat "$@"; } | cksum
-}
-
-python_is_ready() {
-    [ "$(cat "$VENV/ready" 2>/dev/null)" = "$(fingerprint "$ROOT/requirements.txt")" ]
-}
-
-make_python() {
-    # Half a virtual environment cannot be told from a whole one: begin again.
-    rm -rf "$VENV"
-    # Debian's ROS modules belong to /usr/bin/python3, whatever python3 is first on PATH.
-    /usr/bin/python3 -m venv --system-site-packages "$VENV"
-    pip_install "$ROOT/requirements.txt"
-    fingerprint "$ROOT/requirements.txt" >"$VENV/ready"
-}
-
-pip_install() {
-    "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check -r "$1"
-}
-
-# need_python NAME FILE: install optional Python parts once.
-need_python() {
-    local ready=$VENV/ready-$1
-    if [ "$(cat "$ready" 2>/dev/null)" != "$(fingerprint "$2")" ]; then
-        run_step "installing Python packages for the $1" pip_install "$2"
-        fingerprint "$2" >"$ready"
-    fi
-}
-
-build_fingerprint() {
-    local others
-    mapfile -d '' -t others < <(find "$WORKSPACE/src" -mindepth 2 -name package.xml -print0 | sort -z)
-    fingerprint "${PACKAGES[@]/%//package.xml}" "${PACKAGES[@]/%//CMakeLists.txt}" \
-        "$VENV/ready" ./*/setup.py "${others[@]}"
-}
-
-build_is_ready() {
-    [ -f "$WORKSPACE/devel/setup.bash" ] &&
-        [ "$(cat "$WORKSPACE/ready" 2>/dev/null)" = "$(build_fingerprint)" ]
-}
-
-build() {
-    load_ros
-    rm -rf "$WORKSPACE/ready" "$WORKSPACE/build" "$WORKSPACE/devel"
-    mkdir "$WORKSPACE/build"
-    # A package of an earlier version may be gone. What else is there is the user's.
-    find "$WORKSPACE/src" -maxdepth 1 -lname '../../*' -xtype l -delete
-    # catkin's crawl skips hidden folders, so that these links make no loop.
-    local package
-    for package in "${PACKAGES[@]}"; do
-        ln -sfnT "../../$package" "$WORKSPACE/src/$package"
-    done
-    # CMake believes PWD where it is a name of its folder, and else takes the one without links.
-    cd "$WORKSPACE/build"
-    PATH=$VENV/bin:$PATH catkin_make -C "$WORKSPACE" -DPYTHON_EXECUTABLE="$VENV/bin/python3"
-    cd "$ROOT"
-    build_fingerprint >"$WORKSPACE/ready"
 }

@@ -1,8 +1,11 @@
 # What ./ws shell reads in place of ~/.bashrc, which it reads first: that may put another
-# python3 first on PATH.
+# python3 first on PATH, and ROS on another address than ./ws was told.
+address=$(declare -p ROS_HOSTNAME ROS_IP 2>/dev/null)
 [ ! -f ~/.bashrc ] || . ~/.bashrc
-. "$ODOMETRY_ROOT/.ws/devel/setup.bash"
-PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
+unset ROS_HOSTNAME ROS_IP
+eval "$address"
+unset address
+. "$ODOMETRY_ROOT/launch/scripts/enter.bash"
 PS1="(ws) $PS1"
 
 # view:=true, rviz:=true and gui:=true need parts that are installed when they are first asked for.

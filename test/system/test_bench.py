@@ -4,14 +4,17 @@ import csv
 import re
 
 import pytest
+from odometry_tests.listening import LOOPBACK, listened_on
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT, load_script
+
+TIMEOUT = 180.0  # s
 
 
 def bench(*arguments):
     """Run ./ws bench to its end."""
     run = Process(ROOT / 'ws', 'bench', *arguments)
-    run.wait(180.0)
+    run.wait(TIMEOUT)
     return run
 
 
@@ -36,14 +39,18 @@ def test_without_a_part_everything_is_measured(run_bench):
 def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
     """Name, value, limit and ratio in the table and in a file; what is missed decides the status."""
     file = tmp_path / 'figures.csv'
-    run = bench(part, '--runs', '1', '--window', '0.2', '--csv', file)
+    with Process(ROOT / 'ws', 'bench', part, '--runs', '1', '--window', '0.2',
+                 '--csv', file) as run:
+        addresses = listened_on(run, TIMEOUT)
+        status = run.wait()
+        assert addresses and addresses <= LOOPBACK, addresses
     _, heading, *rows = run.stdout.splitlines()
     assert heading.split() == ['name', 'value', 'unit', 'limit', 'ratio', 'target'], run.output
     assert [re.split(' {2,}', row)[0] for row in rows[:len(names)]] == names, run.output
     with open(file, newline='') as lines:
         assert [row['name'] for row in csv.DictReader(lines) if float(row['value']) > 0] == names
     missed = re.search('^targets missed: (.*)', run.stdout, re.MULTILINE).group(1)
-    assert run.wait() == (0 if missed == 'none' else 1), run.output
+    assert status == (0 if missed == 'none' else 1), run.output
     assert 'Traceback' not in run.stderr
 
 

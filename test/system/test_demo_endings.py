@@ -12,6 +12,7 @@ import uuid
 
 import pytest
 from odometry_tests.linux import marked
+from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
@@ -77,6 +78,11 @@ class Demo:
         """Return the ids of its processes."""
         return marked(self._mark)
 
+    @property
+    def pid(self):
+        """Process id of the demo itself."""
+        return self._process.pid
+
     def end(self, signals):
         """Send it signals, as fast as can be; those of keys as a terminal does, to its group."""
         for signum in signals:
@@ -122,6 +128,7 @@ def test_nothing_is_left_of_a_demo_that_is_ended_while_it_drives(moment, signals
         wait_until(lambda: 'of 100.00 m' in demo.output, 60.0, lambda: demo.output)
         time.sleep(moment)
         assert len(demo.processes()) > 4
+        assert_loopback_only(demo.pid)
         demo.end(signals)
         demo.assert_that_all_ends(signals[0])
 

@@ -11,6 +11,7 @@ import subprocess
 import urllib.request
 
 import pytest
+from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
@@ -51,6 +52,11 @@ class Terminal:
         os.close(self._reader)
 
     @property
+    def pid(self):
+        """Process id of the demo itself."""
+        return self._process.pid
+
+    @property
     def output(self):
         """What it has printed so far."""
         try:
@@ -77,6 +83,7 @@ def test_on_a_terminal_the_page_stays_after_the_run():
         url, port = ADDRESS.search(demo.output).groups()
         assert USUAL_PORT <= int(port) < USUAL_PORT + 100
         assert_the_page_is_served(url)
+        assert_loopback_only(demo.pid)
         assert demo.interrupt() == 0, demo.output
     assert 'moved distance' in demo.output
     assert 'Traceback' not in demo.output

@@ -1,20 +1,14 @@
-"""Machines that lack something: a home, a writable log, a network that may be listened to."""
+"""Machines that lack something: a home, a writable log."""
 
-import os
-import socket
 import subprocess
 
 import pytest
 import rosgraph
-from odometry_tests.linux import needs_children
-from odometry_tests.processes import Process, hold_port
-from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import detector, mover, rotator, simulator
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
 
 NODES = [simulator, detector, mover, rotator]
-LISTENING = '0A'  # a state of TCP sockets in /proc/net/tcp
 
 
 @pytest.fixture(params=['full', 'read-only', 'missing'])
@@ -80,60 +74,3 @@ def known(name):
         return bool(rosgraph.Master('/test').lookupNode(f'/{name}'))
     except rosgraph.MasterError:
         return False
-
-
-def descendants(pid):
-    """Return the ids of a process and of all that it has started."""
-    with open(f'/proc/{pid}/task/{pid}/children') as children:
-        found = [int(child) for child in children.read().split()]
-    return [pid] + [deeper for child in found for deeper in descendants(child)]
-
-
-def listening_addresses(pids):
-    """Return the IP addresses on which these processes listen for TCP connections."""
-    inodes = set()
-    for pid in pids:
-        for entry in os.scandir(f'/proc/{pid}/fd'):
-            try:
-                target = os.readlink(entry.path)
-            except OSError:
-                continue
-            if target.startswith('socket:['):
-                inodes.add(target[len('socket:['):-1])
-    addresses = set()
-    for table, family in (('tcp', socket.AF_INET), ('tcp6', socket.AF_INET6)):
-        with open(f'/proc/net/{table}') as rows:
-            for row in list(rows)[1:]:
-                fields = row.split()
-                if fields[3] == LISTENING and fields[9] in inodes:
-                    addresses.add(readable(fields[1].split(':')[0], family))
-    return addresses
-
-
-def readable(hexadecimal, family):
-    """Return an address of /proc/net in the usual form: its words are in host byte order."""
-    words = [bytes.fromhex(hexadecimal[start:start + 8])[::-1]
-             for start in range(0, len(hexadecimal), 8)]
-    return socket.inet_ntop(family, b''.join(words))
-
-
-@needs_children
-def test_everything_that_ws_starts_listens_on_loopback_only(master):
-    """Master, rosout, nodes: nobody else on the network can drive the robot."""
-    clean = {name: value for name, value in os.environ.items()
-             if name not in ('ROS_HOSTNAME', 'ROS_IP', 'ROS_ETC_DIR')}
-    with hold_port() as port, Process(
-            'env', '-i', *(f'{name}={value}' for name, value in clean.items()),
-            ROOT / 'ws', 'roslaunch', '-p', port, 'odometry_launch',
-            'move_two_meters.launch') as launch:
-        launch.wait_for_output('driving at', 60.0)
-        addresses = listening_addresses(descendants(launch.pid))
-    assert addresses and addresses <= {'127.0.0.1', '::1'}, addresses
-
-
-def test_ws_host_lets_others_in(master):
-    """Deliberately: the nodes then tell others the address they are given."""
-    show = Process(ROOT / 'ws', '--host', '192.0.2.1', 'printenv', 'ROS_IP',
-                   env={'ROS_HOSTNAME': ''})
-    assert show.wait(30.0) == 0, show.output
-    assert show.stdout == '192.0.2.1'

@@ -8,6 +8,7 @@ import uuid
 
 import pytest
 from odometry_tests.linux import marked, needs_children
+from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
@@ -92,6 +93,7 @@ def test_nothing_is_left_of_a_soak_that_is_killed():
                           stdout=subprocess.PIPE, text=True) as soaking:
         assert 'ROS_MASTER_URI=' in soaking.stdout.readline()
         assert len(marked(mark)) > 4
+        assert_loopback_only(soaking.pid)
         soaking.kill()
     wait_until(lambda: not marked(mark), 15.0, lambda: f'the end of {marked(mark)}', LOOK_PERIOD)
 

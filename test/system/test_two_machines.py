@@ -7,6 +7,7 @@ import subprocess
 
 import pytest
 from odometry_tests.processes import Process
+from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import REST_SPEED
 from odometry_tests.waiting import wait_until
 
@@ -75,7 +76,7 @@ def stands(speeds):
 
 def test_two_metres_across_a_link_that_is_cut_for_three_seconds(machines):
     """The robot stops by its watchdog while the link is down, and ends at two metres."""
-    with on(ROBOT, 'roscore'):
+    with on(ROBOT, 'env', '-u', 'ROS_IP', ROOT / 'ws', '--host', ADDRESSES[ROBOT], 'roscore'):
         wait_until(lambda: on(ROBOT, 'rosparam', 'set', 'use_sim_time', 'true').wait() == 0,
                    30.0, 'a ROS master')
         with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py'), \

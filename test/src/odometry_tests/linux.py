@@ -1,5 +1,6 @@
 """What tests ask of Linux, and not every system offers."""
 
+import contextlib
 import os
 from pathlib import Path
 
@@ -18,6 +19,19 @@ def marked(mark):
     (name, value), = mark.items()
     return [int(folder.name) for folder in Path('/proc').glob('[0-9]*')
             if f'{name}={value}' in _environment(folder)]
+
+
+def descendants(pid):
+    """Return the ids of the processes that a process has started, and that those have."""
+    children = {}
+    for stat in Path('/proc').glob('[0-9]*/stat'):
+        with contextlib.suppress(OSError):  # it has ended meanwhile
+            parent = stat.read_bytes().rpartition(b')')[2].split()[1]
+            children.setdefault(int(parent), []).append(int(stat.parent.name))
+    found = list(children.get(pid, []))
+    for one in found:
+        found += children.get(one, [])
+    return found
 
 
 def _environment(folder):

@@ -13,6 +13,7 @@ from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
+from odometry_tests.linux import descendants
 from odometry_tests.waiting import wait_until
 
 LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
@@ -105,7 +106,7 @@ class Page:
     @contextlib.contextmanager
     def hanging(self):
         """Use it as a context in which the page does nothing and answers nobody."""
-        renderers = [pid for pid in _descendants(self.driver.service.process.pid)
+        renderers = [pid for pid in descendants(self.driver.service.process.pid)
                      if b'--type=renderer' in Path(f'/proc/{pid}/cmdline').read_bytes()]
         assert renderers, 'no process draws the page'
         for pid in renderers:
@@ -161,13 +162,6 @@ class Page:
     @staticmethod
     def _wait_until(condition, what, timeout=PAGE_TIMEOUT):
         return wait_until(condition, timeout, what, LOOKING_PERIOD)
-
-
-def _descendants(pid):
-    """Return the ids of the processes that a process has started, and that those have."""
-    children = [int(child) for file in Path(f'/proc/{pid}/task').glob('*/children')
-                for child in file.read_text().split()]
-    return children + [below for child in children for below in _descendants(child)]
 
 
 def _draw_at(frame_rate):

@@ -43,6 +43,11 @@ class Terminal:
         self.wait_for_prompt()
 
     @property
+    def pid(self):
+        """Process id of the shell."""
+        return self._bash.pid
+
+    @property
     def status(self):
         """The exit status of what was typed last, or None while it runs."""
         found = PROMPT.search(self._text)
@@ -67,6 +72,11 @@ class Terminal:
         wait_until(lambda: self.status is not None, timeout,
                    lambda: f'a prompt after\n{self.output}', LOOKING_PERIOD)
         return self.status
+
+    def wait_for_output(self, text, timeout=TIMEOUT):
+        """Return once what was typed last has printed the text."""
+        wait_until(lambda: text in self.output, timeout,
+                   lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
 
     def type(self, line):
         """Type a line at the prompt."""
