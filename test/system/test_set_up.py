@@ -1,12 +1,9 @@
 """How ./ws makes a workspace: what is the user's stays, the path may be odd, failures say why."""
 
-import os
-import shutil
 import signal
-import subprocess
 
 import pytest
-from odometry_tests.scripts import ROOT
+from odometry_tests.checkout import FASTER, in_checkout, make_checkout
 
 FILES = {
     'package.xml': """<package format="3">
@@ -25,7 +22,7 @@ catkin_package()
 catkin_install_python(PROGRAMS hello.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 """,
     'hello.py': '#!/usr/bin/env python3\nimport pybullet\nprint("hello from", pybullet.__name__)\n'}
-RUN_MINE = """
+RUN_MINE = FASTER + """
 set_up true
 set +u
 . "$WORKSPACE/devel/setup.bash"
@@ -52,50 +49,32 @@ echo forgotten
 
 @pytest.fixture
 def checkout(tmp_path):
-    """Make what looks like a checkout, with an odd path and with a package of the user's."""
-    folder = tmp_path / "my robots/50 % of $HOME's"
-    (folder / '.ws' / 'src' / 'mine').mkdir(parents=True)
-    for path in ROOT.iterdir():
-        if path.name not in ('.ws', 'test_movement'):
-            (folder / path.name).symlink_to(path)
-    # This one is going to be changed.
-    shutil.copytree(ROOT / 'test_movement', folder / 'test_movement')
+    """Make a checkout with an odd path and with a package of the user's."""
+    folder = make_checkout(tmp_path / "my robots/50 % of $HOME's")
+    mine = folder / '.ws' / 'src' / 'mine'
+    mine.mkdir(parents=True)
     for name, content in FILES.items():
-        (folder / '.ws' / 'src' / 'mine' / name).write_text(content)
-    (folder / '.ws' / 'src' / 'mine' / 'hello.py').chmod(0o755)
+        (mine / name).write_text(content)
+    (mine / 'hello.py').chmod(0o755)
     return folder
-
-
-def in_checkout(folder, commands, **variables):
-    """Run lines of bash with what ./ws does before a command, but faster."""
-    start = """
-set -euo pipefail
-. "$CHECKOUT/launch/scripts/set_up.bash"
-python_is_ready() { true; }
-PACKAGES=(odometry_common test_movement)
-"""
-    environment = {'HOME': os.environ['HOME'], 'PATH': os.environ['PATH'],
-                   'XDG_CACHE_HOME': str(folder.parents[1]), 'CHECKOUT': str(folder)}
-    return subprocess.run(['bash', '-c', start + commands], text=True, capture_output=True,
-                          check=False, env={**environment, **variables})
 
 
 def test_a_package_of_the_user_is_built_and_survives_a_change_of_ours(checkout):
     """The README has readers clone into .ws/src; a changed package.xml has all built anew."""
     run = in_checkout(checkout, RUN_MINE)
-    assert run.stdout == 'hello from pybullet\n', run.stderr
+    assert run.stdout == 'hello from pybullet', run.stderr
     manifest = checkout / 'test_movement' / 'package.xml'
     manifest.write_text(manifest.read_text().replace('1.0.0', '1.0.1'))
     run = in_checkout(checkout, RUN_MINE)
     assert 'building the packages' in run.stderr
-    assert run.stdout == 'hello from pybullet\n', run.stderr
+    assert run.stdout == 'hello from pybullet', run.stderr
     assert 'building' not in in_checkout(checkout, RUN_MINE).stderr
 
 
 def test_a_failed_step_shows_its_reason(checkout):
     """It may stand long before the end of what the step has printed."""
     run = in_checkout(checkout, FAIL)
-    assert run.returncode == 1
+    assert run.wait() == 1
     shown = run.stderr.splitlines()
     assert shown[1:3] == ['./ws: filling the disk ...', 'E: the disk is full']
     assert '100' in shown[-2]
@@ -107,7 +86,7 @@ def test_a_failed_step_shows_its_reason(checkout):
 def test_a_signal_is_not_forgotten_that_bash_alone_has_heard(checkout, signum, status):
     """It forgets it when the command that it waits for ends well."""
     run = in_checkout(checkout, SIGNAL_IT, SIGNAL=str(int(signum)))
-    assert (run.returncode, run.stdout) == (status, ''), run.stderr
+    assert (run.wait(), run.stdout) == (status, ''), run.stderr
 
 
 def test_another_home_finds_the_same_workspace(checkout, tmp_path):
@@ -118,7 +97,7 @@ def test_another_home_finds_the_same_workspace(checkout, tmp_path):
     assert in_checkout(checkout, show, XDG_CACHE_HOME=str(tmp_path / 'other')).stdout == root
     moved = checkout.rename(checkout.with_name("moved 'again'"))
     again = in_checkout(moved, show)
-    assert again.stdout != root and again.returncode == 0, again.stderr
+    assert again.stdout != root and again.wait() == 0, again.stderr
 
 
 @pytest.mark.parametrize('folder', ['relative', '/with a space', '/proc'])
@@ -126,7 +105,7 @@ def test_a_path_of_odd_characters_needs_no_cache(checkout, folder):
     """A home may have a space too, or belong to somebody else."""
     run = in_checkout(checkout, 'find_root; readlink "$ROOT"; echo "$ROOT"; rm "$ROOT"',
                       XDG_CACHE_HOME=folder)
-    assert run.returncode == 0, run.stderr
+    assert run.wait() == 0, run.stderr
     target, root = run.stdout.splitlines()
     assert target == str(checkout)
     assert root.startswith('/var/tmp/')
