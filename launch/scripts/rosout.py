@@ -24,4 +24,4 @@ def main():
 
 if __name__ == '__main__':
     # disable_rostime: it stamps nothing itself, so that it need not hear each tick of the clock.
-    run_node('rosout', main, disable_rostime=True)
+    run_node('rosout', main, __doc__, disable_rostime=True)

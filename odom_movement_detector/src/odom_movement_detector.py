@@ -89,4 +89,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('movement_detector_node', main, anonymous=True)
+    run_node('movement_detector_node', main, __doc__, anonymous=True)

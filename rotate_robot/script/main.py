@@ -46,4 +46,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('my_quaternion_to_euler', main)
+    run_node('my_quaternion_to_euler', main, __doc__)

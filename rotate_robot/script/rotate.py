@@ -125,4 +125,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('rotate_robot', main)
+    run_node('rotate_robot', main, __doc__)

@@ -36,4 +36,4 @@ Parameters:
 from sim_turtlebot.node import main
 
 if __name__ == '__main__':
-    main()
+    main(__doc__)

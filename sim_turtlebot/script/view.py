@@ -51,4 +51,4 @@ def main():
 
 if __name__ == '__main__':
     # Simulated time may stand still, and the page has nothing to do with it.
-    run_node('view', main, anonymous=True, disable_rostime=True)
+    run_node('view', main, __doc__, anonymous=True, disable_rostime=True)

@@ -73,4 +73,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('world_frame', main)
+    run_node('world_frame', main, __doc__)

@@ -4,14 +4,14 @@ One table lists the parameters with their kind and range; the bad values follow 
 test compares it with the nodes' own documentation, so that no parameter is left out.
 """
 
-import re
 from typing import NamedTuple
 
 import pytest
 import rospy
 import yaml
 from odometry_common.parameters import ParameterError, check_command_line
-from odometry_tests.processes import rosrun
+from odometry_common.usage import parameters
+from odometry_tests.forked import run_script
 from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.viewer.address import read_address
@@ -111,52 +111,48 @@ def test_each_bad_value_is_refused_by_name(master, parameter):
         assert '\n' not in said
 
 
+def assert_refused(ended, *words):
+    """Assert that a node has ended with status 2 and one line with all the words in it."""
+    assert ended.status == EXIT_BAD_PARAMETER, ended
+    assert len(ended.stderr.splitlines()) == 1, ended
+    for word in words:
+        assert word in ended.stderr
+
+
 @pytest.mark.parametrize('parameter', TABLE, ids=lambda row: row.node)
 def test_a_node_with_a_bad_value_ends_with_one_line_and_status_2(master, parameter):
-    """The whole node as a user starts it, for one value of each parameter."""
-    package, program = parameter.script.split('/')[0], parameter.script.split('/')[-1]
-    with rosrun(package, program, f'__name:={parameter.node}',
-                f'_{parameter.name}:={parameter.refused[-1]}') as node:
-        assert node.wait() == EXIT_BAD_PARAMETER, node.output
-    assert f'parameter ~{parameter.name} is ' in node.stderr
-    assert len(node.stderr.splitlines()) == 1, node.stderr
+    """The whole node, for one value of each parameter."""
+    ended = run_script(parameter.script, f'__name:={parameter.node}',
+                       f'_{parameter.name}:={parameter.refused[-1]}')
+    assert_refused(ended, f'parameter ~{parameter.name} is ')
     left_behind = f'/{parameter.node}/{parameter.name}'
     assert not rospy.has_param(left_behind), 'the next run would be refused too'
-
-
-def documented_parameters(script):
-    """Return the names of the parameters in a node's documentation."""
-    _, _, text = (load_script(script).__doc__ or '').partition('Parameters:')
-    return {name.strip('~ ') for line in re.findall(r'^    (~.*?) \(', text, re.MULTILINE)
-            for name in line.split(',')}
 
 
 def test_every_node_with_parameters_is_in_the_table():
     """A new node too."""
     scripts = {str(path.relative_to(ROOT)) for folder in ('src', 'script', 'scripts')
                for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test'}
-    assert {script for script in scripts if documented_parameters(script)} == set(READERS)
+    assert {script for script in scripts
+            if parameters(load_script(script).__doc__ or '')} == set(READERS)
 
 
 @pytest.mark.parametrize('script', READERS)
 def test_the_table_has_every_parameter(script):
     """A new parameter is in its node's documentation, and so has to be here."""
-    assert documented_parameters(script) == {row.name for row in TABLE if row.script == script}
+    known = parameters(load_script(script).__doc__)
+    assert sorted(known) == sorted(f'~{row.name}' for row in TABLE if row.script == script)
 
 
-@pytest.mark.parametrize('value', ['no_such_file.urdf', 'room.txt', '/dev/null.sdf'])
-def test_a_world_that_cannot_be_loaded_ends_the_simulator(master, value):
-    """The line names the file."""
-    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', f'_world:={value}') as node:
-        assert node.wait() == EXIT_BAD_PARAMETER, node.output
-    assert value in node.stderr and len(node.stderr.splitlines()) == 1, node.stderr
+def test_a_world_that_cannot_be_used_ends_the_simulator(master, tmp_path):
+    """The line names the file and the reason; test_odd_worlds tries many of them."""
+    (tmp_path / 'x.urdf').mkdir()
+    ended = run_script(SIMULATOR, f'_world:={tmp_path}/x.urdf')
+    assert_refused(ended, f'parameter ~world is \'{tmp_path}/x.urdf\'', 'is a folder')
 
 
 @pytest.mark.parametrize('display', ['', ':987'])
 def test_a_window_without_a_screen_is_refused(master, display):
     """Most machines that run this have none."""
-    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_gui:=true',
-                env={'DISPLAY': display}) as node:
-        assert node.wait() == EXIT_BAD_PARAMETER, node.output
-    assert '~gui' in node.stderr and 'DISPLAY' in node.stderr
-    assert len(node.stderr.splitlines()) == 1, node.stderr
+    ended = run_script(SIMULATOR, '_gui:=true', env={'DISPLAY': display})
+    assert_refused(ended, '~gui', 'DISPLAY')

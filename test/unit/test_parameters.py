@@ -1,9 +1,10 @@
 """What is said about a parameter that a node cannot run with."""
 
 import pytest
+import yaml
 from hypothesis import given
 from hypothesis import strategies as st
-from odometry_common.parameters import ParameterError, check_command_line
+from odometry_common.parameters import ParameterError, as_number, check_command_line
 
 
 @pytest.mark.parametrize('name, value, allowed, line', [
@@ -77,3 +78,19 @@ def test_no_text_ends_in_another_error(text):
         check_command_line([f'_speed:={text}'])
     except ParameterError as error:
         assert error.name == '~speed'
+
+
+@pytest.mark.parametrize('text, number', [
+    ('1e4', 1e4), ('-1e-1', -0.1), ('+2E3', 2000.0), ('1.e2', 100.0), ('.5e1', 5.0), ('1.5e3', 1500.0),
+    ('1.0e+4', 1e4), ('-0', 0.0), ('2', 2.0), ('0.1', 0.1)])
+def test_a_number_is_one_however_it_is_written(text, number):
+    """PyYAML, by which ROS reads the command line, takes some of them for a text."""
+    assert as_number(yaml.safe_load(text)) == number
+
+
+@pytest.mark.parametrize('value', [
+    'abc', '', '5', '0.1', '1e', 'e4', '1e4m', ' 1e4', '1e4\n', '0x1e4', '1_0e4', '\u0661e4', 'nan', 'inf',
+    '1e1e1', '.e1', True, False, None, [1.0], {}])
+def test_what_is_written_otherwise_is_none(value):
+    """A number in quotes is a text, as ever."""
+    assert as_number(value) is None

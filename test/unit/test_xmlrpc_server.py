@@ -9,7 +9,7 @@ from rosgraph.xmlrpc import XmlRpcNode
 
 def test_a_closed_server_ends_its_thread():
     """Closed as rospy does it at shutdown."""
-    use_closable_server()
+    use_closable_server(lambda error: None)
     server = XmlRpcNode()
     thread = threading.Thread(target=server.run, daemon=True)
     thread.start()

@@ -118,4 +118,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('test_movement', main)
+    run_node('test_movement', main, __doc__)

@@ -11,41 +11,56 @@ import rosgraph
 import rospkg
 import rospy
 
+from odometry_common.handles import shortage, take_all_handles
 from odometry_common.output import LineOutput
-from odometry_common.parameters import ParameterError, check_command_line
+from odometry_common.parameters import ParameterError, check_command_line, forget_argument
+from odometry_common.usage import show_help_if_asked, warn_of_unknown
 from odometry_common.xmlrpc_server import use_closable_server
 
+EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
 SHUTDOWN_THREAD = 'shutdown'
 MASTER_RETRY_PERIOD = 0.5  # s
 
+_failures = []  # why this process cannot go on
 
-def run_node(name, main, **init_node_options):
+
+def run_node(name, main, documentation, **init_node_options):
     """Run a node from start to end and exit the process.
 
     :param name: node name
     :param main: function without arguments; returns when the node is done
+    :param documentation: the node's help, with a list of its parameters under "Parameters:"
     :param init_node_options: passed on to rospy.init_node
 
-    The exit status is 0, or 2 with one line on stderr if a parameter is unusable.
+    The exit status is 0, or 2 with one line on stderr if a parameter is unusable, or 1 if there
+    are no file handles left.
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
     sys.stdout, sys.stderr = (LineOutput(stream, lambda: _shut_down('nobody reads the output'))
                               for stream in (sys.stdout, sys.stderr))
     try:
+        show_help_if_asked(documentation)
         check_command_line()
+        take_all_handles()
         _do_without_logs_if_need_be()
         _start(name, init_node_options)
+        warn_of_unknown(documentation)
         main()
     except ParameterError as error:
         print(f'{name}: {error}', file=sys.stderr)
-        _forget(error.name)
+        forget_argument(error.name)
         sys.exit(EXIT_BAD_PARAMETER)
+    except OSError as error:
+        if not _report(error):
+            raise
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
     finally:
         rospy.signal_shutdown('the node has ended')
+    if _failures:
+        sys.exit(EXIT_FAILURE)
 
 
 def leave():
@@ -60,20 +75,27 @@ def leave():
 def _report_thread(failure):
     """Report what has ended a thread, unless the node is ending anyway.
 
-    rospy's threads stumble over the sockets that it closes at shutdown.
+    rospy's threads stumble over the sockets that it closes at shutdown. The one that takes
+    connections ends when there is no file handle for one: then nobody reaches the node any more.
     """
-    if not rospy.is_shutdown():
+    if not rospy.is_shutdown() and not _report(failure.exc_value):
         threading.__excepthook__(failure)
 
 
-def _forget(name):
-    """Take a refused value of the command line back, or it would spoil the next run too.
+def _report(error):
+    """Shut the node down if there are no file handles left; return whether that is so."""
+    reason = shortage(error)
+    if reason and not rospy.is_shutdown():
+        _fail(reason)
+    return reason is not None
 
-    What `_name:=value` once set stays on the parameter server.
-    """
-    given = any(argument.startswith(f'_{name[1:]}:=') for argument in sys.argv[1:])
-    if given and rospy.core.is_initialized() and rospy.has_param(name):
-        rospy.delete_param(name)
+
+def _fail(reason):
+    """Say, once, why the node cannot go on, and shut it down."""
+    if not _failures:
+        print(f'{rospy.get_name()[1:]}: {reason}', file=sys.stderr)
+    _failures.append(reason)
+    _shut_down(reason)
 
 
 def _start(name, init_node_options):
@@ -89,7 +111,7 @@ def _start(name, init_node_options):
 
     _on_signals(interrupt)
     _wait_for_master(interrupted)
-    use_closable_server()
+    use_closable_server(_report)
     if not interrupted.is_set():
         rospy.init_node(name, disable_signals=True, **init_node_options)
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))

@@ -1,11 +1,16 @@
 """Private parameters that are checked before a node does anything."""
 
 import math
+import re
 import sys
 import xmlrpc.client
 
 import rospy
 import yaml
+
+
+# YAML 1.1 takes 1e4 for a text: it wants a point and a sign in it, 1.0e+4.
+WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
 
 
 class ParameterError(ValueError):
@@ -26,11 +31,18 @@ def get_number(name, default, accepts=math.isfinite, allowed='a finite number'):
     :return: the value as a float
     :raises ParameterError: if it is no finite number, or out of range
     """
-    value = rospy.get_param(name, default)
+    given = rospy.get_param(name, default)
+    value = as_number(given)
+    if value is None or not math.isfinite(value) or not accepts(value):
+        raise ParameterError(name, given, allowed)
+    return value
+
+
+def as_number(value):
+    """Return a value of the parameter server as a float; None if it is not a number."""
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    if not is_number or not math.isfinite(value) or not accepts(value):
-        raise ParameterError(name, value, allowed)
-    return float(value)
+    is_written_as_one = isinstance(value, str) and WITH_EXPONENT.fullmatch(value)
+    return float(value) if is_number or is_written_as_one else None
 
 
 def get_flag(name, default):
@@ -73,3 +85,13 @@ def check_command_line(arguments=None):
             raise ParameterError(
                 f'~{name[1:]}', text, 'a value that ROS can store: a text, a number with at '
                 'most 32 bits or a decimal point, true or false, or a list of them') from None
+
+
+def forget_argument(name):
+    """Take a parameter (such as ~speed) that the command line has set back, or the next run gets it.
+
+    What `_name:=value` once set stays on the parameter server.
+    """
+    given = any(argument.startswith(f'_{name[1:]}:=') for argument in sys.argv[1:])
+    if given and rospy.core.is_initialized() and rospy.has_param(name):
+        rospy.delete_param(name)

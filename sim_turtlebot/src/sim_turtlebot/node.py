@@ -244,7 +244,7 @@ def _simulate():
         leave()  # PyBullet would wait for its window's thread, which may not end
 
 
-def main():
-    """Run the node."""
+def main(documentation):
+    """Run the node, of which its script has the documentation."""
     # disable_rostime: the clock is ours, so there is none to subscribe to and wait for.
-    run_node('sim_turtlebot', _simulate, disable_rostime=True)
+    run_node('sim_turtlebot', _simulate, documentation, disable_rostime=True)

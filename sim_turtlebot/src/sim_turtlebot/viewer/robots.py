@@ -9,6 +9,7 @@ import numpy
 import rosgraph
 import rospy
 from nav_msgs.msg import Odometry
+from odometry_common.parameters import as_number
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
@@ -97,7 +98,7 @@ class Robot:
             self._target = None
         elif self._target is None:
             target = rospy.get_param(self._target_topic, DEFAULT_TARGET)
-            self._target = float(target) if isinstance(target, (int, float)) else None
+            self._target = as_number(target)
 
     def look(self):
         """Return the Sight, or None if there is none yet."""
