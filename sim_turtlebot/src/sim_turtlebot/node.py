@@ -19,11 +19,11 @@ from tf2_msgs.msg import TFMessage
 
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 from sim_turtlebot.pacing import Lockstep, Pacer
-from sim_turtlebot.physics import WorldFileError
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation, side_by_side
 from sim_turtlebot.topics import RobotTopics
 from sim_turtlebot.window import NoScreenError
+from sim_turtlebot.world_file import WorldFileError
 
 QUEUE_SIZE = 10
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep

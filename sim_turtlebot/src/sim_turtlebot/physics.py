@@ -7,6 +7,7 @@ from pathlib import Path
 
 from sim_turtlebot.quiet import terminal_closed
 from sim_turtlebot.window import Window, screen
+from sim_turtlebot.world_file import WorldFileError, check_world_file, load
 
 with terminal_closed():
     import pybullet
@@ -26,11 +27,10 @@ FLOOR_FRICTION = 1.0
 WHEEL_TORQUE = 1.64  # N m
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
+LARGEST_OVERLAP = 1e-3  # m, of a robot and the world at its start; more would throw it away
+UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
+HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
-
-
-class WorldFileError(ValueError):
-    """A world file that cannot be loaded; the message says why in one line."""
 
 
 class World:
@@ -41,10 +41,11 @@ class World:
 
         :param world_file: path of a URDF or SDF file to load beside the floor
         :raises NoScreenError: if there is no screen for the GUI
-        :raises WorldFileError: if the file cannot be loaded
+        :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded
         """
         self._step_rate = step_rate
         self._robots = []
+        self._world_file = world_file
         self._client = _connect(gui)
         self.step = self._client.stepSimulation
         # With a mouse or with things that fall, there is motion that is no robot's.
@@ -65,7 +66,12 @@ class World:
         return robot
 
     def settle(self):
-        """Let the robots sink into their wheels; each is at its exact start then."""
+        """Let the robots sink into their wheels; each is at its exact start then.
+
+        :raises WorldFileError: if there is something where a robot starts
+        """
+        if self._world_file:
+            self._check_starts()
         for _ in range(round(SETTLING_TIME * self._step_rate)):
             self.step()
         for robot in self._robots:
@@ -96,18 +102,20 @@ class World:
         floor = self._client.createMultiBody(0, plane)
         self._client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
 
+    def _check_starts(self):
+        self._client.performCollisionDetection()
+        for number, robot in enumerate(self._robots, 1):
+            overlap = robot.overlap()
+            if overlap > LARGEST_OVERLAP:
+                name = f'robot_{number}' if len(self._robots) > 1 else 'the robot'
+                x, y, _ = robot.pose()[0]
+                raise WorldFileError('a world that leaves room for the robot at its start '
+                                     f'({name}, at x {x:g}, y {y:g}, is {overlap:.3f} m deep in it)')
+
     def _load(self, world_file):
-        suffix = Path(world_file).suffix
-        if suffix not in ('.urdf', '.sdf', '.world'):
-            raise WorldFileError('the name of a .urdf or .sdf file')
-        try:
-            with terminal_closed():
-                if suffix == '.urdf':
-                    self._client.loadURDF(world_file, useFixedBase=True)
-                else:
-                    self._client.loadSDF(world_file)
-        except pybullet.error as error:
-            raise WorldFileError(f'a file that can be loaded ({error})') from None
+        check_world_file(world_file)
+        with terminal_closed():
+            load(self._client, world_file)
 
 
 class TurtleBot:
@@ -152,6 +160,13 @@ class TurtleBot:
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         states = self._client.getJointStates(self._body, self._wheels)
         return tuple(zip(*((angle, velocity, torque) for angle, velocity, _, torque in states)))
+
+    def overlap(self):
+        """Return how deep (m) other bodies are in the robot, but for a floor that bears it."""
+        points = ((normal[2], -distance) for *_, normal, distance, _, _, _, _, _
+                  in self._client.getContactPoints(self._body))
+        return max((depth for up, depth in points
+                    if up < UPWARDS or depth > HIGHEST_FLOOR), default=0.0)
 
     def place(self, position, orientation, wheel_angles):
         """Put the robot there, at rest; m, quaternion x y z w, rad."""

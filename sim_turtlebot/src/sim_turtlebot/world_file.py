@@ -1,0 +1,70 @@
+"""Whether PyBullet can load a world file, tried in a process of its own.
+
+Over some files PyBullet ends the whole process: over a URDF with two root links, or a mesh that is
+a folder. As a program, this file is that process.
+"""
+
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+SUFFIXES = '.urdf', '.sdf', '.world'
+REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
+# PyBullet names the link in a remark of its own.
+NO_INERTIA = re.compile(r'No inertial data for link,.*')
+LONGEST_REASON = 300  # characters
+
+
+class WorldFileError(ValueError):
+    """A world file that cannot be used; the message says in one line what it must be."""
+
+
+def check_world_file(path):
+    """Raise WorldFileError if PyBullet cannot load the file."""
+    if Path(path).suffix not in SUFFIXES:
+        raise WorldFileError('the name of a .urdf or .sdf file')
+    if not Path(path).is_file():
+        what = 'is a folder' if Path(path).is_dir() else 'there is none'
+        raise WorldFileError(f'a file that can be loaded ({what})')
+    # In a session of its own, Ctrl-C does not make it fail.
+    trial = subprocess.run([sys.executable, __file__, path], capture_output=True, text=True,
+                           errors='replace', start_new_session=True, check=False)
+    if trial.returncode:
+        raise WorldFileError(f'a file that can be loaded ({_reason(trial)})')
+
+
+def load(client, path):
+    """Load a URDF or SDF file into a PyBullet client."""
+    if Path(path).suffix == '.urdf':
+        client.loadURDF(path, useFixedBase=True)
+    else:
+        client.loadSDF(path)
+
+
+def _reason(trial):
+    """Return in one line what PyBullet has printed of a file before it gave up."""
+    _, *remarks = REMARK.split(trial.stdout)
+    told, is_link = [], False
+    for remark in remarks:
+        if not is_link and not NO_INERTIA.match(remark):
+            told.append(remark)
+        is_link = bool(NO_INERTIA.match(remark))
+    if trial.returncode < 0:
+        told.insert(0, f'PyBullet ends by {signal.Signals(-trial.returncode).name};')
+    told = told or trial.stderr.splitlines()[-1:]
+    return ' '.join(' '.join(told).split())[:LONGEST_REASON]
+
+
+def _main():
+    import pybullet
+    from pybullet_utils.bullet_client import BulletClient
+    try:
+        load(BulletClient(pybullet.DIRECT), sys.argv[1])
+    except pybullet.error as error:
+        sys.exit(str(error))
+
+
+if __name__ == '__main__':
+    _main()

@@ -1,0 +1,111 @@
+"""Worlds that are refused, each with what is wrong with it, before a robot moves in them."""
+
+import pytest
+from odometry_tests.scripts import ROOT
+from sim_turtlebot.physics import World
+from sim_turtlebot.world_file import WorldFileError
+
+STEP_RATE = 240  # Hz
+ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
+BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
+FILES = {
+    'unclosed.urdf': '<robot name="r">\n<link name="a">\n</robot>',
+    'empty.urdf': '',
+    'text.sdf': 'hello',
+    'two_roots.urdf': f'<robot name="r"><link name="a">{BOX}</link><link name="b">{BOX}</link></robot>',
+    'no_mesh.urdf': '<robot name="r"><link name="a">\n<collision><geometry>'
+                    '<mesh filename="gone.obj"/></geometry></collision></link></robot>',
+    'mesh_that_is_a_folder.urdf': '<robot name="r"><link name="a"><collision><geometry>'
+                                  '<mesh filename="mesh.obj"/></geometry></collision></link></robot>',
+}
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Fill a folder with worlds."""
+    for name in ('x.urdf', 'x.sdf', 'mesh.obj'):
+        (tmp_path / name).mkdir()
+    for name, text in FILES.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+@pytest.mark.parametrize('name, reason', [
+    ('no_such_file.urdf', 'there is none'),
+    ('x.urdf', 'is a folder'),
+    ('x.sdf', 'is a folder'),
+    ('mesh.obj', 'the name of a .urdf or .sdf file'),
+    ('unclosed.urdf', 'Line number=2'),
+    ('empty.urdf', 'Cannot load URDF file'),
+    ('text.sdf', 'Line number=1'),
+    ('two_roots.urdf', 'multiple root links found: a b'),
+    ('no_mesh.urdf', "no_mesh.urdf:2: cannot find 'gone.obj'"),
+    ('mesh_that_is_a_folder.urdf', 'PyBullet ends by SIGABRT'),
+])
+def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(folder, name, reason):
+    """In one line, also where PyBullet would end the process."""
+    with pytest.raises(WorldFileError) as refusal:
+        World(STEP_RATE, world_file=str(folder / name))
+    assert reason in str(refusal.value)
+    assert len(str(refusal.value).splitlines()) == 1
+    assert 'inertial' not in str(refusal.value)
+
+
+def box(size, position):
+    """Return a collision element; sizes and positions as in a URDF."""
+    return (f'<collision><origin xyz="{position}"/><geometry><box size="{size}"/></geometry>'
+            '</collision>')
+
+
+def settled(tmp_path, *boxes, starts=((0.0, 0.0),)):
+    """Return the robots of a world of boxes, settled at their starts."""
+    path = tmp_path / 'boxes.urdf'
+    path.write_text(f'<robot name="r"><link name="a">{"".join(boxes)}</link></robot>')
+    world = World(STEP_RATE, world_file=str(path))
+    robots = [world.add_turtlebot(*start) for start in starts]
+    world.settle()
+    return robots
+
+
+@pytest.mark.parametrize('boxes, depth', [
+    ([box('0.1 4 0.5', '0 0 0.25')], '0.180 m'),  # a wall through its middle
+    ([box('0.1 4 0.5', '0.22 0 0.25')], '0.009 m'),  # a wall that touches it
+    ([box('10 10 1', '0 0 0.8')], '0.110 m'),  # a ceiling too low
+    ([box('10 10 1', '0 0 -0.3')], '0.200 m'),  # a step on which it would be thrown
+])
+def test_a_world_where_a_robot_starts_is_refused_with_the_depth(tmp_path, boxes, depth):
+    """It would be flung metres away."""
+    with pytest.raises(WorldFileError) as refusal:
+        settled(tmp_path, *boxes)
+    assert f'the robot, at x 0, y 0, is {depth} deep in it' in str(refusal.value)
+    assert len(str(refusal.value).splitlines()) == 1
+
+
+def test_the_robot_that_has_no_room_is_named(tmp_path):
+    """Of several, the first one."""
+    with pytest.raises(WorldFileError, match='robot_2, at x 0, y 1, is 0.1'):
+        settled(tmp_path, box('0.1 0.1 0.5', '0 1 0.25'), starts=((0.0, 0.0), (0.0, 1.0)))
+
+
+@pytest.mark.parametrize('height', [-0.5, 0.0, 0.03, 0.05])
+def test_a_floor_of_the_worlds_own_bears_the_robot(tmp_path, height):
+    """It stands at its start."""
+    robot, = settled(tmp_path, box('10 10 1', f'0 0 {height - 0.5}'))
+    (x, y, z), _ = robot.pose()
+    assert (x, y) == (0.0, 0.0)
+    assert z == pytest.approx(max(height, 0.0), abs=1e-3)
+
+
+def test_a_wall_beside_the_robot_is_no_overlap(tmp_path):
+    """A centimetre away."""
+    settled(tmp_path, box('0.1 4 0.5', '0.24 0 0.25'))
+
+
+def test_the_room_has_room():
+    """In its middle; the wall has not."""
+    world = World(STEP_RATE, world_file=ROOM)
+    world.add_turtlebot()
+    world.settle()
+    world.add_turtlebot(2.0)
+    with pytest.raises(WorldFileError, match='robot_2, at x 2, y 0, is 0.13'):
+        world.settle()
