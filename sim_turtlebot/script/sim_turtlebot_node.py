@@ -11,6 +11,7 @@ Publishes:
     joint_states (sensor_msgs/JointState): both wheels
     /tf (tf2_msgs/TFMessage): odom -> base_footprint
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
+    ~warning (std_msgs/String): that the machine is too slow; empty otherwise; latched
 
 Services (std_srvs/Empty):
     ~pause_physics, ~unpause_physics, ~reset_simulation

@@ -14,6 +14,7 @@ from odometry_common.node import leave, run_node
 from odometry_common.parameters import ParameterError
 from odometry_common.publishing import advertise
 from rosgraph_msgs.msg import Clock
+from std_msgs.msg import String
 from std_srvs.srv import Empty, EmptyResponse
 from tf2_msgs.msg import TFMessage
 
@@ -40,7 +41,7 @@ class Simulator:
         self._settings = settings
         self._simulation = _new_simulation(settings)
         self._timeline = self._simulation.timeline
-        self._pacer = Pacer(settings.real_time_factor)
+        self._pacer = Pacer(settings.real_time_factor, self._tell_of_pace)
         self._lockstep = None
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
@@ -162,6 +163,9 @@ class Simulator:
         self._topics = [RobotTopics(robot, namespace, queue_size) for robot, namespace
                         in zip(self._simulation.robots, _namespaces(settings.robots))]
 
+        self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
+        self._warning.publish('')
+
     def _listen(self):
         for index, topics in enumerate(self._topics):
             topics.subscribe(
@@ -192,6 +196,18 @@ class Simulator:
             self._simulation.command(linear, angular, index)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
+
+    def _tell_of_pace(self, reached):
+        """Warn, in the log and for the page, that the machine is too slow, or has caught up."""
+        wanted = self._settings.real_time_factor
+        if reached is None:
+            text = ''
+            rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted:g}')
+        else:
+            text = (f'this machine is too slow: it reaches a real-time factor of {reached:.2g} '
+                    f'instead of {wanted:g}')
+            rospy.logwarn(f'{text}; fewer robots, a lower ~odom_rate or ~real_time_factor help')
+        self._warning.publish(text)
 
     def _pause(self):
         self._paused = True

@@ -6,9 +6,11 @@ import rosgraph
 import rospkg
 import rospy
 from odometry_common.timing import Metronome
+from std_msgs.msg import String
 
 from sim_turtlebot.viewer.model import load_links
 from sim_turtlebot.viewer.page import Page
+from sim_turtlebot.viewer.panel import WARNING
 from sim_turtlebot.viewer.robots import Robot, look_around
 from sim_turtlebot.viewer.track import RateGauge
 
@@ -27,6 +29,8 @@ class Viewer:
         self._searching, self._drawing = Metronome(SEARCH_PERIOD), Metronome(DRAWING_PERIOD)
         self._gauge = RateGauge()
         self._stopping = False
+        self._warning = ''
+        self._warnings = rospy.Subscriber(WARNING, String, self._on_warning)
         rospy.on_shutdown(self._stop)
 
     def run(self):
@@ -67,8 +71,13 @@ class Viewer:
         except (OSError, rosgraph.MasterException):
             self._page.simulation.update(set(), 'the ROS master does not answer')
             return
-        waiting = '' if graph.robots else f'waiting for odometry on {rospy.resolve_name("odom")}'
-        self._page.simulation.update(graph.services, waiting)
+        complaint = self._warning if self._warnings.get_num_connections() else ''
+        if not graph.robots:
+            complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
+        self._page.simulation.update(graph.services, complaint)
+
+    def _on_warning(self, message):
+        self._warning = message.data
 
     def _set_robots(self, namespaces):
         for namespace in set(self._robots) - set(namespaces):

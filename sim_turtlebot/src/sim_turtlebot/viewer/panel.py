@@ -1,9 +1,12 @@
 """The panel: what the robot does in numbers, and buttons for the simulation."""
 
+import html
+
 import rospy
 from std_srvs.srv import Empty
 
 NODE = 'sim_turtlebot'
+WARNING = f'{NODE}/warning'
 SERVICES = {'pause': f'{NODE}/pause_physics', 'resume': f'{NODE}/unpause_physics',
             'reset': f'{NODE}/reset_simulation'}
 ROWS = [  # name, label, decimals, unit
@@ -50,7 +53,7 @@ class Simulation:
         self._buttons.visible = names <= services
         if not complaint and not self._buttons.visible:
             complaint = 'no simulator here: no pause, resume and reset'
-        self._status.content = f'<div id="status">{complaint}</div>'
+        self._status.content = f'<div id="status">{html.escape(complaint)}</div>'
 
     @staticmethod
     def _call(event):
