@@ -8,8 +8,8 @@ Subscribes, for each robot, while a page is open:
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
 
-Subscribes:
-    sim_turtlebot/warning (std_msgs/String): what the simulator complains of
+Subscribes, always:
+    sim_turtlebot/warning (std_msgs/String): what the simulator warns of
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while the pad is held; zero when it is released

@@ -8,9 +8,11 @@ import time
 
 import pytest
 import rosgraph
+import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.viewing import View
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+from std_msgs.msg import String
 
 raw_page = pytest.importorskip('odometry_tests.raw_page', reason='viser is not installed')
 from odometry_tests.raw_page import ROBOTS, honest_page, published
@@ -152,6 +154,16 @@ def test_only_the_value_of_an_input_can_be_set(view, commands, label, name, valu
         assert drive(page, commands['robot_2'])
         page.set('robot', 'robot_1')
         assert drive(page, commands['robot_1'])
+
+
+def test_what_the_simulator_warns_of_is_shown_as_long_as_it_is_there(view):
+    """As a text, not as HTML."""
+    publisher = rospy.Publisher('/strange/sim_turtlebot/warning', String, queue_size=1, latch=True)
+    publisher.publish('too <b>slow')
+    with honest_page(view) as page:
+        page.wait_for_text('too &lt;b&gt;slow')
+        publisher.unregister()
+        page.wait_for_text('no simulator here')
 
 
 def test_a_message_that_is_ignored_leaves_one_line(master):

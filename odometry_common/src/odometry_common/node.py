@@ -60,6 +60,7 @@ def run_node(name, main, documentation, **init_node_options):
     finally:
         rospy.signal_shutdown('the node has ended')
     if _failures:
+        print(f'{name}: {_failures[0]}', file=sys.stderr)
         sys.exit(EXIT_FAILURE)
 
 
@@ -83,19 +84,12 @@ def _report_thread(failure):
 
 
 def _report(error):
-    """Shut the node down if there are no file handles left; return whether that is so."""
+    """Have the node end if there are no file handles left; return whether that is so."""
     reason = shortage(error)
     if reason and not rospy.is_shutdown():
-        _fail(reason)
+        _failures.append(reason)
+        _shut_down(reason)
     return reason is not None
-
-
-def _fail(reason):
-    """Say, once, why the node cannot go on, and shut it down."""
-    if not _failures:
-        print(f'{rospy.get_name()[1:]}: {reason}', file=sys.stderr)
-    _failures.append(reason)
-    _shut_down(reason)
 
 
 def _start(name, init_node_options):

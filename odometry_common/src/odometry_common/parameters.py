@@ -8,7 +8,6 @@ import xmlrpc.client
 import rospy
 import yaml
 
-
 # YAML 1.1 takes 1e4 for a text: it wants a point and a sign in it, 1.0e+4.
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
 

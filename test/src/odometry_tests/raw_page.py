@@ -34,6 +34,7 @@ class RawPage:
         :raises websockets.exceptions.InvalidStatus: if the answer is no
         """
         self._inputs = {}  # properties by label
+        self._texts = {}  # by id
         self._websocket = connect(
             f'ws://{host or f"localhost:{port}"}', origin=origin, compression=None, max_size=None,
             sock=socket.create_connection(('localhost', port)),
@@ -74,6 +75,11 @@ class RawPage:
                    lambda: f'{label!r} in the page, which has {self._inputs}')
         return self._inputs[label]['uuid']
 
+    def wait_for_text(self, text):
+        """Return once the page shows it."""
+        wait_until(lambda: any(text in shown for shown in list(self._texts.values())), TIMEOUT,
+                   lambda: f'{text!r} in the page, which shows {self._texts}')
+
     def _read(self):
         with contextlib.suppress(ConnectionClosed):
             for data in self._websocket:
@@ -81,6 +87,9 @@ class RawPage:
                     self._note(message)
 
     def _note(self, message):
+        changed = message.get('props') or message.get('updates') or {}
+        if 'content' in changed:
+            self._texts[message['uuid']] = changed['content']
         if 'label' in message.get('props', {}):
             self._inputs[message['props']['label']] = {**message['props'], 'uuid': message['uuid']}
         elif message['type'] == 'GuiUpdateMessage':

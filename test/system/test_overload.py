@@ -1,0 +1,82 @@
+"""More than the machine can do: the node says so in one line, and what that means."""
+
+import contextlib
+import re
+import resource
+import socket
+from urllib.parse import urlsplit
+
+import pytest
+import rosgraph
+from nav_msgs.msg import Odometry
+from odometry_tests.tutorial import mover, simulator
+from odometry_tests.waiting import Recorder, wait_until
+from std_msgs.msg import String
+
+HANDLES = 64
+ROBOTS = 12  # need more than that
+
+
+@pytest.fixture
+def simulated_time(master):
+    """Have the simulator rule the clock."""
+    rosgraph.Master('/test').setParam('/use_sim_time', True)
+    yield
+    rosgraph.Master('/test').setParam('/use_sim_time', False)
+
+
+def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):
+    """In the log, and on a topic for the page, also if it comes later."""
+    with simulator('_odom_rate:=1000', '_real_time_factor:=1000',
+                   env={'ROS_NAMESPACE': 'fast'}) as robot:
+        robot.wait_for_output('too slow')
+        warning = Recorder('/fast/sim_turtlebot/warning', String).wait_for()
+        assert robot.end() == 0, robot.output
+    line, = robot.stderr.splitlines()
+    assert warning.data in line
+    reached = re.search(r'reaches a real-time factor of (\S+) instead of 1000;', line)[1]
+    assert 0 < float(reached) < 900
+
+
+def with_handles(most):
+    """Return options of a process that may open so many files, unless it asks for more.
+
+    :param most: how many more it may ask for
+    """
+    return {'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (HANDLES, most))}
+
+
+def test_a_node_takes_more_file_handles_than_usual_if_it_may(master):
+    """Of many robots each topic takes one, and 1024 are usual."""
+    with simulator(f'_robots:={ROBOTS}', env={'ROS_NAMESPACE': 'many'}, **with_handles(1024)):
+        Recorder(f'/many/robot_{ROBOTS}/odom', Odometry).wait_for()
+
+
+def test_a_node_that_starts_with_too_few_file_handles_says_so(master):
+    """And ends."""
+    with simulator(f'_robots:={ROBOTS}', env={'ROS_NAMESPACE': 'few'},
+                   **with_handles(HANDLES)) as node:
+        assert_short_of_handles(node, 'sim_turtlebot')
+
+
+def test_a_node_that_runs_out_of_file_handles_says_so(master):
+    """Nobody would reach it any more, and one of its threads would try again and again for ever."""
+    with mover('__name:=crowded', **with_handles(HANDLES)) as node, contextlib.ExitStack() as crowd:
+        address = urlsplit(wait_until(lambda: address_of('/crowded'), 20.0, 'a node'))
+        for _ in range(HANDLES):
+            with contextlib.suppress(OSError):
+                crowd.enter_context(socket.create_connection((address.hostname, address.port)))
+        assert_short_of_handles(node, 'test_movement')
+
+
+def address_of(node):
+    """Return where a node is reached, or None."""
+    with contextlib.suppress(rosgraph.MasterError):
+        return rosgraph.Master('/test').lookupNode(node)
+
+
+def assert_short_of_handles(node, name):
+    """Assert that a node ends with one line."""
+    assert node.wait() == 1, node.output
+    assert node.stderr == (f'{name}: no file handle is left; {HANDLES} are allowed (ulimit -n): '
+                           'allow more, or start less')
