@@ -1,5 +1,5 @@
-# What ./ws and its shell do before a command: they enter the workspace in ODOMETRY_ROOT. catkin looks
-# at arguments, so that a function without any has to source this.
+# What ./ws and its shell do before a command: they enter the workspace in ODOMETRY_ROOT. catkin
+# looks at arguments, so that a function without any has to source this.
 . "$ODOMETRY_ROOT/.ws/devel/setup.bash"
 export PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
 

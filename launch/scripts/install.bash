@@ -27,7 +27,8 @@ run_step() {
     before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
     [ -t 2 ] || echo "./ws: $text ..." >&2
     (
-        unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH PYTHONHOME PKG_CONFIG_PATH LD_LIBRARY_PATH
+        unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH PYTHONHOME
+        unset PKG_CONFIG_PATH LD_LIBRARY_PATH
         "$@"
     ) >>"$LOG" 2>&1 &
     pid=$!

@@ -1,6 +1,6 @@
-# What ./ws makes: the virtual environment .venv and the workspace .ws. In each of them a file `made`
-# names what must not be gone, and `ready`, which is written last, is the fingerprint of what it was
-# made of.
+# What ./ws makes: the virtual environment .venv and the workspace .ws. In each of them a file
+# `made` names what must not be gone, and `ready`, which is written last, is the fingerprint of what
+# it was made of.
 
 # fingerprint FILE...: what the files contain and where they are, and which Python is the system's.
 fingerprint() {
