@@ -27,6 +27,7 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
+from odometry_common.rivals import warn_of_rivals
 from odometry_common.timing import Metronome, RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from rotate_robot.heading import euler_from_orientation, turn_command, wrap_to_pi
@@ -60,6 +61,7 @@ class RotateRobot:
         self._heard = None
         self._lock = threading.Lock()
         self._velocity = VelocityPublisher('cmd_vel')
+        warn_of_rivals('cmd_vel')
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
         rospy.Subscriber('~target', Float64, self._on_target)
 

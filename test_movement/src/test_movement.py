@@ -23,6 +23,7 @@ import threading
 import rospy
 from odometry_common.node import run_node
 from odometry_common.parameters import get_flag, get_number
+from odometry_common.rivals import warn_of_rivals
 from odometry_common.senders import SenderWatch
 from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
@@ -72,6 +73,7 @@ class TestMovement:
         self._moving = False
         self._lock = threading.Lock()
         self._velocity = VelocityPublisher('cmd_vel')
+        warn_of_rivals('cmd_vel')
         rospy.Subscriber('moved_distance', Float64, self._on_moved_distance, tcp_nodelay=True)
         if timeout:
             period = rospy.Duration(timeout / CHECKS_PER_TIMEOUT)

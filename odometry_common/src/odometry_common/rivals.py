@@ -38,9 +38,9 @@ def warn_of_rivals(topic):
 
 
 def _watch(topic):
-    watch, ending, period = RivalWatch(), threading.Event(), LOOK_PERIOD
-    rospy.on_shutdown(ending.set)
-    while not ending.wait(period):
+    watch, period = RivalWatch(), LOOK_PERIOD
+    while not rospy.is_shutdown():
+        time.sleep(period)
         start = time.monotonic()
         rivals = watch.news(_other_publishers(topic))
         if rivals:

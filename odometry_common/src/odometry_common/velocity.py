@@ -6,7 +6,6 @@ import rospy
 from geometry_msgs.msg import Twist
 
 from odometry_common.publishing import advertise
-from odometry_common.rivals import warn_of_rivals
 
 CLOSE_TIMEOUT = 0.5  # s, for a subscriber that has stopped reading
 
@@ -24,7 +23,6 @@ class VelocityPublisher:
         self._lock = threading.Lock()
         self._closed = False
         rospy.on_shutdown(self._close)
-        warn_of_rivals(topic)
 
     def publish(self, linear=0.0, angular=0.0):
         """Command `linear` (m/s, forwards) and `angular` (rad/s, to the left)."""

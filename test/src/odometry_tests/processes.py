@@ -82,8 +82,8 @@ class Process:
         """Use it as a context, at whose end it is no longer running."""
         return self
 
-    def __exit__(self, *_):
-        """End it, with everything it has started."""
+    def __exit__(self, kind=None, *_):
+        """End it, with everything it has started; whoever does not obey Ctrl-C fails the test."""
         try:
             if self.running:
                 self.send(signal.SIGINT)
@@ -91,6 +91,7 @@ class Process:
         except subprocess.TimeoutExpired:
             self._kept.let_go()
             self._kept.wait()
+            assert kind, f'{self.command} has not ended on Ctrl-C; it printed:\n{self.output}'
 
     def _read(self, name):
         stream, lines = getattr(self._kept, name), self._lines[name]
@@ -121,9 +122,9 @@ class Master(Process):
             raise
         rosgraph.Master('/test').setParam('/use_sim_time', use_sim_time)
 
-    def __exit__(self, *_):
+    def __exit__(self, *exception):
         """End it and let go of its port."""
-        super().__exit__()
+        super().__exit__(*exception)
         self._port.close()
 
 

@@ -28,25 +28,20 @@ class Viewer:
         self._robots = {}
         self._searching, self._drawing = Metronome(SEARCH_PERIOD), Metronome(DRAWING_PERIOD)
         self._gauge = RateGauge()
-        self._stopping = False
         self._warning = ''
         self._warnings = rospy.Subscriber(WARNING, String, self._on_warning)
-        rospy.on_shutdown(self._stop)
+        # A shutdown that began before this calls no hook, but is seen in run().
+        rospy.on_shutdown(page.wake)
 
     def run(self):
         """View until shutdown."""
-        # A shutdown that began before there was a hook for it has called none.
-        while not (self._stopping or rospy.is_shutdown()):
+        while not rospy.core.is_shutdown_requested():
             if self._page.is_open:
                 self._view()
                 time.sleep(FRAME_PERIOD)
             else:
                 self._set_robots([])
                 self._page.wait()
-
-    def _stop(self):
-        self._stopping = True
-        self._page.wake()
 
     def _view(self):
         now = time.monotonic()
@@ -90,9 +85,9 @@ class Viewer:
 
 def view(address):
     """Serve the page at an Address until shutdown."""
-    page = Page(address, load_links(_urdf()))
+    viewer = Viewer(Page(address, load_links(_urdf())))
     print(f'view: http://{address.host}:{address.port}')
-    Viewer(page).run()
+    viewer.run()
 
 
 def _urdf():
