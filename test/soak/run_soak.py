@@ -43,10 +43,15 @@ def _drive(nodes, options):
     start = time.monotonic()
     steps = round(options.hours * SECONDS_PER_HOUR / PERIOD)
     driver, progress, violation = Driver(nodes, steps), Progress(), None
+    # An exception in the middle of a step could be lost: rospy catches all of them in places.
+    signals = []
+    _on_signals(lambda signum, _frame: signals.append(signum))
     try:
         print(f'soak: seed {options.seed}, {options.hours:g} simulated hours, '
               f'ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
         for moment in itertools.islice(course(options.seed), steps):
+            if signals:
+                raise KeyboardInterrupt
             driver.step(*moment)
             progress.show(driver)
     except AssertionError as found:

@@ -25,7 +25,8 @@ def read_address():
     port = int(get_number('~port', 8080, lambda v: v == int(v) and 1 <= v <= 65535,
                           'a whole number from 1 to 65535'))
     host = get_text('~host', 'localhost')
-    return Address(host, _find_ip(host, port), port, OwnHosts(host, _read_allowed_hosts()))
+    own_hosts = OwnHosts(host, _read_allowed_hosts())
+    return Address(host, _find_ip(host, port), port, own_hosts)
 
 
 def _read_allowed_hosts():
