@@ -1,7 +1,7 @@
 """What ./ws starts listens on loopback only, however the environment names that.
 
 The same is looked at wherever another test has something running that ./ws has started: the demo
-in test_demo_endings, with its page in test_browser_demo, the bench in test_bench, the soak in
+in test_demo_endings, with its page in test_demo_page, the bench in test_bench, the soak in
 test_soak. That --host lets others in is seen in test_two_machines.
 """
 
@@ -14,7 +14,8 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 
 SET_BY_WS = 'ROS_HOSTNAME', 'ROS_IP', 'ROS_ETC_DIR'
-ON_LOOPBACK = f'localhost\n{ROOT}/launch/etc'
+# Where the path of this project has a space, ROS knows it by another name.
+ON_LOOPBACK = f'localhost\n{os.environ["ODOMETRY_ROOT"]}/launch/etc'
 NETWORK = 'export ROS_HOSTNAME=0.0.0.0\n'
 
 
