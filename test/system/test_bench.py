@@ -1,14 +1,20 @@
 """The commands of ./ws bench that the documents show, but for the time that they take."""
 
 import csv
+import os
 import re
+import subprocess
+import uuid
 
 import pytest
+from odometry_tests.linux import command_lines, marked
 from odometry_tests.listening import LOOPBACK, listened_on
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.waiting import wait_until
 
 TIMEOUT = 180.0  # s
+LOOK_PERIOD = 0.2  # s
 
 
 def bench(*arguments):
@@ -52,6 +58,17 @@ def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
     missed = re.search('^targets missed: (.*)', run.stdout, re.MULTILINE).group(1)
     assert status == (0 if missed == 'none' else 1), run.output
     assert 'Traceback' not in run.stderr
+
+
+def test_nothing_is_left_of_a_bench_that_is_killed():
+    """By kill -9, while its graph runs."""
+    mark = {'BENCH_UNDER_TEST': str(uuid.uuid4())}
+    with subprocess.Popen([ROOT / 'ws', 'bench', 'lockstep'], stdout=subprocess.DEVNULL,
+                          env={**os.environ, **mark}) as bench_of_graph:
+        wait_until(lambda: 'sim_turtlebot_node.py' in command_lines(marked(mark)), TIMEOUT,
+                   'a robot', LOOK_PERIOD)
+        bench_of_graph.kill()
+    wait_until(lambda: not marked(mark), 15.0, lambda: f'the end of {command_lines(marked(mark))}', LOOK_PERIOD)
 
 
 def test_help_names_every_part(run_bench):

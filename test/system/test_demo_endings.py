@@ -11,7 +11,7 @@ import time
 import uuid
 
 import pytest
-from odometry_tests.linux import marked
+from odometry_tests.linux import command_lines, marked
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import hold_port
 from odometry_tests.scripts import ROOT
@@ -95,21 +95,12 @@ class Demo:
     def assert_that_all_ends(self, signum):
         """Wait until there are no processes, and look at the exit status and the port."""
         wait_until(lambda: not self.processes(), ENDING_TIME,
-                   lambda: f'the end of {names(self.processes())}; it printed:\n{self.output}',
+                   lambda: f'the end of {command_lines(self.processes())}; it printed:\n{self.output}',
                    LOOK_PERIOD)
         assert self._process.wait() in (-signum, 128 + signum), self.output
         assert 'Traceback' not in self.output
         with socket.socket() as probe:
             assert probe.connect_ex(('localhost', self.port)) != 0
-
-
-def names(pids):
-    """Return the command lines of processes."""
-    lines = []
-    for pid in pids:
-        with contextlib.suppress(OSError), open(f'/proc/{pid}/cmdline') as file:
-            lines.append(file.read().replace('\0', ' '))
-    return '\n'.join(lines)
 
 
 @pytest.mark.parametrize('moment, signals', EARLY)

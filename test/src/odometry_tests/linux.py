@@ -21,6 +21,15 @@ def marked(mark):
             if f'{name}={value}' in _environment(folder)]
 
 
+def command_lines(pids):
+    """Return the command lines of processes as a text, one in each line."""
+    lines = []
+    for pid in pids:
+        with contextlib.suppress(OSError):  # it has ended meanwhile
+            lines.append(Path(f'/proc/{pid}/cmdline').read_text().replace('\0', ' '))
+    return '\n'.join(lines)
+
+
 def descendants(pid):
     """Return the ids of the processes that a process has started, and that those have."""
     children = {}
