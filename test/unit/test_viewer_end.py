@@ -11,7 +11,7 @@ from sim_turtlebot.viewer.node import Viewer
 
 
 def test_a_shutdown_that_began_before_there_was_a_hook_for_it_is_noticed(monkeypatch):
-    """rospy goes through its hooks first, and says only then that it is shut down."""
+    """First rospy goes through its hooks, and only then it says that it is shut down."""
     monkeypatch.setattr(rospy, 'Subscriber', lambda *_: None)
     monkeypatch.setattr(rospy.core, '_client_shutdown_hooks', [])
     monkeypatch.setattr(rospy.core, '_in_shutdown', True)
