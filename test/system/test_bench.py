@@ -7,14 +7,13 @@ import subprocess
 import uuid
 
 import pytest
-from odometry_tests.linux import command_lines, marked
+from odometry_tests.linux import LOOK_PERIOD, command_lines, marked, wait_until_none
 from odometry_tests.listening import LOOPBACK, listened_on
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.waiting import wait_until
 
 TIMEOUT = 180.0  # s
-LOOK_PERIOD = 0.2  # s
 
 
 def bench(*arguments):
@@ -68,7 +67,7 @@ def test_nothing_is_left_of_a_bench_that_is_killed():
         wait_until(lambda: 'sim_turtlebot_node.py' in command_lines(marked(mark)), TIMEOUT,
                    'a robot', LOOK_PERIOD)
         bench_of_graph.kill()
-    wait_until(lambda: not marked(mark), 15.0, lambda: f'the end of {command_lines(marked(mark))}', LOOK_PERIOD)
+    wait_until_none(mark)
 
 
 def test_help_names_every_part(run_bench):

@@ -2,8 +2,6 @@
 
 import contextlib
 import os
-import pty
-import re
 import signal
 import socket
 import subprocess
@@ -11,16 +9,16 @@ import time
 import uuid
 
 import pytest
-from odometry_tests.linux import command_lines, marked
+from odometry_tests.linux import LOOK_PERIOD, command_lines, marked
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import hold_port
 from odometry_tests.scripts import ROOT
+from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
 
 FAR = ('--distance', '100')
 ENDING_TIME = 15.0  # s
 START = 4.0  # s; most of its time the demo spends in its start
-LOOK_PERIOD = 0.2  # s
 MOMENTS = 40
 INT, TERM, KILL = [signal.SIGINT], [signal.SIGTERM], [signal.SIGKILL]
 HANG_UP, QUIT, FIVE = [signal.SIGHUP], [signal.SIGQUIT], [signal.SIGINT] * 5
@@ -95,7 +93,8 @@ class Demo:
     def assert_that_all_ends(self, signum):
         """Wait until there are no processes, and look at the exit status and the port."""
         wait_until(lambda: not self.processes(), ENDING_TIME,
-                   lambda: f'the end of {command_lines(self.processes())}; it printed:\n{self.output}',
+                   lambda: f'the end of\n{command_lines(self.processes())}\n'
+                           f'it printed:\n{self.output}',
                    LOOK_PERIOD)
         assert self._process.wait() in (-signum, 128 + signum), self.output
         assert 'Traceback' not in self.output
@@ -126,17 +125,16 @@ def test_nothing_is_left_of_a_demo_that_is_ended_while_it_drives(moment, signals
 
 def test_ctrl_c_on_a_terminal_leaves_a_line_for_the_prompt():
     """Pressed five times, as learners do."""
-    pid, terminal = pty.fork()
-    if not pid:
-        os.execv(ROOT / 'ws', ['ws', 'demo', *FAR])
-    output = b''
-    while not re.search(rb'[1-9] of 100.00 m', output):
-        output += os.read(terminal, 4096)
-    os.write(terminal, b'\x03' * 5)
-    with contextlib.suppress(OSError):
-        while chunk := os.read(terminal, 4096):
-            output += chunk
-    os.close(terminal)
-    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 128 + signal.SIGINT
-    assert re.search(rb' of 100.00 m, [^\r\n]*\r\n$', output), output
-    assert b'Traceback' not in output
+    with hold_port() as port:
+        terminal = Terminal(ROOT, {**os.environ, 'ROS_MASTER_URI': f'http://localhost:{port}'})
+        try:
+            terminal.type(' '.join(['./ws', 'demo', *FAR]))
+            terminal.wait_for_output(' of 100.00 m', 60.0)
+            for _ in range(5):
+                terminal.press_ctrl_c()
+            assert terminal.wait_for_prompt() == 128 + signal.SIGINT, terminal.output
+        finally:
+            terminal.close()
+    assert terminal.lines[-1] == '', f'no line for the prompt after:\n{terminal.output}'
+    assert ' of 100.00 m, ' in terminal.lines[-2], terminal.output
+    assert 'Traceback' not in terminal.output

@@ -73,14 +73,17 @@ def test_a_window_without_a_screen_is_refused_in_one_line():
 
 
 def test_demos_that_start_together_all_arrive():
-    """Each with a master and a folder of its own; one of them tells where its master is."""
+    """Beside one that has the usual port: each says where its master is, and has its own folder."""
     with hold_port() as port:
         usual = {'ROS_MASTER_URI': f'http://localhost:{port}'}
-        demos = [Process(ROOT / 'ws', 'demo', *SHORT.split(), env=usual) for _ in range(2)]
-        for demo in demos:
-            assert demo.wait(90.0) == 0, demo.output
+        with Process(ROOT / 'ws', 'demo', '--distance', '100', env=usual) as first:
+            first.wait_for_output(' of 100.00 m', 60.0)
+            demos = [Process(ROOT / 'ws', 'demo', *SHORT.split(), env=usual) for _ in range(2)]
+            for demo in demos:
+                assert demo.wait(90.0) == 0, demo.output
     output = '\n'.join(demo.output for demo in demos)
-    told = re.findall('^rostopic in another terminal: export ROS_MASTER_URI=http://localhost:',
-                      output, re.MULTILINE)
-    assert len(told) == 1, output
+    told = re.findall('^rostopic in another terminal: export ROS_MASTER_URI=(.*)$', output,
+                      re.MULTILINE)
+    assert len(told) == len({usual['ROS_MASTER_URI'], *told}) - 1 == 2, output
     assert len(set(re.findall('^picture +(.*)', output, re.MULTILINE))) == 2, output
+    assert 'export ROS_MASTER_URI' not in first.stdout

@@ -7,18 +7,16 @@ import subprocess
 import uuid
 
 import pytest
-from odometry_tests.linux import marked, needs_children
+from odometry_tests.linux import marked, needs_children, wait_until_none
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import wait_until
 
 SOAK = ROOT / 'test' / 'soak' / 'run_soak.py'
 A_MINUTE = 0.017  # hours; in the first minute of any course each event comes once
 STEPS = 1224  # of a 20th of a second in that time
 HEARD = 20  # distances, before it is interrupted
 TIMEOUT = 180.0  # s
-LOOK_PERIOD = 0.2  # s
 EVENTS = ['resets of the distance', 'resets of the odometry', 'resets of the simulation',
           'pauses', 'restarts of the detector', 'kills of the detector']
 
@@ -95,7 +93,7 @@ def test_nothing_is_left_of_a_soak_that_is_killed():
         assert len(marked(mark)) > 4
         assert_loopback_only(soaking.pid)
         soaking.kill()
-    wait_until(lambda: not marked(mark), 15.0, lambda: f'the end of {marked(mark)}', LOOK_PERIOD)
+    wait_until_none(mark)
 
 
 @pytest.mark.parametrize('hours', ['0', '-1', 'nan', 'inf', 'many'])

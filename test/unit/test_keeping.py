@@ -8,8 +8,8 @@ import sys
 
 import pytest
 from odometry_launch.keeping import KEEPER, Kept
-from odometry_tests.linux import marked
-from odometry_tests.waiting import wait_until
+from odometry_tests.linux import marked, wait_until_none
+from odometry_tests.waiting import PATIENCE, wait_until
 
 STARTER = '''
 import sys, time
@@ -34,11 +34,6 @@ def mark(request):
     os.environ['KEPT_UNDER_TEST'] = name
     yield {'KEPT_UNDER_TEST': name}
     del os.environ['KEPT_UNDER_TEST']
-
-
-def wait_until_none(mark):
-    """Return once there is no process with the mark."""
-    wait_until(lambda: not marked(mark), 15.0, lambda: f'the end of {marked(mark)}', 0.05)
 
 
 @pytest.mark.parametrize('script, status', [
@@ -98,7 +93,7 @@ def test_what_is_stopped_ends_too(mark):
     kept = Kept('sleep', '1000')
     kept.send_signal(signal.SIGSTOP)
     kept.let_go()
-    assert kept.wait(10.0) == -signal.SIGTERM
+    assert kept.wait(10.0 * PATIENCE) == -signal.SIGTERM
     assert not marked(mark)
 
 
@@ -111,7 +106,7 @@ def test_what_does_not_want_to_end_is_killed(mark):
         theirs.close()
         wait_until(lambda: len(marked(mark)) >= 3, 10.0, 'the processes')
         ours.close()
-        assert keeper.wait(30.0) == -signal.SIGKILL
+        assert keeper.wait(30.0 * PATIENCE) == -signal.SIGKILL
     assert not marked(mark)
 
 

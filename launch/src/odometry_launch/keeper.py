@@ -107,14 +107,14 @@ def _end_all(statuses, woken):
     asked_all = False
     while _reap(statuses):
         passed = time.monotonic() - start
-        children = _children()
+        children = children_by_parent()
         mine = children.get(os.getpid(), [])
         if passed > KILL_AFTER:
-            _signal(signal.SIGKILL, _descendants(mine, children))
+            _signal(signal.SIGKILL, with_descendants(mine, children))
         elif passed > ASK_ALL_AFTER and not asked_all:
             # This includes those that have missed the first time.
             asked_all = True
-            _ask(_descendants(mine, children), asked)
+            _ask(with_descendants(mine, children), asked)
         else:
             _ask([pid for pid in mine if pid not in asked], asked)
         if select.select([woken], [], [], LOOK_PERIOD)[0]:
@@ -138,8 +138,8 @@ def _signal(signum, pids):
             pass  # it has become another user's
 
 
-def _children():
-    """Return the ids of the children of each process."""
+def children_by_parent():
+    """Return the ids of the children of each process, by its id."""
     children = {}
     for entry in os.listdir('/proc'):
         if entry.isdigit():
@@ -152,8 +152,8 @@ def _children():
     return children
 
 
-def _descendants(pids, children):
-    """Return processes and all their descendants."""
+def with_descendants(pids, children):
+    """Return the ids of processes and of all their descendants."""
     found = list(pids)
     for pid in found:
         found += children.get(pid, [])

@@ -22,11 +22,12 @@ def parse(arguments):
     parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
                         help='drive two metres, or turn to a heading (default: %(default)s)')
     parser.add_argument('--distance', type=_number(0.01, 1000), metavar='M',
-                        help='move: where to stop (m; default: 2.0)')
+                        help=f'move: where to stop (m; default: {_default("distance")})')
     parser.add_argument('--speed', type=_speed, metavar='M/S',
-                        help='move: how fast (m/s; negative drives backwards; default: 0.1)')
+                        help='move: how fast (m/s; negative drives backwards; '
+                             f'default: {_default("speed")})')
     parser.add_argument('--target', type=_number(-1e6, 1e6), metavar='DEGREES',
-                        help='rotate: heading to turn to (default: 90.0)')
+                        help=f'rotate: heading to turn to (default: {_default("target")})')
     parser.add_argument('--real-time-factor', type=_factor, default=1.0, metavar='N',
                         help='simulated seconds per second; 0: as fast as possible. At '
                              'each but 1 the robot waits for its controller, so that it goes '
@@ -43,6 +44,10 @@ def parse(arguments):
         elif options.tutorial != tutorial:
             parser.error(f'argument --{name}: is for ./ws demo {tutorial}')
     return options
+
+
+def _default(name):
+    return BELONGING[name][1]
 
 
 def _with_numbers_joined(arguments):

@@ -5,6 +5,11 @@ import os
 from pathlib import Path
 
 import pytest
+from odometry_launch.keeper import children_by_parent, with_descendants
+
+from odometry_tests.waiting import wait_until
+
+LOOK_PERIOD = 0.2  # s; each look reads what there is of all processes
 
 needs_children = pytest.mark.skipif(
     not Path(f'/proc/self/task/{os.getpid()}/children').exists(),
@@ -21,6 +26,12 @@ def marked(mark):
             if f'{name}={value}' in _environment(folder)]
 
 
+def wait_until_none(mark, timeout=15.0):
+    """Return once no process has the mark."""
+    wait_until(lambda: not marked(mark), timeout,
+               lambda: f'the end of\n{command_lines(marked(mark))}', LOOK_PERIOD)
+
+
 def command_lines(pids):
     """Return the command lines of processes as a text, one in each line."""
     lines = []
@@ -32,15 +43,8 @@ def command_lines(pids):
 
 def descendants(pid):
     """Return the ids of the processes that a process has started, and that those have."""
-    children = {}
-    for stat in Path('/proc').glob('[0-9]*/stat'):
-        with contextlib.suppress(OSError):  # it has ended meanwhile
-            parent = stat.read_bytes().rpartition(b')')[2].split()[1]
-            children.setdefault(int(parent), []).append(int(stat.parent.name))
-    found = list(children.get(pid, []))
-    for one in found:
-        found += children.get(one, [])
-    return found
+    _, *below = with_descendants([pid], children_by_parent())
+    return below
 
 
 def _environment(folder):
