@@ -25,12 +25,13 @@ import threading
 
 import rospy
 from nav_msgs.msg import Odometry
+from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
 from odometry_common.rivals import warn_of_rivals
 from odometry_common.timing import Metronome, RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
-from rotate_robot.heading import euler_from_orientation, turn_command, wrap_to_pi
+from rotate_robot.heading import turn_command
 from std_msgs.msg import Float64
 
 REST_BAND = math.radians(0.1)
@@ -77,7 +78,7 @@ class RotateRobot:
     def _on_odometry(self, message):
         """Control at the arrival of odometry: no command then rests on an older heading."""
         try:
-            yaw = euler_from_orientation(message.pose.pose.orientation)[2]
+            yaw = yaw_from_orientation(message.pose.pose.orientation)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
             return

@@ -6,9 +6,10 @@ import pytest
 from geometry_msgs.msg import Quaternion
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from odometry_tests.fuzzing import any_number, sequence_count
 from odometry_tests.scripts import load_script
-from rotate_robot.heading import euler_from_orientation, turn_command, wrap_to_pi
+from rotate_robot.heading import turn_command
 
 Drive = load_script('test_movement/src/test_movement.py').Drive
 
@@ -47,9 +48,9 @@ def test_whatever_the_heading_and_the_target_the_turn_is_within_the_clamp(
     length = math.hypot(*parts)
     if length == 0 or not math.isfinite(length):
         with pytest.raises(ValueError, match='is no rotation'):
-            euler_from_orientation(quaternion)
+            yaw_from_orientation(quaternion)
         return
-    yaw = euler_from_orientation(quaternion)[2]
+    yaw = yaw_from_orientation(quaternion)
     assert abs(yaw) <= math.pi
     error = wrap_to_pi(math.radians(target_deg) - yaw)
     assert -math.pi < error <= math.pi

@@ -4,7 +4,7 @@ import math
 
 import rospy
 from nav_msgs.msg import Odometry
-from rotate_robot.heading import euler_from_orientation, wrap_to_pi
+from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from std_msgs.msg import Float64
 
 from odometry_launch.options import in_lockstep
@@ -146,7 +146,7 @@ class RotateShow(Show):
 
 
 def _yaw(message):
-    return euler_from_orientation(message.pose.pose.orientation)[2]
+    return yaw_from_orientation(message.pose.pose.orientation)
 
 
 def _bar(share):
