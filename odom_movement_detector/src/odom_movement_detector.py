@@ -10,22 +10,23 @@ Publishes:
 
 Parameters:
     ~min_step (float, 0.0 m): a displacement from the last counted position below this
-        is not counted yet
+        is not counted yet; 0 or more
     ~max_speed (float, 5.0 m/s): a step that implies more than this is a jump of the
-        odometry and is not counted; 0 turns the check off
+        odometry and is not counted; 0 or more; 0 turns the check off
 """
 
-import threading
+import math
 
 import rospy
-from moved_distance.distance_counter import DistanceCounter
+from moved_distance.steps import Steps
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
-from odometry_common.publishing import advertise
+from odometry_common.publishing import ClosingPublisher
+from odometry_common.subscribing import Subscriber
 from std_msgs.msg import Empty, Float64
 
-CLOSE_TIMEOUT = 0.5  # s, for a subscriber that has stopped reading
+SMALLEST_DISTANCE = 1e-6  # m; a smaller total is published as zero, as in the tutorial
 
 
 class MovementDetector:
@@ -33,58 +34,31 @@ class MovementDetector:
 
     def __init__(self):
         """Read the parameters, then publish from the first odometry message on."""
-        self._counter = DistanceCounter(
+        self._distance = 0.0
+        self._steps = Steps(
             min_step=get_number('~min_step', 0.0, lambda v: v >= 0, 'a number of metres from 0'),
             max_speed=get_number('~max_speed', 5.0, lambda v: v >= 0, 'a speed in m/s from 0'))
-        self._lock = threading.Lock()
-        self._wake_up = threading.Event()
-        self._closed = False
-        rospy.on_shutdown(self._close)
-        # The publisher comes first: a callback may run as soon as its subscriber exists.
-        self._publisher = advertise('moved_distance', Float64)
-        rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
-        rospy.Subscriber('moved_distance/reset', Empty, self._on_reset)
-
-    def wait_for_odometry(self):
-        """Return when the first odometry has come, or at shutdown; say so each second."""
-        while not (self._wake_up.wait(timeout=1.0) or rospy.is_shutdown()):
-            rospy.loginfo('waiting for odometry on %s', rospy.resolve_name('odom'))
+        self._publisher = ClosingPublisher('moved_distance', Float64)
+        self.odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')
+        Subscriber('moved_distance/reset', Empty, self._on_reset)
 
     def _on_odometry(self, message):
-        position = message.pose.pose.position
-        stamp = message.header.stamp.to_sec()
-        try:
-            with self._lock:
-                if self._closed:
-                    return
-                jump = self._counter.add(position.x, position.y, stamp, rospy.get_time())
-                self._publisher.publish(self._counter.distance)
-        except ValueError as error:
-            rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
-            return
-        if not self._wake_up.is_set():
-            self._wake_up.set()
+        position, stamp = message.pose.pose.position, message.header.stamp
+        dx, dy, jump = self._steps.to(position.x, position.y, stamp.to_sec(), rospy.get_time())
+        self._distance += math.hypot(dx, dy)
+        self._publisher.publish(self._distance if self._distance >= SMALLEST_DISTANCE else 0.0)
         if jump:
             rospy.logwarn_throttle(1.0, f'not counted: {jump}')
 
     def _on_reset(self, _message):
-        with self._lock:
-            self._counter.reset()
+        self._distance = 0.0
+        self._steps.restart()
         rospy.loginfo('counting from zero again')
-
-    def _close(self):
-        """Publish nothing more: rospy closes the topics next."""
-        # A subscriber that has stopped reading may hold the lock up.
-        locked = self._lock.acquire(timeout=CLOSE_TIMEOUT)
-        self._closed = True
-        if locked:
-            self._lock.release()
-        self._wake_up.set()
 
 
 def main():
     """Count until shutdown."""
-    MovementDetector().wait_for_odometry()
+    MovementDetector().odometry.wait()
     rospy.spin()
 
 

@@ -12,16 +12,17 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import euler_from_orientation
 from odometry_common.node import run_node
+from odometry_common.subscribing import Subscriber
 from tf.transformations import quaternion_from_euler
 
 
 class HeadingPrinter:
-    """Odometry in, headings on the screen."""
+    """The node: odometry in, headings on the screen."""
 
     def __init__(self):
         """Print the yaw of every message from now on."""
         self._euler = None
-        rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
+        Subscriber('odom', Odometry, self._on_odometry, 'odometry')
 
     def print_quaternions(self):
         """Print a quaternion each second until shutdown, beginning after the first message."""
@@ -32,11 +33,7 @@ class HeadingPrinter:
             rate.sleep()
 
     def _on_odometry(self, message):
-        try:
-            self._euler = euler_from_orientation(message.pose.pose.orientation)
-        except ValueError as error:
-            rospy.logwarn_throttle(1.0, f'odometry ignored: {error}')
-            return
+        self._euler = euler_from_orientation(message.pose.pose.orientation)
         print(self._euler[2])
 
 

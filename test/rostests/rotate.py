@@ -3,6 +3,7 @@
 
 import math
 import sys
+import time
 import unittest
 
 import rospy
@@ -17,6 +18,7 @@ from std_msgs.msg import Float64
 
 NODES = 3
 PERIOD = 0.1  # s, of the control
+WALL_SILENCE = 0.25  # s; it does not take less for silence, however fast its time runs
 START = 1000.0  # s, the time stamp of the first odometry
 NO_ROTATIONS = [Quaternion(), Quaternion(x=math.nan, w=1.0), Quaternion(z=math.inf, w=1.0)]
 
@@ -106,6 +108,7 @@ class RotateTest(unittest.TestCase):
         self.talk.say(odometry(yaw=0.0))
         self.talk.answers.wait_for_count(1)
         self.talk.answers.clear()
+        time.sleep(WALL_SILENCE)
         self.clock.advance(0.2)
         for count in range(1, 8):
             self.clock.advance(0.1)

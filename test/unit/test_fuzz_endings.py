@@ -102,8 +102,9 @@ class EndingMachine(RuleBasedStateMachine):
         self.wire = Wire()
         self.topic.impl.add_connection(self.wire)
         self.velocity = VelocityPublisher(TOPIC)
-        self.lock = self.velocity._lock = WatchedLock()
-        self.gate = self.velocity._publisher = Gate(self.velocity._publisher)
+        publisher = self.velocity._publisher
+        self.lock = publisher._lock = WatchedLock()
+        self.gate = publisher._publisher = Gate(publisher._publisher)
         # What rospy calls at shutdown, which a process can do only once.
         self.end_of_node = rospy.core._client_shutdown_hooks.pop()
         self.ended = False

@@ -1,15 +1,18 @@
-"""Publishers that send each message at once."""
+"""Publishers that send each message at once, and none after their last word."""
 
+import threading
 import warnings
 
 import rospy
+
+CLOSE_TIMEOUT = 0.5  # s, for a subscriber that has stopped reading
 
 
 def advertise(topic, message_class, queue_size=None):
     """Return a rospy.Publisher that holds no message back.
 
     :param queue_size: None: publish() returns when the message has been written to every
-        subscriber's socket. There is no thread to hand it to, which makes the way to the
+        subscriber's socket. There is no thread to hand it to, which makes the path to the
         subscriber a third shorter. A subscriber that has stopped reading stops the publisher
         too, but only once its socket is full, with some 3 MB.
         A number: a queue per subscriber, which loses the oldest messages instead.
@@ -18,3 +21,33 @@ def advertise(topic, message_class, queue_size=None):
         # rospy takes a publisher without a queue for an oversight; here it may be meant.
         warnings.simplefilter('ignore', SyntaxWarning)
         return rospy.Publisher(topic, message_class, tcp_nodelay=True, queue_size=queue_size)
+
+
+class ClosingPublisher:
+    """Publishes until the node shuts down, and then, if it has one, its last word.
+
+    Messages are written to the subscribers before publish() returns: the last word needs no sleep
+    to get out, and no older message can follow it.
+    """
+
+    def __init__(self, topic, message_class, last_word=None):
+        """Advertise `topic` and hook into rospy's shutdown."""
+        self._publisher = advertise(topic, message_class)
+        self._last_word = last_word
+        self._lock = threading.Lock()
+        self._closed = False
+        rospy.on_shutdown(self._close)
+
+    def publish(self, message):
+        """Send a message, unless the node is shutting down."""
+        with self._lock:
+            if not self._closed:
+                self._publisher.publish(message)
+
+    def _close(self):
+        locked = self._lock.acquire(timeout=CLOSE_TIMEOUT)
+        self._closed = True
+        if locked:
+            if self._last_word is not None:
+                self._publisher.publish(self._last_word)
+            self._lock.release()

@@ -1,5 +1,9 @@
 """Who sends the messages of a topic that only one node should publish."""
 
+import rospy
+
+from odometry_common.subscribing import Subscriber
+
 
 class SenderWatch:
     """Notices that messages come from two nodes in turn.
@@ -26,3 +30,15 @@ class SenderWatch:
         self._earlier.add(sender)
         self._current = sender
         return rivals if self._noticed else None
+
+
+def warn_of_two_senders(topic, message_class):
+    """Warn, once, when messages of the topic come from two nodes in turn."""
+    watch = SenderWatch()
+
+    def check(message):
+        rivals = watch.rivals(message._connection_header['callerid'])
+        if rivals:
+            rospy.logwarn('%s comes from both %s and %s: end one of them', topic, *rivals)
+
+    Subscriber(topic, message_class, check)

@@ -1,19 +1,19 @@
-"""Clocks for controllers, over plain seconds: what is due, what is late, what is at rest."""
+"""Timing for controllers, over plain seconds: what is due, what is silent, what is at rest."""
 
 import time
 
 
 class Metronome:
-    """Tells when a period has passed, by times that come from elsewhere."""
+    """Keeps a period, by times that come from elsewhere."""
 
     def __init__(self, period):
-        """Beat every `period` seconds."""
+        """Beat every `period` seconds; 0: always."""
         self._period = period
         self._beat = None
         self._due_at = None
 
     def is_due(self, now):
-        """Tell whether `now` (s) begins a new period.
+        """Return whether `now` (s) begins a new period.
 
         The same time again is due again: a simulator that waits for an answer repeats its
         message. When time goes backwards, or leaps, a new row of periods begins.
@@ -30,7 +30,7 @@ class Metronome:
 
 
 class Watchdog:
-    """Tells when something that should arrive again and again has fallen silent."""
+    """Notices when something that should arrive again and again has fallen silent."""
 
     def __init__(self, timeout, wall_timeout=0.0):
         """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
@@ -49,7 +49,7 @@ class Watchdog:
         self._last_fed_wall = time.monotonic()
 
     def expired(self, now):
-        """Tell whether the last arrival is more than the timeout ago; never before the first.
+        """Return whether the last arrival is more than the timeout ago; never before the first.
 
         When time has gone backwards (a simulator was reset) the wait begins anew.
         """
@@ -62,7 +62,7 @@ class Watchdog:
 
 
 class RestDetector:
-    """Tells when a measured value has stopped changing."""
+    """Notices when a measured value has stopped changing."""
 
     def __init__(self, band, duration):
         """Call it rest when the value stays within `band` of itself for `duration` seconds."""
@@ -76,7 +76,7 @@ class RestDetector:
         self._since = None
 
     def at_rest(self, now, value):
-        """Take the `value` measured at `now` (s) and tell whether it has come to rest."""
+        """Take the `value` measured at `now` (s); return whether it has come to rest."""
         moved = self._value is None or abs(value - self._value) > self._band
         if moved or now < self._since:
             self._value, self._since = value, now

@@ -9,7 +9,7 @@ import numpy
 import rosbag
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from moved_distance.distance_counter import DistanceCounter
+from moved_distance.steps import Steps
 from tf.transformations import euler_from_quaternion
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
@@ -152,13 +152,15 @@ def _draw_heading(axes, tracks):
 
 def _track(rows, start):
     """Return the Track of the messages whose numbers are finite; None if there are none."""
-    counter, kept = DistanceCounter(), []
+    steps, distance, kept = Steps(), 0.0, []
     for row in rows:
         _, x, y, *_ = numbers = _numbers(row)
         with suppress(ValueError):  # of a position that is not finite
-            counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
+            dx, dy, _ = steps.to(
+                x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
+            distance += math.hypot(dx, dy)
         if all(map(math.isfinite, numbers)):
-            kept.append((*numbers, counter.distance))
+            kept.append((*numbers, distance))
     if not kept:
         return None
     time, x, y, yaw, *others = numpy.array(kept).T

@@ -3,4 +3,4 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=['rotate_robot'], package_dir={'': 'src'}))
+setup(**generate_distutils_setup(packages=['straight_drive'], package_dir={'': 'src'}))

@@ -1,0 +1,41 @@
+"""Subscribers whose callbacks run one at a time."""
+
+import threading
+
+import rospy
+
+one_at_a_time = threading.Lock()  # is held while a callback of this node runs
+
+
+class Subscriber:
+    """Calls back with each message of a topic, while no other callback of the node runs.
+
+    rospy has a thread for each connection.
+    """
+
+    def __init__(self, topic, message_class, callback, what=None):
+        """Subscribe.
+
+        :param callback: takes a message; one over which it raises ValueError is ignored, with a
+            throttled warning
+        :param what: the messages in words, for the user
+        """
+        self._topic, self._callback, self._what = topic, callback, what
+        self._heard = threading.Event()
+        rospy.on_shutdown(self._heard.set)
+        rospy.Subscriber(topic, message_class, self._on_message, tcp_nodelay=True)
+
+    def wait(self):
+        """Return when the first message has come, or at shutdown; say each second that it waits."""
+        while not (self._heard.wait(timeout=1.0) or rospy.is_shutdown()):
+            rospy.loginfo('waiting for %s on %s', self._what, rospy.resolve_name(self._topic))
+
+    def _on_message(self, message):
+        try:
+            with one_at_a_time:
+                self._callback(message)
+        except ValueError as error:
+            rospy.logwarn_throttle(1.0, f'{self._what} ignored: {error}')
+            return
+        if not self._heard.is_set():
+            self._heard.set()

@@ -1,1 +1,0 @@
-"""What the two scripts of this package share."""
