@@ -9,13 +9,15 @@ Publishes:
     cmd_vel (geometry_msgs/Twist): angular.z = kp * (target - yaw), the shorter way round
 
 Parameters:
-    ~target (float, 90 degrees): heading to turn to, in the odom frame
-    ~kp (float, 0.5 1/s): gain; above 0
-    ~rate (float, 10 Hz): control rate; 0.1 to 1000
-    ~max_angular_speed (float, 3.14 rad/s): the command is clamped to this; above 0
-    ~tolerance (float, 0.0 degrees): 0 controls for ever; above 0, the node ends once the
-        heading has stayed this close and the robot has come to rest; less than 180
-    ~timeout (float, 1.0 s): stop when no odometry has come for this long; 0 to 3600; 0 turns it off
+    ~target (float, 90 degrees, finite): heading to turn to, in the odom frame
+    ~kp (float, 0.5 1/s, above 0): gain
+    ~rate (float, 10 Hz, from 0.1 to 1000): control rate
+    ~max_angular_speed (float, 3.14 rad/s, above 0): the command is clamped to this
+    ~tolerance (float, 0.0 degrees, from 0 to 180): 0 controls for ever; above 0, the node exits
+        once the heading has stayed this close and the robot has come to rest
+    ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no odometry has arrived
+        for this long (ROS time, and at least 0.2 s of wall time); go on when it returns; 0
+        turns it off
 
 The last command the robot receives is zero, however the node ends.
 """
@@ -51,7 +53,7 @@ class RotateRobot:
         self._tolerance = get_number(
             '~tolerance', 0.0, lambda v: 0 <= v < 180, 'from 0 to 180 degrees')
         timeout = get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s')
-        self.loop = ControlLoop(self._control, self._stop, timeout, period=1 / rate)
+        self._loop = ControlLoop(self._control, self._stop, timeout, period=1 / rate)
         self._rest = RestDetector(REST_BAND, REST_DURATION)
         self._velocity = VelocityPublisher('cmd_vel', max_angular_speed)
         Subscriber('odom', Odometry, self._on_odometry, 'odometry')
@@ -60,7 +62,7 @@ class RotateRobot:
 
     def _on_odometry(self, message):
         yaw = yaw_from_orientation(message.pose.pose.orientation)
-        self.loop.hear(yaw, message.header.stamp.to_sec())
+        self._loop.hear(yaw, message.header.stamp.to_sec())
 
     def _on_target(self, message):
         if math.isfinite(message.data):
@@ -85,7 +87,8 @@ class RotateRobot:
 
 def main():
     """Turn until the target is reached, or until shutdown."""
-    RotateRobot().loop.run()
+    RotateRobot()
+    rospy.spin()
 
 
 if __name__ == '__main__':

@@ -17,7 +17,7 @@ from std_msgs.msg import Empty, Float64
 
 PERIOD = 0.02  # s between two odometry messages
 START = 1000.0  # s, the time stamp of the first one
-LONG_TIME = 10.0  # s; enough for any way, so that going back to zero is no teleport
+LONG_TIME = 10.0  # s; enough for any path, so that going back to zero is no teleport
 
 
 class Talk(Partner):
@@ -107,7 +107,7 @@ class DetectorTest(unittest.TestCase):
                    and self.log.has_warning('/detector', 'faster than ~max_speed'), 10.0, 'a warning')
 
     def test_five_metres_per_second_still_count(self):
-        """0.1 m is the way of one period; a little more is a teleport."""
+        """0.1 m is the step of one period; a little more is a teleport."""
         self.assertEqual(self.talk.walk(0.099, 0.2), [0.099, 0.099])
 
     def test_a_stamp_that_goes_back_is_not_counted(self):

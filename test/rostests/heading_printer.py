@@ -35,13 +35,13 @@ class HeadingPrinterTest(unittest.TestCase):
 
     def test_it_prints_each_yaw_in_radians(self):
         """One line for each message, from a robot that may lean, and nothing else."""
-        turns = [(0.1, -0.2, 0.01 * step - 3.0) for step in range(600)]
-        for turn in turns:
-            self.show(Quaternion(*quaternion_from_euler(*turn)))
-        wait_until(lambda: len(self.yaws()) >= len(turns), 10.0, self.printed)
-        self.assertEqual(len(self.yaws()), len(turns))
-        for yaw, turn in zip(self.yaws(), turns):
-            self.assertAlmostEqual(yaw, turn[2])
+        orientations = [(0.1, -0.2, 0.01 * step - 3.0) for step in range(600)]
+        for angles in orientations:
+            self.show(Quaternion(*quaternion_from_euler(*angles)))
+        wait_until(lambda: len(self.yaws()) >= len(orientations), 10.0, self.printed)
+        self.assertEqual(len(self.yaws()), len(orientations))
+        for yaw, angles in zip(self.yaws(), orientations):
+            self.assertAlmostEqual(yaw, angles[2])
 
     def test_it_prints_the_quaternion_once_a_second(self):
         """That of the last message, whose length is one again."""

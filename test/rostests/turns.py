@@ -35,17 +35,17 @@ class TurnsTest(unittest.TestCase):
         for start in STARTS:
             self.turn_to(start)
             target = start
-            for turn, way in TURNS.items():
+            for turn, shorter in TURNS.items():
                 case = f'{turn} degrees from {target} degrees'
                 target += turn
                 turned = self.turn_to(target)
-                self.assertAlmostEqual(abs(turned[-1]), abs(way), delta=2 * PRECISION, msg=case)
-                self.assertLessEqual(max(map(abs, turned)), abs(way) + 2 * PRECISION, case)
+                self.assertAlmostEqual(abs(turned[-1]), abs(shorter), delta=2 * PRECISION, msg=case)
+                self.assertLessEqual(max(map(abs, turned)), abs(shorter) + 2 * PRECISION, case)
                 if turn != 180:
-                    self.assertGreater(turned[-1] * way, 0, case)
+                    self.assertGreater(turned[-1] * shorter, 0, case)
 
     def turn_to(self, target):
-        """Turn to a heading (degrees) and stay there; return the way turned over time (degrees)."""
+        """Turn to a heading (degrees) and stay there; return the angle turned over time (degrees)."""
         start = self.odometry.last
         self.odometry.clear()
         self.target.publish(Float64(target))

@@ -25,7 +25,7 @@ quaternions = st.builds(Quaternion, *[st.one_of(st.floats(-1, 1), any_number)] *
 @given(st.one_of(st.just(2.0), positive), finite.filter(bool), st.booleans(),
        st.lists(moved_distances, max_size=50))
 def test_the_mover_commands_its_speed_or_zero(distance, speed, relative, sequence):
-    """Against a model: the way starts at zero, or at the first distance that is a number."""
+    """Against a model: the trip starts at zero, or at the first distance that is a number."""
     drive = Drive(distance, speed, relative)
     numbers = list(filter(math.isfinite, sequence))
     start = numbers[0] if relative and numbers else 0.0

@@ -58,8 +58,8 @@ class DetectorMachine(RuleBasedStateMachine):
         """Go on from the last position, at a speed that may be too high to be true."""
         self.time_passes(duration)
         x, y = self.last[:2] if self.last else (0.0, 0.0)
-        way = speed * duration
-        self.hear(x + way * math.cos(direction), y + way * math.sin(direction))
+        step = speed * duration
+        self.hear(x + step * math.cos(direction), y + step * math.sin(direction))
 
     @rule(x=any_number, y=any_number)
     def jump(self, x, y):
@@ -118,7 +118,7 @@ class DetectorMachine(RuleBasedStateMachine):
             self.last, self.late = message, None
 
     def must_be_refused(self, message):
-        """Tell whether the contract calls this message a jump; None: it leaves that open."""
+        """Return whether the contract calls this message a jump; None: it leaves that open."""
         x, y, stamp, arrival = message
         if self.last is None:
             return False

@@ -8,11 +8,15 @@ Publishes:
     cmd_vel (geometry_msgs/Twist): one command per moved_distance message
 
 Parameters:
-    ~distance (float, 2.0 m): where to stop; above 0
-    ~speed (float, 0.1 m/s): how fast; negative drives backwards; not 0
-    ~relative (bool, false): count from the first message instead of from the detector's start
-    ~exit_when_done (bool, false): end once the robot has stopped, instead of commanding zero
-    ~timeout (float, 1.0 s): stop when no message has come for this long; 0 to 3600; 0 turns it off
+    ~distance (float, 2.0 m, above 0): where to stop
+    ~speed (float, 0.1 m/s, other than 0): how fast; negative drives backwards
+    ~relative (bool, false): count from the first message instead of from the detector's start,
+        so that a second run moves again
+    ~exit_when_done (bool, false): exit once the robot has stopped, instead of commanding zero
+        for ever
+    ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no message has arrived
+        for this long (ROS time, and at least 0.2 s of wall time) while the robot moves; go on
+        when messages return; 0 turns it off
 
 The last command the robot receives is zero, however the node ends.
 """
@@ -43,7 +47,7 @@ class TestMovement:
         self._speed = get_number('~speed', 0.1, lambda v: v != 0, 'a speed in m/s other than 0')
         self._trip = Trip(relative=get_flag('~relative', False))
         self._exit_when_done = get_flag('~exit_when_done', False)
-        self.loop = ControlLoop(self._control, self._stop, timeout=get_number(
+        self._loop = ControlLoop(self._control, self._stop, timeout=get_number(
             '~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'))
         self._rest = RestDetector(REST_BAND, REST_DURATION)
         self._moving = False
@@ -53,7 +57,7 @@ class TestMovement:
         warn_of_two_senders('moved_distance', Float64)
 
     def _on_moved_distance(self, message):
-        self.loop.hear(message.data)
+        self._loop.hear(message.data)
 
     def _control(self, moved_distance, now):
         try:
@@ -81,7 +85,8 @@ class TestMovement:
 
 def main():
     """Answer messages until shutdown."""
-    TestMovement().loop.run()
+    TestMovement()
+    rospy.spin()
 
 
 if __name__ == '__main__':

@@ -1,4 +1,4 @@
-"""Which steps of an odometry are movement."""
+"""The steps between the positions of an odometry, as far as they are movement."""
 
 import math
 from typing import NamedTuple
@@ -18,15 +18,15 @@ class Position(NamedTuple):
 
 
 class Step(NamedTuple):
-    """What to count of one message."""
+    """What one message adds to the path."""
 
     dx: float = 0.0  # m
     dy: float = 0.0  # m
-    jump: str = ''  # why the step is no movement, if it is none
+    jump: str = ''  # why the step is not counted as movement
 
 
 class Steps:
-    """The steps between consecutive positions in the plane, without what is no movement."""
+    """The steps between consecutive positions in the plane; none where they are not movement."""
 
     def __init__(self, min_step=0.0, max_speed=5.0):
         """Take the smallest step counted (m) and the speed (m/s, 0: any) of a jump."""
@@ -81,7 +81,7 @@ class Steps:
         return True
 
     def _jump(self, here):
-        """Return why the path from the last position to this one is no movement, or ''."""
+        """Return why the step from the last position to this one is not movement, or ''."""
         available = self._available_time(here)
         uncounted = math.hypot(here.x - self._counted.x, here.y - self._counted.y)
         if uncounted > LONGEST_STEP:
@@ -92,7 +92,7 @@ class Steps:
         return ''
 
     def _available_time(self, here):
-        """Return how long (s) the robot may have been on its way from the last position."""
+        """Return how long (s) the robot may have moved since the last position."""
         interval = here.stamp - self._last.stamp
         if interval == 0:  # from a driver that does not stamp its messages, for example
             interval = max(0.0, here.arrival - self._last.arrival)

@@ -6,7 +6,7 @@ from odometry_common.subscribing import one_at_a_time
 from odometry_common.timing import Metronome, Watchdog
 
 PERIODS_UNTIL_SLOW = 2.5  # without input; the clock may be heard a period after it
-LOOKS_PER_TIMEOUT = 10
+LOOK_PERIOD = 0.1  # s between two looks after a controller without a period
 REAL_SILENCE = 0.2  # s; at up to five times real time the usual timeout is longer
 CLOCK_LAG = 60.0  # s of simulated time, by which a busy machine may hear the clock late
 
@@ -15,23 +15,22 @@ class ControlLoop:
     """Has a controller act on the latest input, and stop when no input comes any more."""
 
     def __init__(self, control, stop, timeout, period=0.0):
-        """Set it up; run() runs it.
+        """Begin to wait for input.
 
         :param control: is called with the latest input and the time (s)
-        :param stop: is called now and then while no input has come for `timeout` (s of ROS time,
-            0: for ever)
+        :param stop: is called again and again while no input has come for `timeout` (s of ROS
+            time; 0: for ever)
         :param period: s between two controls; 0: one for each input
         """
         self._control, self._stop = control, stop
         self._metronome = Metronome(period)
         self._slow = Watchdog(PERIODS_UNTIL_SLOW * period)
         self._silent = Watchdog(timeout, min(timeout, REAL_SILENCE))
-        self._rate = rospy.Rate(1 / (period or timeout / LOOKS_PER_TIMEOUT or 1.0), reset=True)
-        self._input = None
-        self._stamp = 0.0
+        self._input, self._stamp = None, 0.0
+        rospy.Timer(rospy.Duration(period or LOOK_PERIOD), self._look, reset=True)
 
     def hear(self, value, stamp=0.0):
-        """Take an input, measured at `stamp` (s, 0: unknown); control at once, if it is time.
+        """Take an input, measured at `stamp` (s; 0: unknown), and control at once if it is time.
 
         No command then rests on older input, and a simulator in lockstep gets its answer.
         """
@@ -42,16 +41,13 @@ class ControlLoop:
         if self._metronome.is_due(stamp or now):
             self._control(value, now)
 
-    def run(self):
-        """Look after the input, until shutdown."""
-        while not rospy.is_shutdown():
-            self._rate.sleep()
-            with one_at_a_time:
-                now = self._now()
-                if self._silent.expired(now):
-                    self._stop()
-                elif self._slow.expired(now):
-                    self._control(self._input, now)
+    def _look(self, _event):
+        with one_at_a_time:
+            now = self._now()
+            if self._silent.expired(now):
+                self._stop()
+            elif self._slow.expired(now):
+                self._control(self._input, now)
 
     def _now(self):
         """Return ROS time (s).

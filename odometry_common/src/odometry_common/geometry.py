@@ -50,7 +50,7 @@ def yaw_from_orientation(orientation):
 def euler_from_orientation(orientation):
     """Return (roll, pitch, yaw) in radians of a geometry_msgs/Quaternion of any length.
 
-    :raises ValueError: if it is not finite or has no length, and so is no rotation
+    :raises ValueError: if it is not finite or has no length, and so is not a rotation
     """
     x, y, z, w = orientation.x, orientation.y, orientation.z, orientation.w
     length = math.hypot(x, y, z, w)

@@ -25,10 +25,10 @@ def get_number(name, default, accepts=math.isfinite, allowed='a finite number'):
     """Read a number.
 
     :param name: parameter name, such as ``~speed``
-    :param accepts: tells whether a finite float is in range
+    :param accepts: takes a finite float; returns whether it is in range
     :param allowed: the range in words, for the user
     :return: the value as a float
-    :raises ParameterError: if it is no finite number, or out of range
+    :raises ParameterError: if it is not a finite number, or out of range
     """
     given = rospy.get_param(name, default)
     value = as_number(given)
