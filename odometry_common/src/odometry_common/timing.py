@@ -55,10 +55,9 @@ class Watchdog:
         """
         if self._timeout == 0 or self._last_fed is None:
             return False
-        if time.monotonic() - self._last_fed_wall < self._wall_timeout:
-            return False
         self._last_fed = min(self._last_fed, now)
-        return now - self._last_fed > self._timeout
+        silent_in_reality = time.monotonic() - self._last_fed_wall >= self._wall_timeout
+        return silent_in_reality and now - self._last_fed > self._timeout
 
 
 class RestDetector:
