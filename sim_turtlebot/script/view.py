@@ -9,7 +9,7 @@ Subscribes, for each robot, while a page is open:
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
 
 Subscribes, always:
-    sim_turtlebot/warning (std_msgs/String): what the simulator warns of
+    sim_turtlebot/warning (std_msgs/String): the simulator's warning
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while the pad is held; zero when it is released
@@ -23,32 +23,23 @@ Parameters:
         whoever sees the page can drive the robot
     ~allowed_hosts (str, none): further names of the page, where a proxy or a forwarded port gives
         it others: with or without a port, separated by commas or spaces. It is always reached as
-        localhost, as ~host and by the address of this machine; who comes by another name, or from
-        another page, is refused
+        localhost, as ~host and by the address of this machine; requests for any other name, or
+        from another page, are refused
 """
 
 from odometry_common.node import run_node
-from odometry_common.parameters import ParameterError
-from sim_turtlebot.viewer.address import read_address
-
-
-class MissingPackageError(ParameterError):
-    """A Python package that the page needs is not installed."""
-
-    def __init__(self, package):
-        """Word the line from the package's name."""
-        ValueError.__init__(self, f'{package} is not installed; sim_turtlebot/requirements-view.txt '
-                            'lists what the page needs: pip install -r it')
-        self.name = '~'
+from odometry_common.parameters import StartError
+from robot_view.address import read_address
 
 
 def main():
     """View until shutdown."""
     address = read_address()
     try:
-        from sim_turtlebot.viewer.node import view
+        from robot_view.node import view
     except ModuleNotFoundError as error:
-        raise MissingPackageError(error.name) from None
+        raise StartError(f'{error.name} is not installed; sim_turtlebot/requirements-view.txt '
+                         'lists what the page needs: pip install -r it') from None
     view(address)
 
 

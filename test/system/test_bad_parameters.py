@@ -13,8 +13,8 @@ from odometry_common.parameters import ParameterError, check_command_line
 from odometry_common.usage import parameters
 from odometry_tests.forked import run_script
 from odometry_tests.scripts import ROOT, load_script
+from robot_view.address import read_address
 from sim_turtlebot.settings import read_settings
-from sim_turtlebot.viewer.address import read_address
 
 EXIT_BAD_PARAMETER = 2
 NOT_NUMBERS = ['abc', "''", '[1, 2]', '{a: 1}', 'true', '.nan', 'nan', '.inf', '-.inf',

@@ -4,14 +4,14 @@ import pytest
 
 pytest.importorskip('viser', reason='viser is not installed')
 
-from odometry_common.parameters import ParameterError
-from sim_turtlebot.viewer.guard import guarded
+from odometry_common.parameters import StartError
+from robot_view.guard import guarded
 from websockets.asyncio import server
 
 
 def test_a_server_that_is_made_in_another_way_is_refused():
     """Another version of viser would let everybody in."""
-    with pytest.raises(ParameterError, match='version of viser'), guarded(None, None):
+    with pytest.raises(StartError, match='version of viser'), guarded(None, None):
         pass
 
 

@@ -5,7 +5,7 @@ import socket
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.viewer.hosts import Host, OwnHosts, parse_host, parse_hosts
+from robot_view.hosts import Host, OwnHosts, parse_host, parse_hosts
 
 LOOPBACK = OwnHosts('localhost')
 NAMED = OwnHosts('localhost', parse_hosts('Robots.example, lab:9000'))

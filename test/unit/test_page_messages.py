@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 viser = pytest.importorskip('viser', reason='viser is not installed')
 
 import msgspec
-from sim_turtlebot.viewer.messages import checked
+from robot_view.messages import checked
 
 CAMERA = {'type': 'ViewerCameraMessage', 'wxyz': [1, 0.0, 0.0, 0.0], 'position': [0.0, 0, 1.5],
           'fov': 1.0, 'near': 0.1, 'far': 100, 'image_height': 480, 'image_width': 640,

@@ -5,25 +5,11 @@ import os
 import socket
 from urllib.parse import urlparse
 
+from odometry_common.ports import bind
 from rosgraph.rosenv import DEFAULT_MASTER_PORT
 
+HOST = 'localhost'
 NEXT_PORTS = 100  # are tried after the first
-
-
-def bind(number):
-    """Return a socket that has a port, or any for 0; raise OSError if somebody listens there.
-
-    A server that sets SO_REUSEADDR, as ROS's and asyncio's do, can listen on it all the same,
-    since the socket does not.
-    """
-    holder = socket.socket()
-    holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    try:
-        holder.bind(('localhost', number))
-    except OSError:
-        holder.close()
-        raise
-    return holder
 
 
 class HeldPort:
@@ -37,7 +23,7 @@ class HeldPort:
         """Take a port, or any for 0; raise OSError if it is another's."""
         self.is_first_choice = is_first_choice
         with contextlib.ExitStack() as stack:
-            self.number = stack.enter_context(bind(number)).getsockname()[1]
+            self.number = stack.enter_context(bind((HOST, number))).getsockname()[1]
             name = stack.enter_context(socket.socket(socket.AF_UNIX))
             name.bind(f'\0odometry-port-{self.number}')
             self.close = stack.pop_all().close

@@ -13,7 +13,12 @@ import rospy
 
 from odometry_common.handles import shortage, take_all_handles
 from odometry_common.output import LineOutput
-from odometry_common.parameters import ParameterError, check_command_line, forget_argument
+from odometry_common.parameters import (
+    ParameterError,
+    StartError,
+    check_command_line,
+    forget_argument,
+)
 from odometry_common.usage import show_help_if_asked, warn_of_unknown
 from odometry_common.xmlrpc_server import use_closable_server
 
@@ -33,7 +38,7 @@ def run_node(name, main, documentation, **init_node_options):
     :param documentation: the node's help, with a list of its parameters under "Parameters:"
     :param init_node_options: passed on to rospy.init_node
 
-    The exit status is 0, or 2 with one line on stderr if a parameter is unusable, or 1 if there
+    The exit status is 0, or 2 with one line on stderr if it cannot start, or 1 if there
     are no file handles left.
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
@@ -48,9 +53,10 @@ def run_node(name, main, documentation, **init_node_options):
         _start(name, init_node_options)
         warn_of_unknown(documentation)
         main()
-    except ParameterError as error:
+    except StartError as error:
         print(f'{name}: {error}', file=sys.stderr)
-        forget_argument(error.name)
+        if isinstance(error, ParameterError):
+            forget_argument(error.name)
         sys.exit(EXIT_BAD_PARAMETER)
     except OSError as error:
         if not _report(error):

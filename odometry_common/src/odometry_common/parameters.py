@@ -12,8 +12,12 @@ import yaml
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
 
 
-class ParameterError(ValueError):
-    """A parameter the node cannot run with; the message is one line for the user."""
+class StartError(Exception):
+    """The node cannot start; the message is one line for the user."""
+
+
+class ParameterError(StartError):
+    """A parameter the node cannot run with."""
 
     def __init__(self, name, value, allowed):
         """Word the line from the name, the value that was given and what is allowed."""

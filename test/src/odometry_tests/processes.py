@@ -7,8 +7,8 @@ import subprocess
 import threading
 
 import rosgraph
+from odometry_common.ports import bind
 from odometry_launch.keeping import Kept
-from odometry_launch.ports import bind
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
@@ -134,7 +134,7 @@ def hold_port():
 
     Only who is told of it can listen on it, or hold it as the demo does.
     """
-    with bind(0) as holder:
+    with bind(('localhost', 0)) as holder:
         yield holder.getsockname()[1]
 
 

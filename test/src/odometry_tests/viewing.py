@@ -24,8 +24,8 @@ DARK = 80  # of 255; the robot is darker than this, the floor and the marks are 
 # stops the robot.
 PATIENT_VIEWER = '''
 import runpy, sys
-from sim_turtlebot.viewer import pad
-pad.HOLD_TIMEOUT = float('inf')
+from robot_view import steering
+steering.HOLD_TIMEOUT = float('inf')
 runpy.run_path(sys.argv.pop(1), run_name='__main__')
 '''
 

@@ -6,28 +6,27 @@ import threading
 
 import rich
 import viser
+from odometry_common.geometry import PlanarPose
+from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import ParameterError
 
-from sim_turtlebot.viewer.guard import guarded
-from sim_turtlebot.viewer.messages import checked
-from sim_turtlebot.viewer.pad import Pad, add_pad
-from sim_turtlebot.viewer.panel import Readings, Simulation
-from sim_turtlebot.viewer.plots import Plots
-from sim_turtlebot.viewer.scene import TWO_METRES, RobotFigure, furnish
-from sim_turtlebot.viewer.track import Pose
+from robot_view.guard import guarded
+from robot_view.messages import checked
+from robot_view.pad import Pad, add_pad
+from robot_view.panel import Readings, SimulationButtons
+from robot_view.plots import Plots
+from robot_view.scene import TWO_METRES, RobotFigure, add_floor_and_lights
 
-MAX_SPEED = 0.7  # m/s, TurtleBot 2
-MAX_TURN_SPEED = 180  # degrees/s, TurtleBot 2
 PANEL_WIDTH = 320  # pixels
 FIELD_OF_VIEW = 45  # degrees
 CAMERA_DISTANCE = 3.2  # m, from what it looks at, backwards and to the right
 CAMERA_HEIGHT = 1.6  # m
-HALF_WAY = Pose(TWO_METRES / 2, 0.0, 0.0)
+HALF_WAY = PlanarPose(TWO_METRES / 2, 0.0, 0.0)
 FAR = 3.0  # m
 
 
 class Page:
-    """What every browser shows; all pages show the same."""
+    """What every browser shows: they all show the same."""
 
     def __init__(self, address, links):
         """Serve the page until the process ends.
@@ -58,16 +57,17 @@ class Page:
     def _build(self):
         server, gui = self._server, self._server.gui
         gui.configure_theme(show_logo=False, show_share_button=False, control_width='medium')
-        furnish(server.scene)
+        add_floor_and_lights(server.scene)
         self._readings = Readings(gui)
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
         self._choice.on_update(lambda _: self.pad.choose(self.chosen))
-        self.simulation = Simulation(gui)
+        self.simulation = SimulationButtons(gui)
         with gui.add_folder('drive: hold a button or an arrow key'):
-            self.pad = Pad(lambda: (self._speed.value, math.radians(self._turn_speed.value)))
+            self.pad = Pad(lambda: (self._linear.value, math.radians(self._angular.value)))
             add_pad(gui, self.pad)
-            self._speed = gui.add_slider('speed (m/s)', 0.05, MAX_SPEED, 0.05, 0.2)
-            self._turn_speed = gui.add_slider('turn (deg/s)', 5, MAX_TURN_SPEED, 5, 45)
+            self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2)
+            self._angular = gui.add_slider(
+                'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45)
         panel = gui.add_panel()
         self._plots = Plots(gui, panel.add_tab('plots'))
         panel.dock_left()
@@ -115,31 +115,31 @@ class Page:
             self.pad.choose(None)
             self._readings.show({})
 
-    def move(self, sights):
-        """Draw robots where they are: a dictionary of robots.Sight by namespace."""
+    def move(self, states):
+        """Draw robots where they are: a dictionary of robots.RobotState by namespace."""
         with self._server.atomic():
-            for namespace, sight in sights.items():
-                self._figures[namespace].move(sight)
-        self._frame_new_clients(sights)
+            for namespace, state in states.items():
+                self._figures[namespace].move(state)
+        self._frame_new_clients(states)
 
-    def draw(self, sights, rate):
+    def draw(self, states, rate):
         """Draw what changes more slowly: trails, figures, plots."""
-        for namespace, sight in sights.items():
-            self._figures[namespace].draw_trail(sight.trail)
-        sight = sights.get(self.chosen)
-        if sight:
-            self._readings.show({**sight._asdict(), 'real_time_factor': rate})
-            self._plots.draw(sight.history)
+        for namespace, state in states.items():
+            self._figures[namespace].draw_trail(state.trail)
+        state = states.get(self.chosen)
+        if state:
+            self._readings.show({**state._asdict(), 'real_time_factor': rate})
+            self._plots.draw(state.history)
 
-    def _frame_new_clients(self, sights):
+    def _frame_new_clients(self, states):
         """Point the camera of a new page at the robots, once they are known."""
         clients = self._server.get_clients()
         self._framed &= set(clients)
-        if not sights:
+        if not states:
             return
         for number in set(clients) - self._framed:
             self._framed.add(number)
-            _point_camera(clients[number].camera, [_middle(sight) for sight in sights.values()])
+            _point_camera(clients[number].camera, [_middle(state) for state in states.values()])
 
     async def _on_disconnect(self, client):
         # Here, and not in a thread: the last hold of the same browser must not come later.
@@ -147,9 +147,9 @@ class Page:
         self._changed.set()
 
 
-def _middle(sight):
+def _middle(state):
     """Return x, y (m) of half way between start and two metres, or of a robot far from there."""
-    half_way, robot = sight.origin.then(HALF_WAY)[:2], sight.body.position[:2]
+    half_way, robot = state.origin.then(HALF_WAY)[:2], state.pose.position[:2]
     return half_way if math.dist(half_way, robot) < FAR else robot
 
 

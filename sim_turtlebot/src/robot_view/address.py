@@ -1,12 +1,13 @@
-"""Where the viewer's page is, read from the parameters; needs no viser."""
+"""Where the page is, read from the parameters; needs no viser."""
 
 import errno
 import socket
 from typing import NamedTuple
 
 from odometry_common.parameters import ParameterError, get_number, get_text
+from odometry_common.ports import bind
 
-from sim_turtlebot.viewer.hosts import OwnHosts, parse_hosts
+from robot_view.hosts import OwnHosts, parse_hosts
 
 ADDRESSES = 'a name or an address of this machine'
 
@@ -44,13 +45,11 @@ def _find_ip(host, port):
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
     except OSError:
         raise ParameterError('~host', host, ADDRESSES) from None
-    family, kind, protocol, _, address = min(found)
-    with socket.socket(family, kind, protocol) as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            probe.bind(address)
-        except OSError as error:
-            raise _refusal(error, host, port) from None
+    family, *_, address = min(found)
+    try:
+        bind(address, family).close()
+    except OSError as error:
+        raise _refusal(error, host, port) from None
     return address[0]
 
 

@@ -4,8 +4,8 @@ import numpy
 from viser.transforms import SO3
 
 TWO_METRES = 2.0  # m, what the tutorial's robot drives
-GHOST_DISTANCE = 0.005  # m between odometry and truth from which on both are drawn
-GHOST_TURN = 0.01  # rad
+GHOST_DISTANCE = 0.005  # m between odometry and ground truth from which on both are drawn
+GHOST_ANGLE = 0.01  # rad
 GHOST_COLOUR = (30, 120, 220)
 GHOST_OPACITY = 0.35
 TRAIL_COLOUR = (230, 120, 20)
@@ -21,8 +21,8 @@ SPOKE_WIDTH = 0.008  # m
 SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 
 
-def furnish(scene):
-    """Put the floor, with a line at each metre, into an empty viser scene."""
+def add_floor_and_lights(scene):
+    """Add lights, and a floor with a line at each metre, to an empty viser scene."""
     scene.set_up_direction('+z')
     # Reflections and shadows would leave a computer without a graphics card one frame a second.
     scene.configure_environment_map(None)
@@ -65,23 +65,23 @@ class RobotFigure:
         for node in self._nodes:
             node.remove()
 
-    def move(self, sight):
-        """Draw it as a robots.Sight tells."""
-        self._body.position, self._body.wxyz = sight.body
-        self._odometry.position = (sight.origin.x, sight.origin.y, 0.0)
-        self._odometry.wxyz = SO3.from_z_radians(sight.origin.yaw).wxyz
-        drift = sight.drift
+    def move(self, state):
+        """Draw it as in a robots.RobotState."""
+        self._body.position, self._body.wxyz = state.pose
+        self._odometry.position = (state.origin.x, state.origin.y, 0.0)
+        self._odometry.wxyz = SO3.from_z_radians(state.origin.yaw).wxyz
+        drift = state.drift
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
-                               or abs(drift.yaw) > GHOST_TURN)
+                               or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
-            self._ghost.position, self._ghost.wxyz = sight.odometry
+            self._ghost.position, self._ghost.wxyz = state.odometry
         for joint, (frame, link) in self._wheels.items():
-            if joint in sight.wheels:
-                turn = SO3.exp(link.axis * sight.wheels[joint])
-                frame.wxyz = (link.rotation @ turn).wxyz
+            if joint in state.wheels:
+                rotation = SO3.exp(link.axis * state.wheels[joint])
+                frame.wxyz = (link.rotation @ rotation).wxyz
 
     def draw_trail(self, points):
-        """Draw the way the robot has come: rows of x, y (m)."""
+        """Draw the path of the robot: rows of x, y (m)."""
         if len(points) < 2:
             points = numpy.zeros((2, 2))
         line = numpy.column_stack([points, numpy.full(len(points), TRAIL_HEIGHT)])
@@ -109,12 +109,12 @@ class RobotFigure:
             self._add_spokes(body, link.meshes[0].vertices)
 
     def _add_spokes(self, wheel, vertices):
-        """Mark a wheel, or nobody would see it turn; a bit of it shows below the base."""
+        """Mark a wheel, or nobody would see it turn: little of it shows below the base."""
         across, _, width = numpy.ptp(vertices, axis=0) + SPOKE_MARGIN
         for number in range(SPOKES):
-            turn = SO3.from_z_radians(numpy.pi * number / SPOKES)
+            rotation = SO3.from_z_radians(numpy.pi * number / SPOKES)
             self._scene.add_box(f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
-                                (across, SPOKE_WIDTH, width), wxyz=turn.wxyz)
+                                (across, SPOKE_WIDTH, width), wxyz=rotation.wxyz)
 
     def _add_marks(self):
         node = self._odometry.name

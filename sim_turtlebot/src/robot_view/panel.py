@@ -34,7 +34,7 @@ class Readings:
         self._html.content = f'{STYLE}<table id="readings">{rows}</table>'
 
 
-class Simulation:
+class SimulationButtons:
     """Buttons that call the simulator's services."""
 
     def __init__(self, gui):

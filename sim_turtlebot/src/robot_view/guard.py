@@ -12,7 +12,7 @@ import functools
 import http
 
 import rospy
-from odometry_common.parameters import ParameterError
+from odometry_common.parameters import StartError
 from websockets.asyncio import server
 
 MAX_MESSAGE = 65536  # bytes; a page says less than a kilobyte at a time
@@ -20,16 +20,6 @@ LOG_PERIOD = 10.0  # s, between two lines of a kind
 LOG_LENGTH = 250  # characters; a stranger may have made them up
 # A click that is meant for another page, with this one invisible in it, would drive.
 FRAMING = 'Content-Security-Policy', "frame-ancestors 'self'"
-
-
-class UnguardedError(ParameterError):
-    """The server cannot be guarded."""
-
-    def __init__(self):
-        """Word the line."""
-        ValueError.__init__(self, 'this version of viser makes its server in another way than that '
-                            'in sim_turtlebot/requirements-view.txt: pip install -r it')
-        self.name = '~'
 
 
 class GuardedConnection(server.ServerConnection):
@@ -55,7 +45,7 @@ def guarded(hosts, check):
 
     :param hosts: OwnHosts
     :param check: see GuardedConnection
-    :raises UnguardedError: at the end, if it has made an unguarded one
+    :raises StartError: at the end, if it has made an unguarded one
     """
     serve, served = server.serve, []
 
@@ -72,7 +62,8 @@ def guarded(hosts, check):
     finally:
         server.serve = serve
     if not served:
-        raise UnguardedError
+        raise StartError('this version of viser makes its server in another way than that in '
+                         'sim_turtlebot/requirements-view.txt: pip install -r it')
 
 
 def _let_in(hosts, process_request, connection, request):

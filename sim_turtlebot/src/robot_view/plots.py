@@ -2,7 +2,7 @@
 
 import numpy
 
-from sim_turtlebot.viewer.scene import TWO_METRES
+from robot_view.scene import TWO_METRES
 
 HEIGHT = 180  # pixels
 PADDING = (10, 20, 0, 0)  # pixels: top, right, bottom, left

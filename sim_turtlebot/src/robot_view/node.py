@@ -1,4 +1,4 @@
-"""The viewer as a node: what the robots' topics tell goes to the page, while somebody looks."""
+"""The viewer as a node: what the robots' topics say goes to the page, while one is open."""
 
 import time
 
@@ -8,11 +8,12 @@ import rospy
 from odometry_common.timing import Metronome
 from std_msgs.msg import String
 
-from sim_turtlebot.viewer.model import load_links
-from sim_turtlebot.viewer.page import Page
-from sim_turtlebot.viewer.panel import WARNING
-from sim_turtlebot.viewer.robots import Robot, look_around
-from sim_turtlebot.viewer.track import RateGauge
+from robot_view.graph import query_master
+from robot_view.model import load_links
+from robot_view.page import Page
+from robot_view.panel import WARNING
+from robot_view.robots import Robot
+from robot_view.track import RateGauge
 
 FRAME_PERIOD = 0.05  # s of wall time, between two pictures
 DRAWING_PERIOD = 0.2  # s, of trails, figures and plots
@@ -47,22 +48,22 @@ class Viewer:
         now = time.monotonic()
         if self._searching.is_due(now):
             self._search()
-        sights = {namespace: robot.look() for namespace, robot in self._robots.items()}
-        sights = {namespace: sight for namespace, sight in sights.items() if sight}
-        self._page.move(sights)
-        chosen = sights.get(self._page.chosen)
+        states = {namespace: robot.state() for namespace, robot in self._robots.items()}
+        states = {namespace: state for namespace, state in states.items() if state}
+        self._page.move(states)
+        chosen = states.get(self._page.chosen)
         rate = self._gauge.rate(now, chosen.stamp) if chosen else None
         if self._drawing.is_due(now):
-            self._page.draw(sights, rate)
+            self._page.draw(states, rate)
 
     def _search(self):
         try:
-            graph = look_around()
+            graph = query_master()
             if graph.robots:
                 # When the last one has gone, its last picture stays.
                 self._set_robots(graph.robots)
             for namespace, robot in self._robots.items():
-                robot.set_turning(namespace in graph.turning)
+                robot.set_rotating(namespace in graph.rotating)
         except (OSError, rosgraph.MasterException):
             self._page.simulation.update(set(), 'the ROS master does not answer')
             return

@@ -1,38 +1,16 @@
-"""What a robot's poses add up to: its trail, its true distance, how far odometry is off."""
+"""What a robot's poses add up to: its trail, its true distance, the drift of its odometry."""
 
 import math
 from collections import deque
-from typing import NamedTuple
 
 import numpy
+from odometry_common.geometry import PlanarPose, wrap_to_pi
 
 TOP_SPEED = 5.0  # m/s; a pose that implies more is a reset, as for the movement detector
 STAMP_JITTER = 0.05  # s, by which stamps may misstate the time between two poses
 TRAIL_SPACING = 0.01  # m
 HISTORY_SPACING = 0.1  # s
-
-
-class Pose(NamedTuple):
-    """A pose in the plane: x, y (m), yaw (rad)."""
-
-    x: float
-    y: float
-    yaw: float
-
-    def then(self, other):
-        """Return where `other`, a pose relative to this one, is."""
-        cosine, sine = math.cos(self.yaw), math.sin(self.yaw)
-        return Pose(self.x + cosine * other.x - sine * other.y,
-                    self.y + sine * other.x + cosine * other.y,
-                    self.yaw + other.yaw)
-
-    def inverse(self):
-        """Return where the origin is, seen from this pose."""
-        cosine, sine = math.cos(self.yaw), math.sin(self.yaw)
-        return Pose(-cosine * self.x - sine * self.y, sine * self.x - cosine * self.y, -self.yaw)
-
-
-ORIGIN = Pose(0.0, 0.0, 0.0)
+ORIGIN = PlanarPose(0.0, 0.0, 0.0)
 
 
 class Samples:
@@ -62,13 +40,13 @@ class Samples:
 
 
 class Track:
-    """The way of one robot, from its odometry and, of a simulated robot, its true poses.
+    """The path of one robot, from its odometry and, if it is simulated, its ground truth.
 
-    What is drawn are the true poses if there are any, else those of the odometry.
+    The ground truth is drawn if there is any, else the odometry.
     """
 
     def __init__(self):
-        """Know nothing yet."""
+        """Begin before the first pose."""
         self._restart()
 
     def _restart(self):
@@ -80,37 +58,38 @@ class Track:
         self.history = Samples(HISTORY_SPACING, 5)
         self._travelled = 0.0
         self._drawn = None
-        self._odometry = self._truth = None
+        self._odometry = self._ground_truth = None
 
     def add_odometry(self, stamp, pose):
-        """Take the odometry's Pose at `stamp` (s)."""
+        """Take the odometry's PlanarPose at `stamp` (s)."""
         if _is_reset(self._odometry, stamp, pose):
             self._restart()
         self._odometry = stamp, pose
         if self.heading is None:
             self.heading = pose.yaw
-        self.heading += math.remainder(pose.yaw - self.heading, 2 * math.pi)
-        if self._truth is None:
+        self.heading += wrap_to_pi(pose.yaw - self.heading)
+        if self._ground_truth is None:
             self._draw(pose)
         self._compare()
 
-    def add_truth(self, stamp, pose):
-        """Take the true Pose at `stamp` (s)."""
-        if _is_reset(self._truth, stamp, pose):
+    def add_ground_truth(self, stamp, pose):
+        """Take the true PlanarPose at `stamp` (s)."""
+        if _is_reset(self._ground_truth, stamp, pose):
             self._restart()
-        if self._truth is None:
+        if self._ground_truth is None:
             self.trail = Samples(TRAIL_SPACING, 2)
             self._drawn = None
         elif self.true_distance is not None:
-            self.true_distance += _distance(self._truth[1], pose)
-        self._truth = stamp, pose
+            self.true_distance += _distance(self._ground_truth[1], pose)
+        self._ground_truth = stamp, pose
         self._draw(pose)
         self._compare()
 
     def note(self, time, moved, target):
         """Add to the history: rows of time (s), moved and true distance (m), heading, target (deg).
 
-        :param target: heading to turn to (degrees) or None; the turn nearest to the heading is kept
+        :param target: heading to turn to (degrees) or None; whole turns are added to it so that it
+            is nearest to the heading
         """
         if self.heading is None:
             return
@@ -128,14 +107,16 @@ class Track:
 
     def _compare(self):
         """Compare an odometry and a true pose of the same moment."""
-        if self._odometry is None or self._truth is None or self._odometry[0] != self._truth[0]:
+        if self._odometry is None or self._ground_truth is None:
             return
-        odometry, truth = self._odometry[1], self._truth[1]
+        (stamp, odometry), (true_stamp, ground_truth) = self._odometry, self._ground_truth
+        if stamp != true_stamp:
+            return
         if self.true_distance is None:
-            self.origin = truth.then(odometry.inverse())
-            # Whoever comes late sees where the odometry began, but not by which way.
+            self.origin = ground_truth.then(odometry.inverse())
+            # A page that was opened late sees where the odometry began, but not by which path.
             self.true_distance = _distance(ORIGIN, odometry)
-        self.drift = self.origin.then(odometry).inverse().then(truth)
+        self.drift = self.origin.then(odometry).inverse().then(ground_truth)
 
 
 class RateGauge:

@@ -7,7 +7,7 @@ import rospy
 
 pytest.importorskip('viser', reason='viser is not installed')
 
-from sim_turtlebot.viewer.node import Viewer
+from robot_view.node import Viewer
 
 
 def test_a_shutdown_that_began_before_there_was_a_hook_for_it_is_noticed(monkeypatch):

@@ -1,0 +1,18 @@
+"""The numbers of a Kobuki, the base of a TurtleBot 2, with their sources."""
+
+import math
+
+WHEEL_RADIUS = 0.035  # m, kobuki_description
+WHEEL_SEPARATION = 0.230  # m, kobuki_description
+TICKS_PER_TURN = 2578.33  # of a wheel's encoder, Kobuki user guide
+
+MAX_LINEAR_SPEED = 0.7  # m/s, TurtleBot 2 specification
+MAX_ANGULAR_SPEED = math.pi  # rad/s, 180 degrees/s, TurtleBot 2 specification
+CMD_VEL_TIMEOUT = 0.6  # s, kobuki_node
+
+# The stall torque of the motor, 33 mN m, through its gear of 49.5833 (Kobuki user guide):
+# enough for the wheels to slip before a wall.
+WHEEL_TORQUE = 1.64  # N m
+# m/s^2 of each wheel: what the motors' rated load of 5 mN m through the same gear gives a
+# TurtleBot 2 of 4.94 kg. Their stall torque would lift it off its wheels.
+MAX_WHEEL_ACCELERATION = 2.9

@@ -1,0 +1,99 @@
+"""The pad: drives the robot while a button or an arrow key is held, and not a moment longer."""
+
+import threading
+import time
+
+from odometry_common.velocity import VelocityPublisher
+
+from robot_view.pad_html import LAYOUT
+from robot_view.steering import (
+    BACK,
+    COMMAND_PERIOD,
+    FORWARD,
+    HOLD_RATE,
+    LEFT,
+    RIGHT,
+    STOP,
+    Steering,
+)
+
+
+class Pad:
+    """Publishes velocities on the chosen robot's cmd_vel while something is held.
+
+    A robot that it has not driven never hears of it, not even when the node ends.
+    """
+
+    def __init__(self, speeds):
+        """Take a function that returns the linear (m/s) and the angular speed (rad/s)."""
+        self._speeds = speeds
+        self._steering = Steering()
+        self._publishers = {}
+        self._lock = threading.Lock()
+        self._changed = threading.Event()
+        threading.Thread(target=self._drive, daemon=True).start()
+
+    def choose(self, namespace):
+        """Drive the robot in this namespace from now on."""
+        with self._lock:
+            self._steering.choose(namespace)
+        self._changed.set()
+
+    def hold(self, client, button):
+        """Do what the button says for a short while."""
+        with self._lock:
+            self._steering.hold(client, button, time.monotonic())
+        self._changed.set()
+
+    def release(self, client, button=None):
+        """Release a button, or all of them."""
+        with self._lock:
+            self._steering.release(client, button)
+        self._changed.set()
+
+    def _drive(self):
+        while True:
+            self._changed.wait(COMMAND_PERIOD if self._steering.is_driving else None)
+            self._changed.clear()
+            with self._lock:
+                commands = self._steering.commands(time.monotonic())
+            for namespace, (forward, left) in commands:
+                linear, angular = self._speeds()
+                self._publisher(namespace).publish(forward * linear, left * angular)
+
+    def _publisher(self, namespace):
+        if namespace not in self._publishers:
+            self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')
+        return self._publishers[namespace]
+
+
+def add_pad(gui, pad):
+    """Add the buttons of a Pad to the place in viser's GUI where things are being added."""
+    gui.add_html(LAYOUT)
+    _add_direction(gui, pad, FORWARD)
+    _add_direction(gui, pad, LEFT)
+    _add_stop(gui, pad)
+    _add_direction(gui, pad, RIGHT)
+    _add_direction(gui, pad, BACK)
+
+
+def _add_direction(gui, pad, direction):
+    button = gui.add_button(direction)
+
+    # Both run on the event loop, one after the other: a release cannot overtake a hold.
+    @button.on_hold(callback_hz=HOLD_RATE)
+    async def _(event):
+        pad.hold(event.client_id, direction)
+
+    @button.on_click
+    async def _(event):
+        pad.release(event.client_id, direction)
+
+
+def _add_stop(gui, pad):
+    button = gui.add_button(STOP, color='red')
+
+    @button.on_click
+    async def _(event):
+        # For as long as a hold lasts, so that it gets through to a robot not driven before.
+        pad.hold(event.client_id, STOP)

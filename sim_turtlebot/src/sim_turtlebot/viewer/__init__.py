@@ -1,1 +1,0 @@
-"""The browser window: robots seen by their topics, drawn with viser."""
