@@ -6,12 +6,16 @@ import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
+from odometry_common.kobuki import (
+    MAX_ANGULAR_SPEED,
+    MAX_LINEAR_SPEED,
+    WHEEL_RADIUS,
+    WHEEL_SEPARATION,
+)
 from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.physics import WHEEL_RADIUS, WHEEL_SEPARATION
-from sim_turtlebot.robot import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from sim_turtlebot.rotations import rotate, yaw_of
 
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
@@ -38,7 +42,7 @@ turn_speeds = st.one_of(st.sampled_from([math.pi, -math.pi, 0.0]), st.floats(-4,
 
 def numbers_of(robot):
     """Return every number that a robot shows."""
-    yield from (number for motion in (robot.truth, robot.odometry)
+    yield from (number for motion in (robot.ground_truth, robot.odometry)
                 for part in motion for number in part)
     yield from (number for part in robot.wheels for number in part)
 
@@ -91,7 +95,7 @@ class RobotMachine(RuleBasedStateMachine):
         """Take everything back to the start, whatever has happened."""
         self.simulation.reset()
         for robot, start in zip(self.simulation.robots, ((0.0, 0.0), (-0.6, 0.0))):
-            assert robot.truth.position[:2] == start
+            assert robot.ground_truth.position[:2] == start
             assert robot.resting
         self.note_origins()
         self.look()
@@ -103,7 +107,7 @@ class RobotMachine(RuleBasedStateMachine):
             self.simulation.command(*STANDING, robot)
         self.run_on(20)
         for robot in self.simulation.robots:
-            assert math.hypot(*robot.truth.linear) < 0.05
+            assert math.hypot(*robot.ground_truth.linear) < 0.05
 
     def teardown(self):
         """Free the world, of 35 MB; hypothesis keeps the machine for a while."""
@@ -111,19 +115,19 @@ class RobotMachine(RuleBasedStateMachine):
 
     def note_origins(self):
         """Remember where each odometry has begun."""
-        self.origins = [robot.truth for robot in self.simulation.robots]
+        self.origins = [robot.ground_truth for robot in self.simulation.robots]
 
     def note_origin(self, robot):
         """Remember where one odometry has begun again."""
-        self.origins[robot] = self.simulation.robots[robot].truth
+        self.origins[robot] = self.simulation.robots[robot].ground_truth
 
     def look(self):
         """Check all that must hold for each robot at any time."""
         for robot, origin in zip(self.simulation.robots, self.origins):
             assert all(map(math.isfinite, numbers_of(robot)))
             assert max(map(abs, robot.wheels[1])) <= FASTEST_WHEEL * OVERSHOOT
-            assert lean(robot.truth) <= LARGEST_LEAN
-            assert LOWEST <= robot.truth.position[2] <= HIGHEST
+            assert lean(robot.ground_truth) <= LARGEST_LEAN
+            assert LOWEST <= robot.ground_truth.position[2] <= HIGHEST
             assert math.hypot(*robot.odometry.orientation) == pytest.approx(1.0, abs=1e-6)
             if self.source == 'world':
                 self.compare(robot, origin)
@@ -132,9 +136,9 @@ class RobotMachine(RuleBasedStateMachine):
         """Check a world odometry against the way from where it has begun."""
         x, y, _ = robot.odometry.position
         true_x, true_y = (now - then for now, then in
-                          zip(robot.truth.position[:2], origin.position[:2]))
+                          zip(robot.ground_truth.position[:2], origin.position[:2]))
         assert math.hypot(x, y) == pytest.approx(math.hypot(true_x, true_y), abs=1e-9)
-        turn = yaw_of(robot.truth.orientation) - yaw_of(origin.orientation)
+        turn = yaw_of(robot.ground_truth.orientation) - yaw_of(origin.orientation)
         error = math.remainder(yaw_of(robot.odometry.orientation) - turn, math.tau)
         assert error == pytest.approx(0.0, abs=1e-9)
 

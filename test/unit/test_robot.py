@@ -12,7 +12,7 @@ STILL = (0.0, 0.0, 0.0)
 
 def speeds(simulation):
     """Return the true forward (m/s) and turning speed (rad/s) of the first robot."""
-    truth = simulation.robot.truth
+    truth = simulation.robot.ground_truth
     return truth.linear[0], truth.angular[2]
 
 
@@ -61,7 +61,7 @@ def test_a_timeout_below_a_step_of_time_is_no_lack_of_one():
     simulation = Simulation(cmd_vel_timeout=0.001)
     simulation.drive(0.3, 0.0, 1.0)
     assert speeds(simulation) == pytest.approx((0.0, 0.0), abs=1e-3)
-    assert simulation.robot.truth.position[0] < 0.01
+    assert simulation.robot.ground_truth.position[0] < 0.01
 
 
 def test_without_a_timeout_one_command_is_enough():
@@ -75,7 +75,7 @@ def test_its_twist_is_in_its_own_frame():
     """Forwards is x wherever it looks."""
     simulation = Simulation((1.0, -2.0, 2.5))
     simulation.drive(0.2, 0.5, 3.0)
-    for motion in (simulation.robot.truth, simulation.robot.odometry):
+    for motion in (simulation.robot.ground_truth, simulation.robot.odometry):
         assert motion.linear == pytest.approx((0.2, 0.0, 0.0), abs=0.002)
         assert motion.angular == pytest.approx((0.0, 0.0, 0.5), abs=0.005)
 
@@ -83,7 +83,7 @@ def test_its_twist_is_in_its_own_frame():
 def test_it_starts_where_it_is_put_and_its_odometry_at_zero():
     """The truth is in the world, and the odometry in a frame of the robot's own."""
     simulation = Simulation((12.5, -7.25, 1.2))
-    (x, y, z), orientation, *velocity = simulation.robot.truth
+    (x, y, z), orientation, *velocity = simulation.robot.ground_truth
     assert (x, y) == (12.5, -7.25)
     assert z == pytest.approx(0.0, abs=5e-4)
     assert yaw_of(orientation) == pytest.approx(1.2, abs=1e-9)
@@ -108,15 +108,15 @@ def test_a_reset_of_the_odometry_makes_this_place_zero(odometry):
     """Also on the way; the robot itself takes no notice."""
     simulation = Simulation((3.0, 4.0, 1.0), odometry=odometry)
     simulation.drive(0.3, 0.5, 2.0)
-    before = simulation.robot.truth
+    before = simulation.robot.ground_truth
     simulation.robot.reset_odometry()
     position, orientation, *_ = simulation.robot.odometry
     assert position[:2] == (0.0, 0.0)
     assert yaw_of(orientation) == pytest.approx(0.0, abs=1e-12)
     simulation.run(0.05)
-    assert simulation.robot.truth.position != before.position
+    assert simulation.robot.ground_truth.position != before.position
     assert speeds(simulation) == pytest.approx((0.3, 0.5), abs=0.01)
-    step = math.dist(simulation.robot.truth.position, before.position)
+    step = math.dist(simulation.robot.ground_truth.position, before.position)
     assert math.hypot(*simulation.robot.odometry.position[:2]) == pytest.approx(step, abs=2e-4)
 
 
@@ -125,15 +125,15 @@ def test_a_reset_of_the_simulation_takes_it_back_to_its_start(odometry):
     """At rest, with its wheels and its odometry at zero, and able to go the same way again."""
     simulation = Simulation((3.0, 4.0, 1.0), odometry=odometry)
     robot = simulation.robot
-    at_start = robot.truth, robot.odometry, robot.wheels[:2]
+    at_start = robot.ground_truth, robot.odometry, robot.wheels[:2]
     simulation.drive(0.5, 1.0, 3.0)
-    first = robot.truth
+    first = robot.ground_truth
     robot.reset()
-    assert (robot.truth, robot.odometry, robot.wheels[:2]) == at_start
+    assert (robot.ground_truth, robot.odometry, robot.wheels[:2]) == at_start
     simulation.run(1.0)
-    assert (robot.truth, robot.odometry, robot.wheels[:2]) == at_start
+    assert (robot.ground_truth, robot.odometry, robot.wheels[:2]) == at_start
     simulation.drive(0.5, 1.0, 3.0)
-    assert robot.truth.position == pytest.approx(first.position, abs=0.001)
+    assert robot.ground_truth.position == pytest.approx(first.position, abs=0.001)
 
 
 def test_after_a_reset_an_old_command_is_forgotten():
@@ -151,9 +151,9 @@ def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
     assert len(set(simulation.run(1.0).odometry)) == 1
     simulation.command(0.2, 0.0, robot=1)
     simulation.run(3.0)
-    assert simulation.robot.truth.position[0] > 0.1
+    assert simulation.robot.ground_truth.position[0] > 0.1
     assert simulation.robot.odometry.position == pytest.approx(
-        simulation.robot.truth.position, abs=1e-9)
+        simulation.robot.ground_truth.position, abs=1e-9)
     simulation.command(0.0, 0.0, robot=1)
     simulation.run(1.0)
     assert all(robot.resting for robot in simulation.robots)

@@ -43,7 +43,7 @@ def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
     simulation = Simulation()
     simulation.drive(speed, 0.0, 20.0)
     simulation.drive(0.0, 0.0, STOPPING)
-    (x, y, _), orientation, _, _ = simulation.robot.truth
+    (x, y, _), orientation, _, _ = simulation.robot.ground_truth
     assert x == pytest.approx(speed * 20, rel=0.003)
     assert abs(y) <= 0.001
     assert abs(math.degrees(yaw_of(orientation))) <= 0.05
@@ -53,9 +53,9 @@ def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
 def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
     """0.3 % of the angle, and the middle between the wheels stays within 2 mm."""
     simulation = Simulation()
-    start = simulation.robot.truth
-    spin = simulation.drive(0.0, turn_speed, 20.0).truth
-    spin += simulation.drive(0.0, 0.0, STOPPING).truth
+    start = simulation.robot.ground_truth
+    spin = simulation.drive(0.0, turn_speed, 20.0).ground_truth
+    spin += simulation.drive(0.0, 0.0, STOPPING).ground_truth
     assert total_turn([start, *spin]) == pytest.approx(turn_speed * 20, rel=0.003)
     assert max(distance_between(start, motion) for motion in spin) <= 0.002
 
@@ -64,10 +64,10 @@ def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
 def test_three_laps_of_a_circle_end_where_they_began(turn_speed):
     """Within 5 mm, and their diameter is that of the twist."""
     simulation = Simulation()
-    start = simulation.robot.truth
-    laps = simulation.drive(0.2, turn_speed, 3 * 2 * math.pi / 0.5).truth
+    start = simulation.robot.ground_truth
+    laps = simulation.drive(0.2, turn_speed, 3 * 2 * math.pi / 0.5).ground_truth
     simulation.drive(0.0, 0.0, STOPPING)
-    assert distance_between(start, simulation.robot.truth) <= 0.005
+    assert distance_between(start, simulation.robot.ground_truth) <= 0.005
     assert max(distance_between(start, motion) for motion in laps) == pytest.approx(0.8, rel=0.01)
 
 
@@ -80,9 +80,9 @@ def test_at_rest_for_ten_minutes_it_does_not_creep(before, odometry):
         simulation.drive(*twist, 2.0)
     if before:
         simulation.drive(0.0, 0.0, STOPPING)
-    start = simulation.robot.truth
+    start = simulation.robot.ground_truth
     record = simulation.drive(0.0, 0.0, TEN_MINUTES)
-    assert max(distance_between(start, motion) for motion in record.truth) <= 1e-6
+    assert max(distance_between(start, motion) for motion in record.ground_truth) <= 1e-6
     assert len(set(record.odometry)) == 1
 
 
@@ -91,21 +91,21 @@ def test_beside_a_driving_robot_a_standing_one_does_not_creep():
     simulation = Simulation((0, 0, 0), (0, 1, 0))
     simulation.drive(0.3, 0.5, 2.0)
     simulation.drive(0.0, 0.0, STOPPING)
-    start = simulation.robot.truth
+    start = simulation.robot.ground_truth
     simulation.command(0.3, 0.8, robot=1)
     record = simulation.run(60.0)
-    assert max(distance_between(start, motion) for motion in record.truth) <= 1e-6
+    assert max(distance_between(start, motion) for motion in record.ground_truth) <= 1e-6
     assert len(set(record.odometry)) == 1
 
 
 def test_speeding_up_and_braking_are_as_fast_as_the_motors_can():
     """At most 2.9 m/s2, half a metre per second within a fifth, and nothing beyond it.
 
-    The tall robot leans on its rear caster on the way, and loses a little speed by that.
+    The tall robot leans on its rear caster meanwhile, and loses a little speed by that.
     """
     simulation = Simulation()
-    faster = [motion.linear[0] for motion in simulation.drive(0.5, 0.0, 1.0).truth]
-    slower = [motion.linear[0] for motion in simulation.drive(0.0, 0.0, 1.0).truth]
+    faster = [motion.linear[0] for motion in simulation.drive(0.5, 0.0, 1.0).ground_truth]
+    slower = [motion.linear[0] for motion in simulation.drive(0.0, 0.0, 1.0).ground_truth]
     overshoot = 0.05 * 0.5
     for number, (gained, left) in enumerate(zip(faster, slower), 1):
         change = min(0.5, 2.9 * number / STEP_RATE)
@@ -119,7 +119,8 @@ def test_speeding_up_and_braking_are_as_fast_as_the_motors_can():
 def test_its_wheels_stay_on_the_floor_when_it_speeds_up_and_brakes(speed):
     """It leans on its rear caster, which is a little off the floor, and on no more."""
     simulation = Simulation()
-    motions = simulation.drive(speed, 0.0, 1.0).truth + simulation.drive(0.0, 0.0, 1.0).truth
+    motions = [*simulation.drive(speed, 0.0, 1.0).ground_truth,
+               *simulation.drive(0.0, 0.0, 1.0).ground_truth]
     assert max(map(lean, motions)) <= REAR_CASTER_LEAN
     heights = [motion.position[2] for motion in motions]
     assert min(heights) >= SETTLED_HEIGHT - 5e-5
@@ -131,7 +132,7 @@ def test_it_stops_in_no_time(speed, limit):
     """From the tutorial's 0.1 m/s within a tenth of a second."""
     simulation = Simulation()
     simulation.drive(speed, 0.0, 2.0)
-    motions = simulation.drive(0.0, 0.0, STOPPING).truth
+    motions = simulation.drive(0.0, 0.0, STOPPING).ground_truth
     moving = [number for number, motion in enumerate(motions)
               if math.hypot(*motion.linear) > 1e-3]
     assert moving[-1] / STEP_RATE <= limit
@@ -143,7 +144,7 @@ def test_at_other_odometry_rates_it_moves_the_same(odom_rate):
     simulation = Simulation(odom_rate=odom_rate)
     simulation.drive(0.3, 0.0, 4.0)
     simulation.drive(0.0, 0.0, 4.0)
-    x, y, _ = simulation.robot.truth.position
+    x, y, _ = simulation.robot.ground_truth.position
     assert x == pytest.approx(1.2, rel=0.003)
     assert abs(y) <= 0.001
     assert simulation.robot.resting
@@ -160,7 +161,7 @@ def test_whatever_it_is_told_it_never_tips_sinks_or_flies(start, twists):
     """Any sequence of twists within its limits, from anywhere; and then it comes to rest."""
     simulation = Simulation(start)
     for twist in [*twists, (0.0, 0.0, 1.5)]:
-        for motion in simulation.drive(*twist).truth:
+        for motion in simulation.drive(*twist).ground_truth:
             assert all(math.isfinite(number) for part in motion for number in part)
             assert lean(motion) <= REAR_CASTER_LEAN
             assert abs(motion.position[2] - SETTLED_HEIGHT) <= 2e-4
@@ -170,18 +171,18 @@ def test_whatever_it_is_told_it_never_tips_sinks_or_flies(start, twists):
 @few
 @given(starts, drives)
 def test_whatever_it_is_told_its_odometry_is_the_way_from_its_start(start, twists):
-    """As long as the true way, from any start, to a micrometre."""
+    """As long as the true path, from any start, to a micrometre."""
     simulation = Simulation(start)
-    true_way, way = 0.0, 0.0
-    truth, odometry = simulation.robot.truth, simulation.robot.odometry
+    true_path, path = 0.0, 0.0
+    truth, odometry = simulation.robot.ground_truth, simulation.robot.odometry
     for twist in twists:
         simulation.command(*twist[:2])
         for _ in range(math.ceil(twist[2] / 0.05)):
             simulation.run(0.05)
-            true_way += distance_between(truth, simulation.robot.truth)
-            way += distance_between(odometry, simulation.robot.odometry)
-            truth, odometry = simulation.robot.truth, simulation.robot.odometry
-    assert way == pytest.approx(true_way, abs=1e-6)
+            true_path += distance_between(truth, simulation.robot.ground_truth)
+            path += distance_between(odometry, simulation.robot.odometry)
+            truth, odometry = simulation.robot.ground_truth, simulation.robot.odometry
+    assert path == pytest.approx(true_path, abs=1e-6)
 
 
 @pytest.mark.parametrize('gyro, bound', [(False, 0.001), (True, 0.0005)])
@@ -191,7 +192,7 @@ def test_encoders_find_the_way_round_a_square(gyro, bound):
     for _ in range(4):
         for twist in [(0.25, 0.0, 4.0), (0.0, 0.0, 0.5), (0.0, 1.0, math.pi / 2), (0.0, 0.0, 0.5)]:
             simulation.drive(*twist)
-    truth, odometry = simulation.robot.truth, simulation.robot.odometry
+    truth, odometry = simulation.robot.ground_truth, simulation.robot.odometry
     assert distance_between(truth, odometry) <= bound
     yaw_error = math.remainder(yaw_of(truth.orientation) - yaw_of(odometry.orientation), math.tau)
     assert abs(math.degrees(yaw_error)) <= (0.001 if gyro else 0.1)

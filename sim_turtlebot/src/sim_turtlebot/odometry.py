@@ -1,14 +1,14 @@
-"""Where the robot is, and where it believes to be."""
+"""Where the robot is, and where it believes it is."""
 
 import math
 import random
 from typing import NamedTuple
 
-from sim_turtlebot.physics import WHEEL_RADIUS, WHEEL_SEPARATION
+from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
+
 from sim_turtlebot.rotations import about_z, compose, inverse, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
-TICKS_PER_TURN = 2578.33  # of a Kobuki's wheel, from the Kobuki user guide
 
 
 class Motion(NamedTuple):
@@ -34,18 +34,19 @@ class WorldOdometry:
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
 
-    def reset(self, truth, _wheel_angles=None):
+    def reset(self, ground_truth, _wheel_angles=None):
         """Call this place zero; return the Motion in the odom frame."""
-        self._origin = truth.position[:2]
-        self._to_odom = about_z(-yaw_of(truth.orientation))
-        return self.update(truth, None, 0.0)
+        self._origin = ground_truth.position[:2]
+        self._to_odom = about_z(-yaw_of(ground_truth.orientation))
+        return self.update(ground_truth, None, 0.0)
 
-    def update(self, truth, _read_angles, _duration):
+    def update(self, ground_truth, _read_angles, _duration):
         """Return the Motion in the odom frame."""
-        x, y, z = truth.position
+        x, y, z = ground_truth.position
         from_origin = x - self._origin[0], y - self._origin[1], z
         return Motion(rotate(self._to_odom, from_origin),
-                      compose(self._to_odom, truth.orientation), truth.linear, truth.angular)
+                      compose(self._to_odom, ground_truth.orientation),
+                      ground_truth.linear, ground_truth.angular)
 
 
 class EncoderOdometry:
@@ -64,11 +65,11 @@ class EncoderOdometry:
         self._grip = 1.0 / (1.0 - wheel_slip)
         self._wheel_noise = wheel_noise
         self._gyro_noise = gyro_noise
-        self._random = random.Random(seed)
+        self._rng = random.Random(seed)
         # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if gyro else 0.2)
 
-    def reset(self, truth, wheel_angles=None):
+    def reset(self, ground_truth, wheel_angles=None):
         """Call this place zero; return the Motion in the odom frame.
 
         :param wheel_angles: of the left and right wheel (rad); None: as at the last update
@@ -76,24 +77,24 @@ class EncoderOdometry:
         self._x = self._y = self._yaw = 0.0
         if wheel_angles:
             self._ticks = [_ticks(angle) for angle in wheel_angles]
-        self._true_yaw = yaw_of(truth.orientation)
+        self._true_yaw = yaw_of(ground_truth.orientation)
         return Motion((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), STILL, STILL)
 
-    def update(self, truth, read_angles, duration):
+    def update(self, ground_truth, read_angles, duration):
         """Return the Motion in the odom frame, `duration` seconds after the last call.
 
         :param read_angles: function that returns the angles (rad) of the left and right wheel
         """
         left, right = self._wheel_travel(read_angles())
-        turn = self._gyro_turn(truth, duration)
+        rotation = self._gyro_rotation(ground_truth, duration)
         if not self._gyro:
-            turn = (right - left) / WHEEL_SEPARATION
+            rotation = (right - left) / WHEEL_SEPARATION
         travel = (left + right) / 2
-        self._x += travel * math.cos(self._yaw + turn / 2)
-        self._y += travel * math.sin(self._yaw + turn / 2)
-        self._yaw = math.remainder(self._yaw + turn, 2 * math.pi)
+        self._x += travel * math.cos(self._yaw + rotation / 2)
+        self._y += travel * math.sin(self._yaw + rotation / 2)
+        self._yaw = math.remainder(self._yaw + rotation, 2 * math.pi)
         return Motion((self._x, self._y, 0.0), about_z(self._yaw),
-                      (travel / duration, 0.0, 0.0), (0.0, 0.0, turn / duration))
+                      (travel / duration, 0.0, 0.0), (0.0, 0.0, rotation / duration))
 
     def _wheel_travel(self, wheel_angles):
         ticks = [_ticks(angle) for angle in wheel_angles]
@@ -101,14 +102,14 @@ class EncoderOdometry:
         travels = [(now - before) * metres for now, before in zip(ticks, self._ticks)]
         self._ticks = ticks
         return [self._grip * travel
-                + self._random.gauss(0.0, self._wheel_noise * math.sqrt(abs(travel)))
+                + self._rng.gauss(0.0, self._wheel_noise * math.sqrt(abs(travel)))
                 for travel in travels]
 
-    def _gyro_turn(self, truth, duration):
-        yaw = yaw_of(truth.orientation)
-        turn = math.remainder(yaw - self._true_yaw, 2 * math.pi)
+    def _gyro_rotation(self, ground_truth, duration):
+        yaw = yaw_of(ground_truth.orientation)
+        rotation = math.remainder(yaw - self._true_yaw, 2 * math.pi)
         self._true_yaw = yaw
-        return turn + self._random.gauss(0.0, self._gyro_noise * math.sqrt(duration))
+        return rotation + self._rng.gauss(0.0, self._gyro_noise * math.sqrt(duration))
 
 
 def _ticks(angle):

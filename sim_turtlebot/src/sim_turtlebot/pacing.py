@@ -1,8 +1,8 @@
-"""What holds the simulation back: the wall clock, and controllers that have not answered."""
+"""Keeping simulated time to its share of the wall clock."""
 
 import time
 
-LARGEST_LAG = 0.25  # s; who is further behind than this does not rush to catch up
+LARGEST_LAG = 0.25  # s; a simulation further behind than this does not rush to catch up
 SLIPS = 10  # so many in a row are no hiccup
 LONGEST_GAP = 3.0  # s between them: a machine that is slower than nine tenths
 RECOVERY = 30.0  # s without one
@@ -14,8 +14,8 @@ class Pacer:
     def __init__(self, real_time_factor, on_pace=lambda reached: None):
         """Allow `real_time_factor` simulated seconds per second; 0: any number.
 
-        :param on_pace: is told what factor the machine reaches once it proves too slow, and None
-            once it has caught up
+        :param on_pace: called with the factor that the machine reaches once it proves too slow, and
+            with None once it has caught up
         """
         self._factor = real_time_factor
         self._slowness = Slowness()
@@ -50,7 +50,7 @@ class Pacer:
 
 
 class Slowness:
-    """Notices that a machine falls behind again and again; once is no more than a hiccup.
+    """Notices that a machine falls behind again and again; once is only a hiccup.
 
     Simulated times are in ns, those of the wall clock in s.
     """
@@ -65,7 +65,7 @@ class Slowness:
         self._last = wall
 
     def slip(self, now, wall):
-        """Take note that the pace is given up; return, but once, the pace of a slow machine."""
+        """Note that the pace was not kept; return the pace of a machine found to be slow, once."""
         if wall - self._last > LONGEST_GAP:
             self._slips = 0
         if self._slips == 0:
@@ -78,65 +78,8 @@ class Slowness:
         return (now - self._first[0]) / 1e9 / (wall - self._first[1])
 
     def is_over(self, wall):
-        """Return, but once, whether a slow machine has kept pace for a while."""
+        """Return whether a slow machine has kept pace for a while; True only once."""
         over = self._known and wall - self._last > RECOVERY
         if over:
             self._known = False
         return over
-
-
-class Lockstep:
-    """Keeps the simulation from passing a multiple of 1/rate before each controller has spoken.
-
-    A controller that has never spoken, or no longer does, is not waited for; one that speaks
-    (again) is in step from the next multiple on.
-    """
-
-    def __init__(self, rate, step_rate, controllers):
-        """Wait at `rate` (Hz) in steps of 1/step_rate for this many controllers."""
-        self._steps_between = step_rate / rate
-        self._controllers = range(controllers)
-        self._in_step = set()
-        self.restart()
-
-    def restart(self):
-        """Begin again at time zero."""
-        self._wait_at(0)
-        self._awaited = set(self._controllers)
-
-    @property
-    def started(self):
-        """Whether any controller has ever spoken."""
-        return bool(self._in_step)
-
-    @property
-    def last_step(self):
-        """The step that is the last one that may be taken without asking must_wait() again."""
-        return self._last_step
-
-    def heard(self, controller):
-        """Take note of a command from a controller (an index)."""
-        self._in_step.add(controller)
-        self._awaited.discard(controller)
-
-    def must_wait(self, steps):
-        """Tell whether the step after so many has to wait for a command."""
-        if steps < self._last_step:
-            return False
-        if self._awaited:
-            return True
-        self._wait_at(self._multiple + 1)
-        self._awaited = set(self._in_step)
-        return False
-
-    def give_up(self):
-        """Go on without those who are awaited; tell whether one of them used to be in step."""
-        lost = bool(self._awaited & self._in_step)
-        self._in_step -= self._awaited
-        self._awaited.clear()
-        return lost
-
-    def _wait_at(self, multiple):
-        self._multiple = multiple
-        # The small term keeps a multiple that falls on a step from being rounded off it.
-        self._last_step = int(multiple * self._steps_between + 1e-6)

@@ -5,11 +5,13 @@ The solver and its settings were chosen by measurement; the study is in this pac
 
 from pathlib import Path
 
-from sim_turtlebot.quiet import terminal_closed
+from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_SEPARATION, WHEEL_TORQUE
+
+from sim_turtlebot.native_output import suppress_native_output
 from sim_turtlebot.window import Window, screen
 from sim_turtlebot.world_file import WorldFileError, check_world_file, load
 
-with terminal_closed():
+with suppress_native_output():
     import pybullet
     from pybullet_utils.bullet_client import BulletClient
 
@@ -18,13 +20,8 @@ URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
             for folder in (Path(__file__).parents[2],
                            Path(__file__).parents[4] / 'share/sim_turtlebot')
             if (folder / 'urdf').is_dir())
-WHEEL_RADIUS = 0.035  # m, kobuki_description
-WHEEL_SEPARATION = 0.230  # m, kobuki_description
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
-# The stall torque of a Kobuki's motor, 33 mN m, through its gear of 49.5833 (Kobuki user guide):
-# enough for the wheels to slip before a wall.
-WHEEL_TORQUE = 1.64  # N m
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 LARGEST_OVERLAP = 1e-3  # m, of a robot and the world at its start; more would throw it away
@@ -66,7 +63,7 @@ class World:
         return robot
 
     def settle(self):
-        """Let the robots sink into their wheels; each is at its exact start then.
+        """Let the robots sink onto their wheels, then put each at its exact start.
 
         :raises WorldFileError: if there is something where a robot starts
         """
@@ -91,7 +88,7 @@ class World:
         client.setGravity(0, 0, -GRAVITY)
         # The direct solver keeps the robot straighter than the iterative one in half the time.
         # Its cost grows with the cube of its task, so each robot is a task of its own.
-        with terminal_closed():
+        with suppress_native_output():
             client.setPhysicsEngineParameter(
                 fixedTimeStep=1 / self._step_rate,
                 constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,
@@ -114,7 +111,7 @@ class World:
 
     def _load(self, world_file):
         check_world_file(world_file)
-        with terminal_closed():
+        with suppress_native_output():
             load(self._client, world_file)
 
 
@@ -125,7 +122,7 @@ class TurtleBot:
         """Load the robot; use World.add_turtlebot()."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
-        with terminal_closed():
+        with suppress_native_output():
             self._body = client.loadURDF(str(URDF), *self._start)
         # The footprint is PyBullet's base link: its pose is the robot's without conversion.
         client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,
@@ -195,5 +192,5 @@ def _connect(gui):
 
 
 def _connect_to(server):
-    with terminal_closed():
+    with suppress_native_output():
         return BulletClient(server)

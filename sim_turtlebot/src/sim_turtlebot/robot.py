@@ -1,16 +1,15 @@
-"""What a Kobuki's firmware does: obey within limits, stop when commands cease, know its way."""
+"""What a Kobuki's firmware does: obey within limits, stop when commands cease, keep odometry."""
 
 import math
 
+from odometry_common.kobuki import (
+    MAX_ANGULAR_SPEED,
+    MAX_LINEAR_SPEED,
+    MAX_WHEEL_ACCELERATION,
+    WHEEL_SEPARATION,
+)
+
 from sim_turtlebot.odometry import STILL, Motion, true_motion
-from sim_turtlebot.physics import WHEEL_SEPARATION
-
-MAX_LINEAR_SPEED = 0.7  # m/s, TurtleBot 2 specification
-MAX_ANGULAR_SPEED = math.pi  # rad/s, 180 degrees/s, TurtleBot 2 specification
-
-# m/s^2 of each wheel: what the motors' rated load of 5 mN m through their gear of 49.5833 gives
-# a robot of this mass (Kobuki user guide). Their stall torque would lift it off its wheels.
-MAX_WHEEL_ACCELERATION = 2.9
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
@@ -79,16 +78,16 @@ class Robot:
 
     def tick(self, now, duration):
         """Look where the robot is, `duration` seconds after the last look."""
-        self.truth = true_motion(self.body)
+        self.ground_truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
         elif self._commanded == self._driven == (0.0, 0.0):
             self._settle(now)
-        self.odometry = self._odometry.update(self.truth, self._wheel_angles, duration)
+        self.odometry = self._odometry.update(self.ground_truth, self._wheel_angles, duration)
 
     def reset_odometry(self):
-        """Let the odometry start from zero where the robot was last seen."""
-        self.odometry = self._odometry.reset(self.truth)
+        """Let the odometry start from zero at the last known place."""
+        self.odometry = self._odometry.reset(self.ground_truth)
 
     def reset(self):
         """Go back to the start, at rest."""
@@ -100,9 +99,9 @@ class Robot:
         self._commanded = self._driven = (0.0, 0.0)
         self._deadline = math.inf
         self._slow_since = None
-        self.truth = true_motion(self.body)
+        self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()
-        self.odometry = self._odometry.reset(self.truth, self._wheel_angles())
+        self.odometry = self._odometry.reset(self.ground_truth, self._wheel_angles())
 
     def _obey(self, linear, angular):
         if (linear, angular) != self._commanded:
@@ -110,20 +109,20 @@ class Robot:
             self._anchor = self._slow_since = None
 
     def _accelerate(self):
-        """Turn the wheels a little more as commanded, both by the same share of the way."""
+        """Bring both wheels nearer to their commanded speeds, by the same share of the change."""
         linear, angular = (wanted - now for wanted, now in zip(self._commanded, self._driven))
-        way = abs(linear) + abs(angular) * WHEEL_SEPARATION / 2  # of the faster wheel
-        if way <= self._speed_step:
+        change = abs(linear) + abs(angular) * WHEEL_SEPARATION / 2  # of the faster wheel
+        if change <= self._speed_step:
             self._driven = self._commanded
         else:
-            share = self._speed_step / way
+            share = self._speed_step / change
             self._driven = (self._driven[0] + share * linear, self._driven[1] + share * angular)
         self.body.drive(*self._driven)
 
     def _settle(self, now):
         """Find out whether the robot has come to rest."""
-        slow = (math.hypot(*self.truth.linear) < REST_LINEAR_SPEED
-                and math.hypot(*self.truth.angular) < REST_ANGULAR_SPEED)
+        slow = (math.hypot(*self.ground_truth.linear) < REST_LINEAR_SPEED
+                and math.hypot(*self.ground_truth.angular) < REST_ANGULAR_SPEED)
         if not slow:
             self._slow_since = None
         elif self._slow_since is None:
@@ -133,20 +132,20 @@ class Robot:
 
     def _standing(self):
         angles, _, torques = self.body.wheels()
-        self.truth = Motion(self.truth.position, self.truth.orientation, STILL, STILL)
-        return self.truth, (angles, (0.0, 0.0), torques)
+        self.ground_truth = Motion(self.ground_truth.position, self.ground_truth.orientation, STILL, STILL)
+        return self.ground_truth, (angles, (0.0, 0.0), torques)
 
     def _wheel_angles(self):
         return self.wheels[0]
 
     def _hold(self, duration):
         """Undo the creep of idle motors, as static friction would; let go when pushed."""
-        truth, wheels = self._anchor
-        if math.dist(self.truth.position, truth.position) > HOLD_SPEED * duration:
+        ground_truth, wheels = self._anchor
+        if math.dist(self.ground_truth.position, ground_truth.position) > HOLD_SPEED * duration:
             self._anchor = self._slow_since = None
             return
-        self.body.place(truth.position, truth.orientation, wheels[0])
-        self.truth = truth
+        self.body.place(ground_truth.position, ground_truth.orientation, wheels[0])
+        self.ground_truth = ground_truth
 
 
 def _whole_steps(duration, step_rate):

@@ -3,6 +3,7 @@
 import math
 from typing import NamedTuple
 
+from odometry_common.kobuki import CMD_VEL_TIMEOUT
 from odometry_common.parameters import ParameterError, get_choice, get_flag, get_number, get_text
 
 
@@ -47,7 +48,7 @@ def read_settings():
         wheel_noise=get_number('~wheel_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m'),
         gyro_noise=get_number('~gyro_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 rad'),
         cmd_vel_timeout=get_number(
-            '~cmd_vel_timeout', 0.6, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'),
+            '~cmd_vel_timeout', CMD_VEL_TIMEOUT, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'),
         real_time_factor=get_number(
             '~real_time_factor', 1.0, lambda v: v == 0 or 0.001 <= v <= 1000,
             '0 (as fast as possible) or from 0.001 to 1000'),

@@ -2,6 +2,8 @@
 
 import math
 
+from odometry_common.kobuki import CMD_VEL_TIMEOUT
+
 from sim_turtlebot.odometry import WorldOdometry
 from sim_turtlebot.physics import World
 from sim_turtlebot.robot import Robot
@@ -15,7 +17,7 @@ class Simulation:
     """TurtleBots that share a world and a timeline."""
 
     def __init__(self, starts=(AT_ZERO,), new_odometry=lambda _: WorldOdometry(), odom_rate=20.0,
-                 cmd_vel_timeout=0.6, gui=False, world_file=''):
+                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file=''):
         """Put robots down.
 
         :param starts: x, y (m) and yaw (rad) of each robot

@@ -18,7 +18,7 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT
 
 FORKS = multiprocessing.get_context('forkserver')
 FORKS.set_forkserver_preload(['odometry_tests.forked', 'sim_turtlebot.node', 'tf.transformations',
-                              'robot_view.address', 'sim_turtlebot.run_plot'])
+                              'robot_view.address', 'odometry_launch.run_plot'])
 
 
 class Ended(NamedTuple):

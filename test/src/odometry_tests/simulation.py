@@ -10,7 +10,7 @@ from sim_turtlebot.simulation import Simulation as SteppedRobots
 class Record(NamedTuple):
     """What the first robot did during a run; lists of sim_turtlebot.odometry.Motion."""
 
-    truth: list  # after each step of time
+    ground_truth: list  # after each step of time
     odometry: list  # of each odometry message
 
 
@@ -30,7 +30,8 @@ class Simulation(SteppedRobots):
             rested = self.everything_rests
             if self.advance(self.timeline.steps + 1):
                 record.odometry.append(self.robot.odometry)
-            record.truth.append(self.robot.truth if rested else true_motion(self.robot.body))
+            record.ground_truth.append(
+                self.robot.ground_truth if rested else true_motion(self.robot.body))
         return record
 
     def drive(self, linear, angular, duration):

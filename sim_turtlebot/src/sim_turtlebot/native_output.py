@@ -1,0 +1,25 @@
+"""PyBullet prints notices from C++ that mean nothing to a user; they are kept off the terminal."""
+
+import contextlib
+import ctypes
+import os
+import sys
+
+
+@contextlib.contextmanager
+def suppress_native_output():
+    """Discard what is written to stdout and stderr meanwhile, by C++ code too."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    terminal = {stream: os.dup(stream) for stream in (1, 2)}
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        for stream in terminal:
+            os.dup2(nowhere, stream)
+        yield
+    finally:
+        ctypes.CDLL(None).fflush(None)  # C++ keeps a buffer of its own
+        for stream, copy in terminal.items():
+            os.dup2(copy, stream)
+            os.close(copy)
+        os.close(nowhere)

@@ -1,0 +1,103 @@
+"""The topics of one robot."""
+
+import rospy
+from geometry_msgs.msg import TransformStamped, Twist
+from nav_msgs.msg import Odometry
+from odometry_common.publishing import advertise
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Empty
+
+WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
+
+
+class NumberedOdometry(Odometry):
+    """Odometry whose header.seq is ours.
+
+    rospy would count the messages it sends. Ours counts the odometry periods of the run, so
+    that an odometry that is sent twice is the same message, and two runs are the same bytes.
+    """
+
+    _has_header = False
+
+
+class RobotTopics:
+    """Publishes the state of a Robot, and passes commands on."""
+
+    def __init__(self, robot, namespace, queue_size):
+        """Advertise.
+
+        :param robot: sim_turtlebot.robot.Robot
+        :param namespace: '' or one that ends in a slash; topics and frames begin with it
+        :param queue_size: of the publishers; None writes each message before going on
+        """
+        self._robot = robot
+        self._namespace = namespace
+        self._odometry = _new_odometry(f'{namespace}odom', f'{namespace}base_footprint')
+        self._odometry.pose.covariance = _diagonal(robot.covariance)
+        self._ground_truth = _new_odometry('world', f'{namespace}base_footprint')
+        self._joints = JointState(name=WHEEL_JOINTS)
+        self._transform = TransformStamped(child_frame_id=self._odometry.child_frame_id)
+        self._transform.header.frame_id = self._odometry.header.frame_id
+        self._publishers = [
+            (self._odometry, advertise(f'{namespace}odom', Odometry, queue_size)),
+            (self._ground_truth,
+             advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size))]
+        self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
+
+    def subscribe(self, on_velocity, on_reset_odometry):
+        """Listen for commands: on_velocity(linear, angular) in m/s and rad/s, and resets."""
+        def on_twist(message):
+            on_velocity(message.linear.x, message.angular.z)
+
+        commands = f'{self._namespace}mobile_base/commands'
+        for topic in (f'{self._namespace}cmd_vel', f'{commands}/velocity'):
+            rospy.Subscriber(topic, Twist, on_twist, tcp_nodelay=True)
+        rospy.Subscriber(f'{commands}/reset_odometry', Empty, lambda _: on_reset_odometry())
+
+    def publish(self, stamp, number):
+        """Publish the robot's state; return the transform from odom to base_footprint.
+
+        :param stamp: rospy.Time
+        :param number: how many odometry periods have passed
+        """
+        _fill(self._odometry, self._robot.odometry)
+        _fill(self._ground_truth, self._robot.ground_truth)
+        pose = self._odometry.pose.pose
+        self._transform.transform.translation = pose.position
+        self._transform.transform.rotation = pose.orientation
+        self._transform.header.stamp = stamp
+        for message, publisher in self._publishers:
+            _publish(publisher, message, stamp, number)
+        # To ask for the wheels costs as much as a physics step.
+        if self._joint_publisher.get_num_connections():
+            joints = self._joints
+            joints.position, joints.velocity, joints.effort = self._robot.wheels
+            _publish(self._joint_publisher, joints, stamp, number)
+        return self._transform
+
+
+def _publish(publisher, message, stamp, number):
+    message.header.stamp = stamp
+    message.header.seq = number
+    publisher.publish(message)
+
+
+def _new_odometry(frame, child_frame):
+    message = NumberedOdometry(child_frame_id=child_frame)
+    message.header.frame_id = frame
+    return message
+
+
+def _diagonal(variances):
+    matrix = [0.0] * len(variances)**2
+    matrix[::len(variances) + 1] = variances
+    return matrix
+
+
+def _fill(message, motion):
+    pose, twist = message.pose.pose, message.twist.twist
+    pose.position.x, pose.position.y, pose.position.z = motion.position
+    orientation = pose.orientation
+    orientation.x, orientation.y, orientation.z, orientation.w = motion.orientation
+    twist.linear.x, twist.linear.y, twist.linear.z = motion.linear
+    twist.angular.x, twist.angular.y, twist.angular.z = motion.angular

@@ -1,0 +1,169 @@
+"""The simulation in ROS: topics, services and pacing around the robots and their world.
+
+ROS calls back on threads of its own. They only leave requests; everything that touches the
+robots happens on the main thread, between two advances of the simulation.
+"""
+
+import math
+import time
+
+import rospy
+from std_srvs.srv import Empty, EmptyResponse
+
+from sim_turtlebot.lockstep import Lockstep
+from sim_turtlebot.pacing import Pacer
+from sim_turtlebot.request_queue import RequestQueue
+from sim_turtlebot.simulation_topics import SimulationTopics
+
+SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
+REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
+LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: none to the repetitions is on its way
+
+
+class Simulator:
+    """Lets time pass in a Simulation, as the clock and the controllers allow."""
+
+    def __init__(self, simulation, settings):
+        """Advertise; time starts with run()."""
+        self._settings = settings
+        self._simulation = simulation
+        self._timeline = simulation.timeline
+        self._pacer = Pacer(settings.real_time_factor, self._report_pace)
+        self._lockstep = None
+        if settings.lockstep_rate:
+            self._lockstep = Lockstep(
+                settings.lockstep_rate, self._timeline.step_rate, settings.robots)
+        self._paused = False
+        self._stopping = False
+        self._requests = RequestQueue()
+        rospy.on_shutdown(self._stop)
+        self._topics = SimulationTopics(simulation, settings)
+        self._listen()
+
+    def run(self):
+        """Simulate until shutdown, or until the window is closed."""
+        self._publish()
+        self._pacer.restart(self._timeline.now)
+        try:
+            while not (self._stopping or rospy.is_shutdown()):
+                self._take_turn()
+        except rospy.ROSException:
+            # At shutdown rospy may close a topic while it is being published.
+            if not self._stopping:
+                raise
+
+    def _take_turn(self):
+        """Serve one request if there is one, else advance if it is time to."""
+        if not self._requests.is_empty or self._paused:
+            self._requests.serve()
+        elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
+            self._wait_for_controllers()
+        else:
+            lead = self._pacer.lead(self._timeline.now)
+            if lead > SHORTEST_SLEEP:
+                self._requests.serve(lead)
+            else:
+                self._advance()
+
+    def _wait_for_controllers(self):
+        if not self._lockstep.started:
+            self._wait_for_first_command()
+            return
+        patience = self._settings.lockstep_patience
+        if not self._requests.serve(patience) and self._lockstep.give_up():
+            rospy.logwarn(f'lockstep: no command for {patience:g} s of wall time; going on '
+                          'without waiting until there is one')
+
+    def _wait_for_first_command(self):
+        """Repeat the odometry until there is a command.
+
+        Answers to earlier repetitions may still be on their way then. They must not be taken
+        for answers to the next odometry. Nothing in a Twist tells them apart, only that no more
+        of them come.
+        """
+        if not self._requests.serve(REPEAT_PERIOD):
+            self._publish()
+        if self._lockstep.started:
+            patience = self._settings.lockstep_patience
+            end = time.monotonic() + patience
+            while not self._stopping and time.monotonic() < end:
+                if not self._requests.serve(LATE_SHARE * patience):
+                    break
+
+    def _last_step(self):
+        """Return the step past which the wall clock or the controllers matter again."""
+        if self._settings.real_time_factor:
+            return self._timeline.steps + 1
+        return self._lockstep.last_step if self._lockstep else math.inf
+
+    def _advance(self):
+        """Let time pass, and publish what is due then."""
+        new_odometry = self._simulation.advance(self._last_step())
+        if self._timeline.clock_is_due:
+            self._topics.publish_clock()
+        if new_odometry:
+            self._topics.publish_robots()
+            if self._settings.gui:
+                self._update_window()
+
+    def _publish(self):
+        self._topics.publish_clock()
+        self._topics.publish_robots()
+
+    def _update_window(self):
+        if self._simulation.world.window_closed:
+            rospy.loginfo('the window has been closed')
+            self._stopping = True
+        else:
+            self._simulation.world.look_at(self._simulation.robots[0].body)
+
+    def _listen(self):
+        robots, put = self._simulation.robots, self._requests.put
+        self._topics.subscribe(lambda *command: put(lambda: self._command(*command)),
+                               lambda index: put(robots[index].reset_odometry))
+        for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
+                             ('~reset_simulation', self._reset)):
+            rospy.Service(name, Empty, lambda _, action=action: self._answer(action))
+
+    def _answer(self, action):
+        self._requests.put_and_wait(action)
+        return EmptyResponse()
+
+    def _command(self, index, linear, angular):
+        if self._lockstep:
+            self._lockstep.heard(index)
+        try:
+            self._simulation.command(linear, angular, index)
+        except ValueError as error:
+            rospy.logwarn_throttle(1.0, f'stopping: {error}')
+
+    def _report_pace(self, reached):
+        """Warn, in the log and for the page, that the machine is too slow, or has caught up."""
+        wanted = self._settings.real_time_factor
+        if reached is None:
+            text = ''
+            rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted:g}')
+        else:
+            text = (f'this machine is too slow: it reaches a real-time factor of {reached:.2g} '
+                    f'instead of {wanted:g}')
+            rospy.logwarn(f'{text}; fewer robots, a lower ~odom_rate or ~real_time_factor help')
+        self._topics.warn(text)
+
+    def _pause(self):
+        self._paused = True
+
+    def _unpause(self):
+        self._paused = False
+        self._pacer.restart(self._timeline.now)
+
+    def _reset(self):
+        """Take time and robots back to the start."""
+        self._simulation.reset()
+        if self._lockstep:
+            self._lockstep.restart()
+        self._pacer.restart(self._timeline.now)
+        self._publish()
+
+    def _stop(self):
+        self._stopping = True
+        self._requests.put(lambda: None)
