@@ -6,9 +6,9 @@ import re
 import pytest
 import rosbag
 import rospy
+from odometry_launch.run_plot import make_figure, read_run
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
-from sim_turtlebot.run_plot import make_figure, read_run
 
 PNG = b'\x89PNG'
 PERIOD = 0.1  # s

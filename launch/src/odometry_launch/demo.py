@@ -1,7 +1,7 @@
-"""Run a tutorial with a simulated robot, show how it goes, and tell how it went.
+"""Run a tutorial with a simulated robot, show its progress, and report the result.
 
-Whoever starts this ends it by SIGTERM, which Python obeys at every moment without a word; the
-nodes end with it.
+Its parent ends it by SIGTERM, which Python obeys at any moment without a message; the nodes end
+with it.
 """
 
 import logging
@@ -16,15 +16,15 @@ import rospy
 
 from odometry_launch.graph import DemoError, Graph
 from odometry_launch.logs import find_place_for_logs
+from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.options import launch_arguments, nodes_that_end, parse
 from odometry_launch.output import REWRITE, complain, forget_output
 from odometry_launch.page import Page
 from odometry_launch.recording import Recording
-from odometry_launch.shows import MoveShow, RotateShow
 from odometry_launch.silence import Silence
 
 RUNS = Path(__file__).resolve().parents[3] / 'runs'
-SHOWS = {'move': MoveShow, 'rotate': RotateShow}
+MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
 
 
 def main():
@@ -52,25 +52,25 @@ def _run(options):
         if graph.unusual_address:
             print('rostopic in another terminal: '
                   f'export ROS_MASTER_URI={graph.unusual_address}', flush=True)
-        complaint = _show(options, graph, page)
+        complaint = _follow(options, graph, page)
         if page and sys.stdout.isatty():
             page.stay(graph)
     return not complaint
 
 
-def _show(options, graph, page):
-    """Follow the robot to its end, tell how it went, and return a complaint or None."""
+def _follow(options, graph, page):
+    """Follow the robot to its end, print the result, and return a complaint or None."""
     graph.wait_for(_join, 'the demo does not become a node')
     recording = _record()
-    show = SHOWS[options.tutorial](options)
-    graph.wait_for(show.started, 'the robot does not begin to move')
+    monitor = MONITORS[options.tutorial](options)
+    graph.wait_for(monitor.started, 'the robot does not begin to move')
     wall_start = time.monotonic()
     if page:
         page.announce(graph)
-    _watch(show, graph, Silence(options.real_time_factor))
+    _watch(monitor, graph, Silence(options.real_time_factor))
     wall_time = time.monotonic() - wall_start
-    summary, complaint = show.result()
-    print(f'{summary}\ntime            {show.duration:.1f} s simulated, {wall_time:.1f} s real',
+    summary, complaint = monitor.result()
+    print(f'{summary}\ntime            {monitor.duration:.1f} s simulated, {wall_time:.1f} s real',
           flush=True)
     picture = recording and recording.finish()
     if picture:
@@ -94,14 +94,14 @@ def _record():
         return None
 
 
-def _watch(show, graph, silence):
+def _watch(monitor, graph, silence):
     line = Line()
-    while show.end is None:
+    while monitor.end is None:
         graph.check()
-        silence.look(show.now)
-        line.show(show.progress(), show.now)
+        silence.look(monitor.now)
+        line.show(monitor.progress(), monitor.now)
         time.sleep(0.1)
-    line.finish(show.progress())
+    line.finish(monitor.progress())
 
 
 class Line:

@@ -4,9 +4,10 @@ import argparse
 import math
 import re
 
+from odometry_common.kobuki import MAX_LINEAR_SPEED
+
 from odometry_launch.page import PORT
 
-MAX_SPEED = 0.7  # m/s, TurtleBot 2
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; slower than this no reader would wait
 MIN_FACTOR = 0.001  # what the simulator accepts
@@ -117,7 +118,7 @@ def _factor(text):
 
 
 def _speed(text):
-    value = _number(-MAX_SPEED, MAX_SPEED)(text)
+    value = _number(-MAX_LINEAR_SPEED, MAX_LINEAR_SPEED)(text)
     if abs(value) < MIN_SPEED:
         raise argparse.ArgumentTypeError(f'{text!r} is slower than {MIN_SPEED:g} m/s')
     return value

@@ -40,7 +40,7 @@ class Recording:
                 return None
             self._bag = None
         # matplotlib takes a second to import, which the start of the demo need not wait for.
-        from sim_turtlebot.run_plot import BagError, draw, read_run
+        from odometry_launch.run_plot import BagError, draw, read_run
         picture = self.folder / 'run.png'
         try:
             draw(read_run(self.folder / 'run.bag'), picture)

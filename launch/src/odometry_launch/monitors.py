@@ -1,4 +1,4 @@
-"""What there is to see of each tutorial: its progress, its end and its result."""
+"""What there is to see of each tutorial: its progress, its end, its result."""
 
 import math
 
@@ -12,27 +12,28 @@ from odometry_launch.options import in_lockstep
 BAR_WIDTH = 30
 ODOMETRY_PERIOD = 0.05  # s; the robot arrives between two odometries
 BRAKING = 2.8  # m/s^2, measured on the simulated robot
-AGREEMENT = 1e-3  # m and share of the distance; the way that is summed up is not quite straight
+AGREEMENT = 1e-3  # m and share of the distance; the path that is summed up is not quite straight
 REST_SPEED = 1e-3  # m/s
 REST_STEP = 1e-5  # m between two odometries
 HEADING_TOLERANCE = 0.1  # degrees
-REST_TURN_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
+REST_ANGULAR_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
 
 
-class Show:
+class ProgressMonitor:
     """Follows the robot's true motion from the world's origin; subclasses know the tutorial."""
 
     def __init__(self):
         """Listen to the simulator."""
-        self.truth = None
+        self.ground_truth = None
         self.start = None
         self.end = None
-        rospy.Subscriber('base_pose_ground_truth', Odometry, self._on_truth, tcp_nodelay=True)
+        rospy.Subscriber(
+            'base_pose_ground_truth', Odometry, self._on_ground_truth, tcp_nodelay=True)
 
     @property
     def now(self):
         """Simulated seconds since the first message."""
-        return (self.truth.header.stamp - self.start.header.stamp).to_sec()
+        return (self.ground_truth.header.stamp - self.start.header.stamp).to_sec()
 
     @property
     def duration(self):
@@ -40,19 +41,19 @@ class Show:
         return (self.end - self.start.header.stamp).to_sec()
 
     def arrived(self):
-        """Tell whether the robot has done what it was told, and stands."""
+        """Return whether the robot has done what it was told, and stands."""
         raise NotImplementedError
 
-    def _on_truth(self, message):
-        self.truth = message
+    def _on_ground_truth(self, message):
+        self.ground_truth = message
         if self.start is None:
             self.start = message
         if self.end is None and self.arrived():
             self.end = message.header.stamp
 
 
-class MoveShow(Show):
-    """Two metres on the way."""
+class MoveMonitor(ProgressMonitor):
+    """Follows the robot over two metres."""
 
     def __init__(self, options):
         """Listen to the detector too."""
@@ -66,31 +67,31 @@ class MoveShow(Show):
         rospy.Subscriber('moved_distance', Float64, self._on_moved, tcp_nodelay=True)
 
     def started(self):
-        """Tell whether the robot has begun to move."""
-        return self.truth is not None and self._moved > 0
+        """Return whether the robot has begun to move."""
+        return self.ground_truth is not None and self._moved > 0
 
     def arrived(self):
         """Return whether the distance is reached, and the robot stands by both accounts."""
-        linear = self.truth.twist.twist.linear
+        linear = self.ground_truth.twist.twist.linear
         return (self._moved >= self._wanted and self._moved - self._moved_before < REST_STEP
                 and math.hypot(linear.x, linear.y) < REST_SPEED)
 
     def progress(self):
         """Return one line."""
-        speed = self.truth.twist.twist.linear.x
+        speed = self.ground_truth.twist.twist.linear.x
         return (f'{_bar(self._moved / self._wanted)} {self._moved:.2f} of {self._wanted:.2f} m, '
                 f'{round(speed, 2) + 0.0:.2f} m/s, {self.now:.1f} s')
 
     def result(self):
         """Return the summary, and a complaint or None."""
-        end = self.truth.pose.pose.position
+        end = self.ground_truth.pose.pose.position
         true_distance = math.hypot(end.x, end.y)
         summary = (f'moved distance  {self._moved:.3f} m, summed from /odom\n'
                    f'true distance   {true_distance:.3f} m, in the simulated world')
         return summary, self._complaint(true_distance)
 
     def _complaint(self, true_distance):
-        """Judge the robot; in real time how far it goes on is the machine's affair, not its own."""
+        """Judge the robot; in real time how far it overshoots is up to the machine."""
         if not self._wanted <= self._moved <= self._furthest:
             return f'not between {self._wanted:.3f} and {self._furthest:.3f} m'
         if abs(self._moved - true_distance) > AGREEMENT * (1 + self._moved):
@@ -101,8 +102,8 @@ class MoveShow(Show):
         self._moved_before, self._moved = self._moved, message.data
 
 
-class RotateShow(Show):
-    """A heading on the way."""
+class RotateMonitor(ProgressMonitor):
+    """Follows the robot to a heading."""
 
     def __init__(self, options):
         """Listen to the odometry too, in whose frame the target is."""
@@ -113,13 +114,13 @@ class RotateShow(Show):
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
 
     def started(self):
-        """Tell whether the heading is known."""
-        return self.truth is not None and self._yaw is not None
+        """Return whether the heading is known."""
+        return self.ground_truth is not None and self._yaw is not None
 
     def arrived(self):
-        """Tell whether the heading is reached and the robot hardly turns."""
+        """Return whether the heading is reached and the robot hardly turns."""
         return (self._yaw is not None and self._error() <= HEADING_TOLERANCE
-                and abs(self.truth.twist.twist.angular.z) < REST_TURN_SPEED)
+                and abs(self.ground_truth.twist.twist.angular.z) < REST_ANGULAR_SPEED)
 
     def progress(self):
         """Return one line."""
@@ -129,11 +130,11 @@ class RotateShow(Show):
 
     def result(self):
         """Return the summary, and a complaint or None."""
-        true_turn = _yaw(self.truth)
-        true_error = abs(math.degrees(wrap_to_pi(true_turn - self._target)))
+        true_yaw = _yaw(self.ground_truth)
+        true_error = abs(math.degrees(wrap_to_pi(true_yaw - self._target)))
         good = max(self._error(), true_error) <= HEADING_TOLERANCE + 0.01
         summary = (f'heading         {math.degrees(self._yaw):.2f} degrees, from /odom\n'
-                   f'true turn       {math.degrees(true_turn):.2f} degrees, in the simulated world')
+                   f'true turn       {math.degrees(true_yaw):.2f} degrees, in the simulated world')
         return summary, None if good else f'over {HEADING_TOLERANCE} degrees from the target'
 
     def _error(self):

@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 import numpy
 import rosbag
+from geometry_msgs.msg import Quaternion
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from moved_distance.steps import Steps
-from tf.transformations import euler_from_quaternion
+from odometry_common.geometry import PlanarPose, yaw_from_orientation
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
 SMALLEST_SPAN = 2.0  # degrees of heading; less would make noise look like a turn
@@ -28,27 +29,28 @@ class Track(NamedTuple):
     time: numpy.ndarray  # s since the first message of the run
     x: numpy.ndarray  # m
     y: numpy.ndarray  # m
-    heading: numpy.ndarray  # degrees, without jumps
+    yaw: numpy.ndarray  # rad, without jumps
     speed: numpy.ndarray  # m/s, forwards
-    turn_speed: numpy.ndarray  # rad/s
     distance: numpy.ndarray  # m, as the detector counts it
 
     def moved_onto(self, other):
-        """Return the same way, turned and shifted so that it begins where another one does."""
-        turn = numpy.radians(other.heading[0] - self.heading[0])
-        x, y = self.x - self.x[0], self.y - self.y[0]
-        return self._replace(
-            x=other.x[0] + x * numpy.cos(turn) - y * numpy.sin(turn),
-            y=other.y[0] + x * numpy.sin(turn) + y * numpy.cos(turn),
-            heading=self.heading - self.heading[0] + other.heading[0])
+        """Return the same path, rotated and shifted so that it begins where another one does."""
+        frame = other.start.then(self.start.inverse())
+        x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
+        return self._replace(x=x, y=y, yaw=yaw)
+
+    @property
+    def start(self):
+        """The PlanarPose where it begins."""
+        return PlanarPose(self.x[0], self.y[0], self.yaw[0])
 
 
 class Run(NamedTuple):
-    """What a bag tells of a run."""
+    """What a bag says about a run."""
 
     name: str  # of the bag, with its folder
     odometry: Track
-    truth: Track  # in the odometry's frame; None if nobody published it
+    ground_truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
 
     def summary(self):
@@ -62,17 +64,17 @@ class Run(NamedTuple):
                 f'top speed   {numpy.abs(track.speed).max():.3f} m/s')
 
 
-def read_run(path, odometry_topic='/odom', truth_topic='/base_pose_ground_truth',
+def read_run(path, odometry_topic='/odom', ground_truth_topic='/base_pose_ground_truth',
              command_topic='/cmd_vel'):
     """Return the Run in a bag.
 
-    :raises BagError: if it is no bag, or has no odometry with finite numbers on that topic
+    :raises BagError: if it is not a bag, or has no odometry with finite numbers on that topic
     """
     try:
         with rosbag.Bag(str(path)) as bag:
-            odometry, truth, commands = (
+            odometry, ground_truth, commands = (
                 list(bag.read_messages(topic))
-                for topic in (odometry_topic, truth_topic, command_topic))
+                for topic in (odometry_topic, ground_truth_topic, command_topic))
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
     if not odometry:
@@ -80,7 +82,7 @@ def read_run(path, odometry_topic='/odom', truth_topic='/base_pose_ground_truth'
     start = _stamp(odometry[0])
     rows = [(row.timestamp.to_sec() - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
-    track, true_track = _track(odometry, start), _track(truth, start)
+    track, true_track = _track(odometry, start), _track(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no finite position on {odometry_topic}')
     return Run('/'.join(Path(path).absolute().parts[-2:]), track,
@@ -99,8 +101,8 @@ def make_figure(run):
     figure.suptitle(run.name)
     (path_axes, distance_axes), (speed_axes, heading_axes) = figure.subplots(2, 2)
     tracks = [(run.odometry, 'odometry', '-')]
-    if run.truth is not None:
-        tracks.append((run.truth, 'truth', '--'))
+    if run.ground_truth is not None:
+        tracks.append((run.ground_truth, 'truth', '--'))
     _draw_path(path_axes, tracks)
     _draw_distance(distance_axes, tracks)
     _draw_speed(speed_axes, tracks, run.commands)
@@ -142,7 +144,7 @@ def _draw_speed(axes, tracks, commands):
 
 def _draw_heading(axes, tracks):
     for track, label, style in tracks:
-        axes.plot(track.time, track.heading, style, label=label)
+        axes.plot(track.time, numpy.degrees(track.yaw), style, label=label)
     axes.set(title='heading', xlabel='time (s)', ylabel='heading (degrees)')
     middle, span = numpy.mean(axes.get_ylim()), numpy.ptp(axes.get_ylim())
     axes.set_ylim(middle - max(span, SMALLEST_SPAN) / 2, middle + max(span, SMALLEST_SPAN) / 2)
@@ -154,24 +156,23 @@ def _track(rows, start):
     """Return the Track of the messages whose numbers are finite; None if there are none."""
     steps, distance, kept = Steps(), 0.0, []
     for row in rows:
-        _, x, y, *_ = numbers = _numbers(row)
-        with suppress(ValueError):  # of a position that is not finite
-            dx, dy, _ = steps.to(
-                x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
+        pose, speed = row.message.pose.pose, row.message.twist.twist.linear.x
+        x, y = pose.position.x, pose.position.y
+        with suppress(ValueError):  # of a position or an orientation that is not finite
+            dx, dy, _ = steps.to(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
             distance += math.hypot(dx, dy)
-        if all(map(math.isfinite, numbers)):
-            kept.append((*numbers, distance))
+            yaw = _yaw(pose.orientation)
+            if math.isfinite(speed):
+                kept.append((_stamp(row), x, y, yaw, speed, distance))
     if not kept:
         return None
     time, x, y, yaw, *others = numpy.array(kept).T
-    return Track(time - start, x, y, numpy.degrees(numpy.unwrap(yaw)), *others)
+    return Track(time - start, x, y, numpy.unwrap(yaw), *others)
 
 
-def _numbers(row):
-    pose, twist = row.message.pose.pose, row.message.twist.twist
-    turn = pose.orientation
-    yaw = euler_from_quaternion([turn.x, turn.y, turn.z, turn.w])[2]
-    return (_stamp(row), pose.position.x, pose.position.y, yaw, twist.linear.x, twist.angular.z)
+def _yaw(orientation):
+    """Return the yaw (rad); 0 if the driver leaves the orientation empty."""
+    return 0.0 if orientation == Quaternion() else yaw_from_orientation(orientation)
 
 
 def _stamp(row):

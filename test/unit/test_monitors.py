@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 from odometry_launch import demo
+from odometry_launch.monitors import MoveMonitor
 from odometry_launch.options import launch_arguments, parse
-from odometry_launch.shows import MoveShow
 from odometry_launch.silence import Silence
 from odometry_tests.messages import odometry
 from std_msgs.msg import Float64
@@ -31,20 +31,20 @@ class Terminal(list):
 
 
 class Clock:
-    """A clock that only sleeping moves on, and then the show."""
+    """A clock that only sleeping moves on, and the monitor with it."""
 
-    def __init__(self, show):
+    def __init__(self, monitor):
         """Take what happens during a sleep."""
-        self._show = show
+        self._monitor = monitor
         self.slept = []
 
     def sleep(self, duration):
-        """Let the show go on."""
+        """Let the robot go on."""
         self.slept.append(duration)
-        self._show.go_on()
+        self._monitor.go_on()
 
 
-class ScriptedShow:
+class ScriptedMonitor:
     """Ten looks, half a simulated second apart; then the robot has arrived."""
 
     LOOKS = 10
@@ -66,13 +66,14 @@ class ScriptedShow:
 
 @pytest.fixture
 def watch(monkeypatch):
-    """Return a function that shows the scripted run and returns what was written, and the clock."""
+    """Return a function that follows the scripted run and returns the output and the clock."""
     def watched(live):
-        show, terminal = ScriptedShow(), Terminal(live)
-        clock = Clock(show)
+        monitor, terminal = ScriptedMonitor(), Terminal(live)
+        clock = Clock(monitor)
         monkeypatch.setattr(demo, 'time', clock)
         monkeypatch.setattr('sys.stdout', terminal)
-        demo._watch(show, SimpleNamespace(check=lambda: None), SimpleNamespace(look=lambda _: None))
+        demo._watch(monitor, SimpleNamespace(check=lambda: None),
+                    SimpleNamespace(look=lambda _: None))
         monkeypatch.undo()
         return terminal.text, clock
 
@@ -82,7 +83,7 @@ def watch(monkeypatch):
 def test_on_a_terminal_one_line_is_rewritten_at_each_look(watch):
     """Ten times a second, and the last one stays."""
     text, clock = watch(live=True)
-    assert clock.slept == [0.1] * ScriptedShow.LOOKS
+    assert clock.slept == [0.1] * ScriptedMonitor.LOOKS
     assert text == ''.join(f'{REWRITE}{0.5 * look:.1f} s' for look in range(11)) + '\n'
 
 
@@ -106,20 +107,20 @@ def test_a_robot_of_which_nothing_is_heard_is_worth_one_line(monkeypatch, capsys
 
 @pytest.fixture
 def run(monkeypatch):
-    """Return a function that shows a robot's distances to a show of `./ws demo` and returns it."""
-    def shown(arguments, moved, true=None):
+    """Return a function that plays a robot's distances to a monitor and returns it."""
+    def played(arguments, moved, true=None):
         callbacks = {}
-        monkeypatch.setattr('odometry_launch.shows.rospy.Subscriber',
+        monkeypatch.setattr('odometry_launch.monitors.rospy.Subscriber',
                             lambda topic, kind, callback, **_: callbacks.update({topic: callback}))
-        show = MoveShow(parse(arguments))
+        monitor = MoveMonitor(parse(arguments))
         for step, (distance, before) in enumerate(zip(moved, [0.0, *moved])):
             callbacks['moved_distance'](Float64(distance))
             truth = odometry(x=(true or moved)[step], stamp=0.05 * step)
             truth.twist.twist.linear.x = (distance - before) / 0.05
             callbacks['base_pose_ground_truth'](truth)
-        return show
+        return monitor
 
-    return shown
+    return played
 
 
 DRIVE = [0.005 * step for step in range(400)]
@@ -129,16 +130,16 @@ AT_ONCE, LATER = [2.0, 2.002, 2.002], [2.0, 2.03, 2.06, 2.06]
 @pytest.mark.parametrize('factor', ['0', '1', '20'])
 def test_a_robot_that_stops_after_braking_has_done_well(run, factor):
     """At any pace."""
-    show = run(['--real-time-factor', factor], [*DRIVE, *AT_ONCE])
-    assert show.end is not None
-    summary, complaint = show.result()
+    monitor = run(['--real-time-factor', factor], [*DRIVE, *AT_ONCE])
+    assert monitor.end is not None
+    summary, complaint = monitor.result()
     assert re.search(r'moved distance +2\.002 m', summary) and complaint is None
 
 
 def test_in_lockstep_a_robot_that_goes_on_is_complained_of(run):
     """Its controller has answered each odometry, so that only braking is left."""
-    show = run(['--real-time-factor', '20'], [*DRIVE, *LATER])
-    assert show.result()[1] == 'not between 2.000 and 2.007 m'
+    monitor = run(['--real-time-factor', '20'], [*DRIVE, *LATER])
+    assert monitor.result()[1] == 'not between 2.000 and 2.007 m'
 
 
 def test_in_real_time_the_pace_of_the_machine_is_not_judged(run):
@@ -151,8 +152,8 @@ def test_in_real_time_the_pace_of_the_machine_is_not_judged(run):
 def test_a_robot_that_is_not_where_its_odometry_says_is_complained_of(run, factor, error):
     """A centimetre in two metres."""
     moved = [*DRIVE, *AT_ONCE]
-    show = run(['--real-time-factor', factor], moved, [distance + error for distance in moved])
-    assert show.result()[1] == 'the two distances do not agree'
+    monitor = run(['--real-time-factor', factor], moved, [distance + error for distance in moved])
+    assert monitor.result()[1] == 'the two distances do not agree'
 
 
 @pytest.mark.parametrize('moved', [DRIVE, [*DRIVE, 2.0], [*DRIVE[:300], *[DRIVE[300]] * 50]])
@@ -164,8 +165,8 @@ def test_who_still_drives_or_stands_too_early_has_not_arrived(run, moved):
 def test_distances_that_are_late_are_waited_for(run):
     """The robot stands already, and the sum still grows: its last value is what is shown."""
     truth = [*DRIVE, 2.002, 2.002, 2.002]
-    show = run([], [*DRIVE, 2.0, 2.001, 2.002], truth)
-    assert show.end is None
+    monitor = run([], [*DRIVE, 2.0, 2.001, 2.002], truth)
+    assert monitor.end is None
 
 
 @pytest.mark.parametrize('factor, lockstep', [('1', 'false'), ('0', 'true'), ('0.5', 'true'),

@@ -4,7 +4,7 @@
 import argparse
 import sys
 
-from sim_turtlebot.run_plot import BagError, draw, read_run
+from odometry_launch.run_plot import BagError, draw, read_run
 
 EXIT_BAD_BAG = 2
 
