@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import rosgraph
 import rospy
+from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import wait_until
 from rosgraph_msgs.msg import Clock
-from std_srvs.srv import Empty
 
 FAR = 1e6  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
@@ -41,7 +41,7 @@ class Graph:
         self._stack = contextlib.ExitStack()
         self._processes = [self._start('sim_turtlebot', 'sim_turtlebot_node.py', *arguments)]
         # Nothing may pass before it is measured.
-        self._call('pause_physics')
+        call('pause_physics')
         if movers:
             self._processes += [
                 self._start('odom_movement_detector', 'odom_movement_detector.py'),
@@ -61,9 +61,9 @@ class Graph:
     @contextlib.contextmanager
     def running(self):
         """Let time pass within this context."""
-        self._call('unpause_physics')
+        call('unpause_physics')
         yield
-        self._call('pause_physics')
+        call('pause_physics')
 
     def watch(self, window):
         """Let time pass for `window` s of wall time; return the differences as a Sample."""
@@ -91,14 +91,9 @@ class Graph:
         return Sample(time.perf_counter(), simulated,
                       sum(_cpu_time(process.pid) for process in self._processes))
 
-    def _call(self, service):
-        name = f'/sim_turtlebot/{service}'
-        rospy.wait_for_service(name, TIMEOUT)
-        rospy.ServiceProxy(name, Empty)()
-
 
 def forget_parameters():
-    """Take back what an earlier process was given on its command line."""
+    """Delete the parameters that an earlier process got on its command line."""
     master = rosgraph.Master('/bench')
     for node in ('/sim_turtlebot', '/test_movement'):
         if master.hasParam(node):
@@ -106,7 +101,7 @@ def forget_parameters():
 
 
 def _has_listener(topic):
-    """Tell whether the topic's publisher is connected to a subscriber."""
+    """Return whether the topic's publisher is connected to a subscriber."""
     master = rosgraph.Master('/bench')
     publishers = dict(master.getSystemState()[0]).get(topic, [])
     return any(_is_connected(master.lookupNode(node), topic) for node in publishers)

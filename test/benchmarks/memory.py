@@ -1,6 +1,5 @@
 """Whether memory stays what it was."""
 
-
 from graph import Graph
 from measuring import Target, compare
 from speed import UNPACED
@@ -9,9 +8,8 @@ MINUTE = 60.0  # s
 
 
 def memory(options):
-    """Measure all processes after a simulated minute and after many."""
+    """Measure all processes after many simulated minutes; the limit is what one minute needs."""
     pairs = [_memory(options.minutes) for _ in range(options.runs)]
-    yield compare('memory after a simulated minute', 'MB', [(early, early) for _, early in pairs])
     yield compare(f'memory after {options.minutes} simulated minutes', 'MB', pairs,
                   Target('<=', 1.01))
 

@@ -7,7 +7,7 @@ import platform
 
 import matplotlib
 from matplotlib import pyplot
-from robots import COST_UNIT, COUNTS
+from robots import COUNTS, robots
 
 WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
 
@@ -44,7 +44,8 @@ def write_csv(figures, path):
 def write_chart(figures, path):
     """Draw what a robot costs in small and in large crowds."""
     matplotlib.use('Agg')
-    cost = [figure.value for figure in figures if figure.unit == COST_UNIT]
+    speeds = {figure.name: figure.value for figure in figures}
+    cost = [1e3 / speeds[f'simulator, {robots(count)}'] / count for count in COUNTS]
     canvas, axes = pyplot.subplots(figsize=(6, 4), layout='constrained')
     axes.plot(COUNTS, cost, 'o-')
     axes.set(xscale='log', xticks=COUNTS, xticklabels=COUNTS, xlabel='robots in the simulator',

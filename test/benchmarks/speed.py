@@ -16,7 +16,6 @@ def robot_without_ros(options):
     robot, bare = RobotWorld(), BareWorld()
     pairs = in_turns(options.runs, lambda: robot.speed(options.window),
                      lambda: bare.speed(options.window))
-    yield compare('bare PyBullet stepping', SPEED_UNIT, [(limit, limit) for _, limit in pairs])
     yield compare('robot without ROS', SPEED_UNIT, pairs, Target('>=', 0.85))
 
 

@@ -17,7 +17,7 @@ BARE_START = Path(__file__).with_name('bare_start.py')
 
 def start(options):
     """Measure from the start of the process to the first /odom."""
-    pairs = in_turns(options.runs, start_simulator, _start_bare)
+    pairs = in_turns(options.runs, start_simulator, start_bare)
     yield compare('start to first /odom', 's', pairs, Target('<=', 1.5))
 
 
@@ -32,7 +32,7 @@ def start_simulator(*arguments, topic='/odom'):
         return time.perf_counter() - begin
 
 
-def _start_bare():
+def start_bare():
     """Return the time (s) that Python, rospy and PyBullet need by themselves."""
     begin = time.perf_counter()
     with Process(sys.executable, BARE_START) as process:

@@ -38,7 +38,7 @@ def test_without_a_part_everything_is_measured(run_bench):
 
 
 @pytest.mark.parametrize('part, names', [
-    ('robot', ['bare PyBullet stepping', 'robot without ROS']),
+    ('robot', ['robot without ROS']),
     ('lockstep', ['graph in lockstep', 'graph in lockstep, times real time',
                   'graph in lockstep, CPU time'])])
 def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
