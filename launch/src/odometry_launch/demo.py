@@ -43,7 +43,7 @@ def main():
 
 
 def _run(options):
-    # What rospy cannot write to its log is no news for the user.
+    # The user need not know that rospy cannot write to its log.
     logging.raiseExceptions = False
     find_place_for_logs()
     page = Page() if options.view else None

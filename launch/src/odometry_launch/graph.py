@@ -73,7 +73,7 @@ class Graph:
     def wait_for(self, condition, complaint):
         """Return once the condition holds; raise DemoError if it takes too long.
 
-        It is looked at from a thread, since rospy and the master may wait for ever themselves.
+        It is checked in a thread, since rospy and the master may block for ever.
         """
         holds = threading.Event()
 
@@ -92,7 +92,7 @@ class Graph:
 
 
 def _holds(condition):
-    """Return whether a condition holds; it does not while the master does not answer."""
+    """Return whether a condition holds; False while the master does not answer."""
     try:
         return condition()
     except (OSError, rosgraph.MasterException):

@@ -1,11 +1,11 @@
-"""Run a command, and end all that it has started when it has ended, or who asked for it.
+"""Run a command, and end all that it has started when the command or its requester has ended.
 
 usage: python3 -I -S keeper.py COMMAND [ARGUMENT...]
 
-Standard input is a socket to who asked for the command. The process id of the command is written
-to it. When it is closed at the other end, however that came about, or on SIGTERM, everything is
-asked to end, from the top: the command first, and what its end leaves behind. What has not
-ended then is asked without regard to order, and at last killed. The exit status is the
+Standard input is a socket to the requester. The process id of the command is written to it. When
+it is closed at the other end, for whatever reason, or on SIGTERM, everything is asked to end,
+from the top: the command first, then what it leaves behind. What has not ended by then is asked
+regardless of order, and finally killed. The exit status is the
 command's; the same signal ends this process that has ended the command.
 
 It starts in a few hundredths of a second, since it imports little.
@@ -29,7 +29,7 @@ prctl = ctypes.CDLL(None).prctl
 
 
 def main(command):
-    """Keep the command and end as it has ended."""
+    """Run the command and end as it ends."""
     told = []
     woken = _wake_on_signals(told)
     # Orphans come to this process, also those that have a session of their own.
@@ -46,7 +46,7 @@ def main(command):
             if LIFELINE in ready and not os.read(LIFELINE, 1):
                 break
     except OSError:
-        pass  # nobody is there any more
+        pass  # the requester is gone
     _end_all(statuses, woken)
     _end_as(statuses[command_pid])
 
@@ -54,7 +54,7 @@ def main(command):
 def _wake_on_signals(told):
     """Have signals make a descriptor readable, and return it; SIGTERM is put into `told`.
 
-    What the terminal sends is no affair of this process. It is handled rather than ignored, since
+    Signals of the terminal are not meant for this process. They are handled rather than ignored, since
     the command would inherit that.
     """
     woken, waker = os.pipe()

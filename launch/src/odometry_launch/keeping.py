@@ -1,4 +1,4 @@
-"""Processes that never outlive who has started them, whatever becomes of that.
+"""Processes that never outlive the one that started them, however that ends.
 
 usage: python3 -I -S keeping.py COMMAND [ARGUMENT...]
 
@@ -64,7 +64,7 @@ class Kept:
                 os.kill(self.pid, signum)
 
     def let_go(self):
-        """Have everything ended; return at once."""
+        """Ask for everything to be ended; return at once."""
         with contextlib.suppress(OSError):
             self._lifeline.shutdown(socket.SHUT_WR)
 
@@ -73,8 +73,8 @@ def stand_in(*command):
     """Run a command in this process's stead and return its exit status.
 
     Whatever ends this process, from its first moment, ends the command and all that it has
-    started. A signal to do so is obeyed once, and not cut short by further ones. A command that
-    exits with 0 all the same has meant to.
+    started. Of several signals the first is obeyed, and the others do not cut that short. A
+    command that exits with 0 all the same meant to.
     """
     _open_standard_files()
     received, kept = [], []

@@ -1,4 +1,4 @@
-"""What roslaunch and its nodes print, and what there is to learn from it."""
+"""What roslaunch and its nodes print, and what it means."""
 
 import collections
 import os
@@ -27,7 +27,7 @@ class LaunchLog:
         self.ended = {}  # how nodes have ended, by name: '' if well
 
     def read(self):
-        """Take note of what has been printed since the last time."""
+        """Note what has been printed since the last time."""
         # Who prints has the same place in the file.
         descriptor = self.file.fileno()
         new = os.pread(descriptor, os.fstat(descriptor).st_size - self._place, self._place)
@@ -37,7 +37,7 @@ class LaunchLog:
             self._note(COLOUR.sub('', line.decode(errors='replace')).strip())
 
     def reason(self):
-        """Return what somebody has complained of, or else the last lines."""
+        """Return the complaint, or else the last lines."""
         return self.complaint or '\n'.join(['', *self._last])
 
     def _note(self, line):

@@ -11,7 +11,7 @@ ENOUGH = bytes(2**16)  # a run's logs are not much larger
 
 
 def find_place_for_logs():
-    """Have logs written elsewhere, with one line that says so, where they cannot be as usual."""
+    """Write logs elsewhere, and say so in a line, if they cannot be written as usual."""
     try:
         os.makedirs(rospkg.get_log_dir(), exist_ok=True)
         for folder in (rospkg.get_log_dir(), rospkg.get_ros_home()):

@@ -9,7 +9,7 @@ from odometry_common.kobuki import MAX_LINEAR_SPEED
 from odometry_launch.page import PORT
 
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
-MIN_SPEED = 0.001  # m/s; slower than this no reader would wait
+MIN_SPEED = 0.001  # m/s; nobody would wait for a slower robot
 MIN_FACTOR = 0.001  # what the simulator accepts
 # The tutorial of an option, and its default.
 BELONGING = {'distance': ('move', 2.0), 'speed': ('move', 0.1), 'target': ('rotate', 90.0)}

@@ -12,7 +12,7 @@ def complain(text):
 
 
 def forget_output():
-    """Keep Python from flushing at its end what nobody takes."""
+    """Keep Python from flushing at exit what nobody reads."""
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()

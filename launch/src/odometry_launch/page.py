@@ -12,7 +12,7 @@ CHECK_PERIOD = 0.2  # s
 
 
 class Page:
-    """Where the page is, on the usual port or the next one that is free."""
+    """The page's address: the usual port, or the next one that is free."""
 
     def __init__(self):
         """Hold the port; raise DemoError if there is none."""
@@ -30,14 +30,14 @@ class Page:
         print(f'view            {self.url}', flush=True)
 
     def stay(self, graph):
-        """Leave the page open until Ctrl-C, which is no failure then."""
+        """Leave the page open until Ctrl-C, which is not a failure then."""
         ended = []
         signal.signal(signal.SIGTERM, lambda *_: ended.append(True))
         print('The page stays, and its pad drives the robot, until Ctrl-C.', flush=True)
         while not ended:
             graph.check()
             time.sleep(CHECK_PERIOD)
-        # Whoever ends this may say so again, which must not spoil the exit status.
+        # SIGTERM may come more than once, which must not spoil the exit status.
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
     def _answers(self):

@@ -1,4 +1,4 @@
-"""A robot of which nothing is heard."""
+"""A robot that has fallen silent."""
 
 import time
 
@@ -10,10 +10,10 @@ ODOMETRY_PERIOD = 0.05  # s
 
 
 class Silence:
-    """Says so, once each time; whether the robot is paused, only the user knows."""
+    """Reports it once each time; only the user knows whether the robot is paused."""
 
     def __init__(self, real_time_factor):
-        """Take how many of the robot's seconds pass in one."""
+        """Take the pace, simulated seconds per second; 0: any."""
         self._patience = PATIENCE
         if real_time_factor:
             self._patience = max(PATIENCE, MESSAGES * ODOMETRY_PERIOD / real_time_factor)

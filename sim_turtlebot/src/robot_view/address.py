@@ -13,16 +13,16 @@ ADDRESSES = 'a name or an address of this machine'
 
 
 class Address(NamedTuple):
-    """A place to listen on, and the names under which it is reached."""
+    """A place to listen on, and the names of the page there."""
 
-    host: str  # as it was given
+    host: str  # as given
     ip: str
     port: int
     own_hosts: OwnHosts
 
 
 def read_address():
-    """Return the Address; raise ParameterError if nobody can listen there."""
+    """Return the Address; raise ParameterError if it is impossible to listen there."""
     port = int(get_number('~port', 8080, lambda v: v == int(v) and 1 <= v <= 65535,
                           'a whole number from 1 to 65535'))
     host = get_text('~host', 'localhost')

@@ -1,10 +1,10 @@
-"""The guard at the page's port: only the page itself gets in, and only what a page says.
+"""The guard of the page's port: it admits only the page itself, and only messages of a page.
 
-viser asks nobody before it accepts a connection, and passes on every message. It makes its server
-with websockets.asyncio.server.serve(), which takes what is needed here as documented parameters:
+viser accepts every connection and every message. It makes its server with
+websockets.asyncio.server.serve(), which has documented parameters for what is needed here:
 process_request may answer 403, and create_connection makes connections that may drop messages. So
-while viser starts, serve() is called with these as well; nothing inside of viser or websockets
-is changed, and no connection comes before.
+while viser starts, serve() is called with these as well; nothing inside viser or websockets is
+changed, and no connection can come earlier.
 """
 
 import contextlib
@@ -17,13 +17,13 @@ from websockets.asyncio import server
 
 MAX_MESSAGE = 65536  # bytes; a page says less than a kilobyte at a time
 LOG_PERIOD = 10.0  # s, between two lines of a kind
-LOG_LENGTH = 250  # characters; a stranger may have made them up
-# A click that is meant for another page, with this one invisible in it, would drive.
+LOG_LENGTH = 250  # characters; they may come from a stranger
+# In an invisible frame of another page, clicks meant for that page would drive.
 FRAMING = 'Content-Security-Policy', "frame-ancestors 'self'"
 
 
 class GuardedConnection(server.ServerConnection):
-    """A websocket that passes on only what is accepted."""
+    """A websocket that passes on accepted messages only."""
 
     def __init__(self, check, *arguments, **options):
         """Take a function that returns a message as it may be passed on, or raises ValueError."""
@@ -41,11 +41,11 @@ class GuardedConnection(server.ServerConnection):
 
 @contextlib.contextmanager
 def guarded(hosts, check):
-    """Use it as a context in which viser makes its server.
+    """Return a context in which viser has to make its server.
 
     :param hosts: OwnHosts
     :param check: see GuardedConnection
-    :raises StartError: at the end, if it has made an unguarded one
+    :raises StartError: at the end, if it has not made a guarded one
     """
     serve, served = server.serve, []
 
@@ -67,7 +67,7 @@ def guarded(hosts, check):
 
 
 def _let_in(hosts, process_request, connection, request):
-    """Answer 403 to whoever is not the page, and let viser answer the others."""
+    """Answer 403 unless the request is the page's own, which viser answers."""
     objection = hosts.objection(request.headers.get_all('Host'), request.headers.get_all('Origin'),
                                 connection.local_address[0])
     if objection is None:

@@ -1,4 +1,4 @@
-"""Under which names the page is reached: whose Host and Origin headers are the page's own."""
+"""The names of the page: which Host and Origin headers are its own."""
 
 import re
 import socket
@@ -41,26 +41,26 @@ def parse_hosts(text):
 
 
 class OwnHosts:
-    """Decides whether somebody who connects comes from the page itself.
+    """Decides whether a connection comes from the page itself.
 
-    A browser writes two headers that no script can change. Origin is whose page connects: of
-    another page it is not the Host that it connects to. Host is by what name this machine was
-    found: an attacker's page passes for its own if the attacker's name is bent to this machine
-    (DNS rebinding), but then the Host has that name.
+    A browser sends two headers that no script can change. Origin names the page that connects: of
+    another page it differs from the Host that it connects to. Host is the name by which this
+    machine was found: an attacker's page passes for the page's own if the attacker's name resolves
+    to this machine (DNS rebinding), but then the Host is that name.
 
     Of loopback names, ~host and the machine's own any port will do: `ssh -L 9000:localhost:8080`
     makes the page localhost:9000, while a page of another port still has another Origin.
     """
 
     def __init__(self, host, allowed=()):
-        """Take what the page listens on and further hosts under which it is reached."""
+        """Take the host that the page listens on, and further names of the page."""
         names = {*LOOPBACK, host.lower()}
         if host in ANY_ADDRESS:
             names.add(socket.gethostname().lower())
         self._hosts = {*(Host(name, None) for name in names), *allowed}
 
     def objection(self, hosts, origins, reached):
-        """Return in words why a connection is not the page's own; None if it is.
+        """Return why a connection is not the page's own; None if it is.
 
         :param hosts, origins: values of these headers, each usually once or not at all
         :param reached: address of this machine at which the connection has come in

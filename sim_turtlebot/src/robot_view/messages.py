@@ -1,7 +1,7 @@
-"""What a page may say: each message is checked as that of a stranger.
+"""Validation of the messages from a page: none of them is trusted.
 
-viser sets what a message names to what it says: also a slider to NaN, a list to what is not on it,
-and the callbacks of a button to none.
+viser sets whatever property a message names to whatever value it has: a slider to NaN, a list to
+something that is not on it, the callbacks of a button to none.
 """
 
 from typing import Tuple, Union
@@ -36,7 +36,7 @@ class Camera(Message, tag='ViewerCameraMessage'):
 
 
 class Hold(Message, tag='GuiButtonHoldMessage'):
-    """A button is held."""
+    """A button is being held."""
 
     uuid: str
     frequency: Number
@@ -61,11 +61,11 @@ DECODER = msgspec.msgpack.Decoder(Union[Camera, Hold, Update])
 def checked(data, inputs):
     """Return a message of a page as it may be passed on.
 
-    It is written anew from what has been read, so that nobody reads something else in it.
+    It is encoded anew from what was decoded, so that viser cannot read anything else in it.
 
-    :param data: what has come on the websocket
+    :param data: as received on the websocket
     :param inputs: viser's handles of the page's inputs by their ids
-    :raises ValueError: if it is not to be passed on; says why
+    :raises ValueError: if it must not be passed on, with the reason
     """
     try:
         message = DECODER.decode(data)

@@ -85,7 +85,7 @@ def _shape(element):
         return trimesh.creation.cylinder(
             float(element.get('radius')), float(element.get('length')),
             sections=CYLINDER_SECTIONS)
-    raise ValueError(f'<{element.tag}> is no shape that can be drawn')
+    raise ValueError(f'<{element.tag}> is not a shape that can be drawn')
 
 
 def _origin(element):

@@ -31,7 +31,7 @@ class Viewer:
         self._gauge = RateGauge()
         self._warning = ''
         self._warnings = rospy.Subscriber(WARNING, String, self._on_warning)
-        # A shutdown that began before this calls no hook, but is seen in run().
+        # A shutdown that began earlier calls no hook, but run() notices it.
         rospy.on_shutdown(page.wake)
 
     def run(self):

@@ -1,4 +1,4 @@
-"""The pad: drives the robot while a button or an arrow key is held, and not a moment longer."""
+"""The pad: it drives the robot while a button or an arrow key is held, and no longer."""
 
 import threading
 import time
@@ -19,9 +19,9 @@ from robot_view.steering import (
 
 
 class Pad:
-    """Publishes velocities on the chosen robot's cmd_vel while something is held.
+    """Publishes velocities on the chosen robot's cmd_vel while a button is held.
 
-    A robot that it has not driven never hears of it, not even when the node ends.
+    A robot that it has not driven receives nothing from it, not even when the node ends.
     """
 
     def __init__(self, speeds):
@@ -68,7 +68,7 @@ class Pad:
 
 
 def add_pad(gui, pad):
-    """Add the buttons of a Pad to the place in viser's GUI where things are being added."""
+    """Add the buttons of a Pad at the current place in viser's GUI."""
     gui.add_html(LAYOUT)
     _add_direction(gui, pad, FORWARD)
     _add_direction(gui, pad, LEFT)
@@ -95,5 +95,5 @@ def _add_stop(gui, pad):
 
     @button.on_click
     async def _(event):
-        # For as long as a hold lasts, so that it gets through to a robot not driven before.
+        # As long as a hold lasts, so that it reaches even a robot that was not driven before.
         pad.hold(event.client_id, STOP)

@@ -88,7 +88,7 @@ class Page:
         return self._choice.value and f'{self._choice.value}/'
 
     def wait(self):
-        """Return when a browser has come or gone, or wake() was called."""
+        """Return when a browser has connected or disconnected, or wake() was called."""
         self._changed.wait()
         self._changed.clear()
 
@@ -148,7 +148,7 @@ class Page:
 
 
 def _middle(state):
-    """Return x, y (m) of half way between start and two metres, or of a robot far from there."""
+    """Return x, y (m) of the middle of the first two metres, or of a robot far from there."""
     half_way, robot = state.origin.then(HALF_WAY)[:2], state.pose.position[:2]
     return half_way if math.dist(half_way, robot) < FAR else robot
 

@@ -1,4 +1,4 @@
-"""The panel: what the robot does in numbers, and buttons for the simulation."""
+"""The panel: the robot's state in numbers, and buttons for the simulation."""
 
 import html
 
@@ -19,7 +19,7 @@ STYLE = ('<style>#readings{width:100%;font-size:0.95em;padding:0 0.8em}'
 
 
 class Readings:
-    """A table of what is measured."""
+    """A table of measured values."""
 
     def __init__(self, gui):
         """Add it."""
@@ -44,10 +44,10 @@ class SimulationButtons:
         self._buttons.on_click(self._call)
 
     def update(self, services, complaint=''):
-        """Offer what can be had, and say what cannot.
+        """Offer the services that there are, and say what is wrong.
 
-        :param services: full names of those that there are
-        :param complaint: what is wrong otherwise
+        :param services: full names
+        :param complaint: what is wrong, if anything
         """
         names = {rospy.resolve_name(name) for name in SERVICES.values()}
         self._buttons.visible = names <= services

@@ -15,7 +15,7 @@ class Plots:
     """Moved and true distance, heading and target of one robot, over time."""
 
     def __init__(self, gui, place):
-        """Take viser's GUI and the part of it where the plots go."""
+        """Take viser's GUI and the part of it for the plots."""
         self._distance = _Plot(gui, place, 1, 'distance (m)', (0.0, TWO_METRES), [
             _series('moved', BLUE), _series('true', ORANGE, DASHES),
             _series('two metres', RED, DOTS)])
@@ -47,7 +47,7 @@ class _Plot:
         self._plot = None
 
     def draw(self, time, columns):
-        """Draw a column of values for each series; NaN where nothing is known."""
+        """Draw a column of values for each series; NaN where a value is unknown."""
         # uPlot draws nothing at all if there is a NaN.
         shown = [index for index, values in enumerate(columns) if not numpy.isnan(values).all()]
         data = (time, *(_fill(time, columns[index]) for index in shown))

@@ -42,13 +42,13 @@ class RobotFigure:
         :param scene: of viser
         :param name: of the scene node, without slashes
         :param links: what model.load_links() returned
-        :param labelled: whether the name is to be read beside the robot
+        :param labelled: whether the name is shown beside the robot
         """
         self._scene = scene
         self._root = f'/robots/{name}'
         self._nodes = [scene.add_frame(self._root, show_axes=False)]
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
-        # What belongs to the odometry's frame is drawn in it.
+        # The marks and the ghost are drawn in the odometry's frame.
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
@@ -61,7 +61,7 @@ class RobotFigure:
         self._trail = None
 
     def remove(self):
-        """Take it out of the scene, with all that belongs to it."""
+        """Remove it from the scene, with all its parts."""
         for node in self._nodes:
             node.remove()
 
@@ -109,7 +109,7 @@ class RobotFigure:
             self._add_spokes(body, link.meshes[0].vertices)
 
     def _add_spokes(self, wheel, vertices):
-        """Mark a wheel, or nobody would see it turn: little of it shows below the base."""
+        """Mark a wheel, so that its turning is seen: little of it shows below the base."""
         across, _, width = numpy.ptp(vertices, axis=0) + SPOKE_MARGIN
         for number in range(SPOKES):
             rotation = SO3.from_z_radians(numpy.pi * number / SPOKES)

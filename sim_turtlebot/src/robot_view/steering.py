@@ -1,7 +1,7 @@
 """What the pad's buttons command: who holds which, and what that means for the robot."""
 
 HOLD_RATE = 10.0  # Hz, at which the page says that a button is still held
-HOLD_TIMEOUT = 0.5  # s; who has not said so for this long holds it no more
+HOLD_TIMEOUT = 0.5  # s without that after which it counts as released
 COMMAND_PERIOD = 0.05  # s
 
 FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
@@ -14,7 +14,7 @@ class HeldButtons:
     """Who holds which button; times in seconds."""
 
     def __init__(self):
-        """Begin with none held."""
+        """Start with none held."""
         self._deadlines = {}
 
     def hold(self, client, button, now):
@@ -44,11 +44,11 @@ class HeldButtons:
 class Steering:
     """Decides what is commanded to which robot; times in seconds.
 
-    A robot that nobody has driven is commanded nothing.
+    A robot that has not been driven is sent no commands.
     """
 
     def __init__(self):
-        """Begin without a robot."""
+        """Start without a robot."""
         self._buttons = HeldButtons()
         self._chosen = None
         self._driven = None

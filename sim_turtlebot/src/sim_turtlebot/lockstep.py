@@ -2,10 +2,10 @@
 
 
 class Lockstep:
-    """Keeps the simulation from passing a multiple of 1/rate before each controller has spoken.
+    """Keeps the simulation from passing a multiple of 1/rate before a command of each controller.
 
-    A controller that has never spoken, or no longer does, is not waited for; one that speaks
-    (again) is in step from the next multiple on.
+    A controller that has never sent one, or no longer does, is not waited for; when it sends one
+    (again), it is in step from the next multiple on.
     """
 
     def __init__(self, rate, step_rate, controllers):
@@ -22,12 +22,12 @@ class Lockstep:
 
     @property
     def started(self):
-        """Whether any controller has ever spoken."""
+        """Whether any controller has ever sent a command."""
         return bool(self._in_step)
 
     @property
     def last_step(self):
-        """The step that is the last one that may be taken without asking must_wait() again."""
+        """The last step that may be reached without asking must_wait() again."""
         return self._last_step
 
     def heard(self, controller):

@@ -3,7 +3,7 @@
 import time
 
 LARGEST_LAG = 0.25  # s; a simulation further behind than this does not rush to catch up
-SLIPS = 10  # so many in a row are no hiccup
+SLIPS = 10  # in a row are more than a hiccup
 LONGEST_GAP = 3.0  # s between them: a machine that is slower than nine tenths
 RECOVERY = 30.0  # s without one
 

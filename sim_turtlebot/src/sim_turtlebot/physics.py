@@ -45,7 +45,7 @@ class World:
         self._world_file = world_file
         self._client = _connect(gui)
         self.step = self._client.stepSimulation
-        # With a mouse or with things that fall, there is motion that is no robot's.
+        # With a mouse, or with things that fall, more than the robots may move.
         self.only_robots_move = not gui and not world_file
         self._configure()
         self._window = None
@@ -80,7 +80,7 @@ class World:
 
     @property
     def window_closed(self):
-        """Whether there was a window and somebody has closed it."""
+        """Whether there was a window and it has been closed."""
         return self._window is not None and self._window.closed
 
     def _configure(self):
@@ -159,7 +159,7 @@ class TurtleBot:
         return tuple(zip(*((angle, velocity, torque) for angle, velocity, _, torque in states)))
 
     def overlap(self):
-        """Return how deep (m) other bodies are in the robot, but for a floor that bears it."""
+        """Return how deep (m) other bodies are in the robot, except for a floor that bears it."""
         points = ((normal[2], -distance) for *_, normal, distance, _, _, _, _, _
                   in self._client.getContactPoints(self._body))
         return max((depth for up, depth in points

@@ -70,14 +70,14 @@ class Robot:
         self._obey(0.0, 0.0)
 
     def before_step(self, now):
-        """Do what has to be done before each physics step: brake, speed up, time out."""
+        """Accelerate, brake and time out; call it before each physics step."""
         if now > self._deadline:
             self.stop()
         if self._driven != self._commanded:
             self._accelerate()
 
     def tick(self, now, duration):
-        """Look where the robot is, `duration` seconds after the last look."""
+        """Update the ground truth and the odometry, `duration` seconds after the last time."""
         self.ground_truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
@@ -95,7 +95,7 @@ class Robot:
         self._begin()
 
     def _begin(self):
-        """Stand where the body was put."""
+        """Start at rest where the body was put."""
         self._commanded = self._driven = (0.0, 0.0)
         self._deadline = math.inf
         self._slow_since = None
@@ -120,7 +120,7 @@ class Robot:
         self.body.drive(*self._driven)
 
     def _settle(self, now):
-        """Find out whether the robot has come to rest."""
+        """Hold the robot once it has come to rest."""
         slow = (math.hypot(*self.ground_truth.linear) < REST_LINEAR_SPEED
                 and math.hypot(*self.ground_truth.angular) < REST_ANGULAR_SPEED)
         if not slow:

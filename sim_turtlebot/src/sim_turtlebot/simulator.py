@@ -17,7 +17,7 @@ from sim_turtlebot.simulation_topics import SimulationTopics
 
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
 REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
-LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: none to the repetitions is on its way
+LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: no more to the repetitions will come
 
 
 class Simulator:
@@ -77,9 +77,8 @@ class Simulator:
     def _wait_for_first_command(self):
         """Repeat the odometry until there is a command.
 
-        Answers to earlier repetitions may still be on their way then. They must not be taken
-        for answers to the next odometry. Nothing in a Twist tells them apart, only that no more
-        of them come.
+        Answers to earlier repetitions may still arrive after it. They must not be taken for answers
+        to the next odometry. Nothing in a Twist tells them apart; so wait until no more come.
         """
         if not self._requests.serve(REPEAT_PERIOD):
             self._publish()
@@ -91,7 +90,7 @@ class Simulator:
                     break
 
     def _last_step(self):
-        """Return the step past which the wall clock or the controllers matter again."""
+        """Return the step at which the wall clock or the controllers matter again."""
         if self._settings.real_time_factor:
             return self._timeline.steps + 1
         return self._lockstep.last_step if self._lockstep else math.inf

@@ -1,4 +1,4 @@
-"""PyBullet's window: whether there is a screen for it, and whether somebody has closed it."""
+"""PyBullet's window: whether there is a screen for it, and whether it has been closed."""
 
 import contextlib
 import ctypes
@@ -36,8 +36,8 @@ class Window:
 def screen():
     """Hold a connection to the screen.
 
-    Without a screen PyBullet would end the whole process. And an X server whose last client has
-    left starts anew, and turns away whoever comes at that moment.
+    Without a screen PyBullet would end the whole process. And an X server restarts when its last
+    client has left, and refuses connections at that moment.
 
     :raises NoScreenError: if there is none, or no library to draw on it with
     """

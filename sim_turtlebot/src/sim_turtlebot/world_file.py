@@ -1,7 +1,7 @@
 """Whether PyBullet can load a world file, tried in a process of its own.
 
-Over some files PyBullet ends the whole process: over a URDF with two root links, or a mesh that is
-a folder. As a program, this file is that process.
+Some files make PyBullet end the whole process: a URDF with two root links, or a mesh that is a
+folder. Run as a program, this file is that process.
 """
 
 import re
@@ -44,7 +44,7 @@ def load(client, path):
 
 
 def _reason(trial):
-    """Return in one line what PyBullet has printed of a file before it gave up."""
+    """Return in one line what PyBullet printed about a file before it gave up."""
     _, *remarks = REMARK.split(trial.stdout)
     told, is_link = [], False
     for remark in remarks:
