@@ -9,7 +9,7 @@ Subscribes, for each robot, while a page is open:
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
 
 Subscribes, always:
-    sim_turtlebot/warning (std_msgs/String): the simulator's warning
+    sim_turtlebot/warning (std_msgs/String): what the simulator warns of
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while the pad is held; zero when it is released
@@ -23,8 +23,8 @@ Parameters:
         whoever sees the page can drive the robot
     ~allowed_hosts (str, none): further names of the page, where a proxy or a forwarded port gives
         it others: with or without a port, separated by commas or spaces. It is always reached as
-        localhost, as ~host and by the address of this machine; requests for any other name, or
-        from another page, are refused
+        localhost, as ~host and by the address of this machine; who comes by another name, or from
+        another page, is refused
 """
 
 from odometry_common.node import run_node
