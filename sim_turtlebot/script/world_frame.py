@@ -25,7 +25,7 @@ from tf.transformations import (
 
 
 class WorldFrame:
-    """Odometry and truth in, the transform between their frames out."""
+    """Odometry and ground truth in, the transform between their frames out."""
 
     def __init__(self):
         """Publish with each true pose from the first odometry on."""
@@ -34,36 +34,37 @@ class WorldFrame:
         rospy.on_shutdown(self._stop)
         self._broadcaster = tf.TransformBroadcaster()
         rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
-        rospy.Subscriber('base_pose_ground_truth', Odometry, self._on_truth, tcp_nodelay=True)
+        rospy.Subscriber(
+            'base_pose_ground_truth', Odometry, self._on_ground_truth, tcp_nodelay=True)
 
     def _on_odometry(self, message):
         self._odometry = message
 
-    def _on_truth(self, truth):
+    def _on_ground_truth(self, ground_truth):
         if self._odometry is None:
             return
         try:
-            self._publish(truth)
+            self._publish(ground_truth)
         except rospy.ROSException:
             # At shutdown rospy may close the topic while messages still come.
             if not self._stopping:
                 raise
 
-    def _publish(self, truth):
-        frame = concatenate_matrices(_matrix(truth), inverse_matrix(_matrix(self._odometry)))
+    def _publish(self, ground_truth):
+        frame = concatenate_matrices(_matrix(ground_truth), inverse_matrix(_matrix(self._odometry)))
         self._broadcaster.sendTransform(
-            translation_from_matrix(frame), quaternion_from_matrix(frame), truth.header.stamp,
-            self._odometry.header.frame_id, truth.header.frame_id)
+            translation_from_matrix(frame), quaternion_from_matrix(frame), ground_truth.header.stamp,
+            self._odometry.header.frame_id, ground_truth.header.frame_id)
 
     def _stop(self):
         self._stopping = True
 
 
 def _matrix(message):
-    position, turn = message.pose.pose.position, message.pose.pose.orientation
+    position, orientation = message.pose.pose.position, message.pose.pose.orientation
     return concatenate_matrices(
         translation_matrix([position.x, position.y, position.z]),
-        quaternion_matrix([turn.x, turn.y, turn.z, turn.w]))
+        quaternion_matrix([orientation.x, orientation.y, orientation.z, orientation.w]))
 
 
 def main():

@@ -51,8 +51,9 @@ class SimulatorMessagesTest(unittest.TestCase):
         self.assertEqual(sum(map(abs, message.pose.covariance)), sum(TUTORIAL_VARIANCES))
         self.assertEqual(set(message.twist.covariance), {0.0})
         self.assertEqual(place(message), (0.0, 0.0, 0.0))
-        turn = message.pose.pose.orientation
-        self.assertAlmostEqual(math.hypot(turn.x, turn.y, turn.z, turn.w), 1.0)
+        orientation = message.pose.pose.orientation
+        self.assertAlmostEqual(math.hypot(
+            orientation.x, orientation.y, orientation.z, orientation.w), 1.0)
         self.assertEqual(message.twist.twist, Twist())
 
     def test_number_and_stamp_advance_twenty_times_a_second(self):

@@ -6,7 +6,7 @@ import re
 
 from odometry_common.kobuki import MAX_LINEAR_SPEED
 
-from odometry_launch.page import PORT
+from odometry_launch.ports import PAGE_PORT
 
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; nobody would wait for a slower robot
@@ -35,7 +35,7 @@ def parse(arguments):
                              'equally far (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
     parser.add_argument('--view', action='store_true',
-                        help=f'show the robot in a browser, at http://localhost:{PORT} or the '
+                        help=f'show the robot in a browser, at http://localhost:{PAGE_PORT} or the '
                              'next port that is free; on a terminal the page stays after the run, '
                              'and its pad drives the robot, until Ctrl-C')
     options = parser.parse_args(_with_numbers_joined(arguments))

@@ -5,9 +5,8 @@ import socket
 import time
 
 from odometry_launch.graph import DemoError
-from odometry_launch.ports import page_port
+from odometry_launch.ports import PAGE_PORT, page_port
 
-PORT = 8080
 CHECK_PERIOD = 0.2  # s
 
 
@@ -17,9 +16,9 @@ class Page:
     def __init__(self):
         """Hold the port; raise DemoError if there is none."""
         try:
-            self._held = page_port(PORT)
+            self._held = page_port(PAGE_PORT)
         except OSError as error:
-            raise DemoError(f'no port is free for the page, from {PORT} on: '
+            raise DemoError(f'no port is free for the page, from {PAGE_PORT} on: '
                             f'{error.strerror}') from None
         self.port = self._held.number
         self.url = f'http://localhost:{self.port}'

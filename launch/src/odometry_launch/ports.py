@@ -9,6 +9,7 @@ from odometry_common.ports import bind
 from rosgraph.rosenv import DEFAULT_MASTER_PORT
 
 HOST = 'localhost'
+PAGE_PORT = 8080  # the usual one
 NEXT_PORTS = 100  # are tried after the first
 
 
