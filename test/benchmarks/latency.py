@@ -53,7 +53,7 @@ class Answers:
         self._publisher = advertise(question, Odometry)
         rospy.Subscriber(answer, answer_class, self._on_answer, tcp_nodelay=True)
         wait_for_subscribers(self._publisher, timeout=TIMEOUT)
-        # The answers may find their way later than the questions.
+        # The answers may be connected later than the questions.
         wait_until(self._is_answered, TIMEOUT, f'an answer on {answer}')
 
     def times(self, rate, count):

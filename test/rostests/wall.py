@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Wheels that slip before a wall: odometry tells a way that the robot has not gone."""
+"""Wheels that slip before a wall: odometry counts a path that the robot has not taken."""
 
 import sys
 import unittest
@@ -17,10 +17,10 @@ DISTANCE = 1.5  # m, which it is told to go
 
 
 class WallTest(unittest.TestCase):
-    """Given a wall on its way, the robot is stopped, and its encoders are not."""
+    """Given a wall in its path, the robot is stopped, and its encoders are not."""
 
     def test_the_encoders_count_on_before_the_wall(self):
-        """All the way; the robot itself stands where it touches the wall."""
+        """The whole distance; the robot itself stands where it touches the wall."""
         odometry, truth = Recorder('odom', Odometry), Truth()
         moved = Distance().wait_until_arrived(DISTANCE)
         truth.clear()

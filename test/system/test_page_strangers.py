@@ -1,4 +1,4 @@
-"""Strangers at the page's port: who is not the page gets no connection, and a line in the log."""
+"""Strangers at the page's port: they get no connection, and a line in the log."""
 
 import contextlib
 import http.client

@@ -1,4 +1,4 @@
-"""What the demo shows on the way and how it judges the run, from messages and a clock of ours."""
+"""What the demo shows during a run and how it judges it, from messages and a clock of ours."""
 
 import re
 from types import SimpleNamespace

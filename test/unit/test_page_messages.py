@@ -95,7 +95,7 @@ def test_what_is_no_message_is_not_passed_on(data):
 
 
 def test_what_is_said_twice_is_passed_on_once():
-    """As it was checked: who reads the last value would read another one than was checked."""
+    """As it was checked: of two values a reader could take the one that was not checked."""
     def field(name, value):
         return msgspec.msgpack.encode(name) + msgspec.msgpack.encode(value)
 

@@ -105,7 +105,7 @@ def test_its_wheels_roll_as_far_as_it_moves():
 
 @pytest.mark.parametrize('odometry', [WorldOdometry, EncoderOdometry])
 def test_a_reset_of_the_odometry_makes_this_place_zero(odometry):
-    """Also on the way; the robot itself takes no notice."""
+    """Also while it drives; the robot itself is not affected."""
     simulation = Simulation((3.0, 4.0, 1.0), odometry=odometry)
     simulation.drive(0.3, 0.5, 2.0)
     before = simulation.robot.ground_truth
@@ -122,7 +122,7 @@ def test_a_reset_of_the_odometry_makes_this_place_zero(odometry):
 
 @pytest.mark.parametrize('odometry', [WorldOdometry, EncoderOdometry])
 def test_a_reset_of_the_simulation_takes_it_back_to_its_start(odometry):
-    """At rest, with its wheels and its odometry at zero, and able to go the same way again."""
+    """At rest, with its wheels and its odometry at zero, and able to take the same path again."""
     simulation = Simulation((3.0, 4.0, 1.0), odometry=odometry)
     robot = simulation.robot
     at_start = robot.ground_truth, robot.odometry, robot.wheels[:2]

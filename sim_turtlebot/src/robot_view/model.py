@@ -16,23 +16,15 @@ GREY = (128, 128, 128)
 CYLINDER_SECTIONS = 48
 
 
-class Mesh(NamedTuple):
-    """Triangles of one colour."""
-
-    colour: tuple  # red, green, blue (0 to 255)
-    vertices: numpy.ndarray  # rows of x, y, z (m)
-    faces: numpy.ndarray  # rows of three vertices, by number
-
-
 class Link(NamedTuple):
     """A link, where it is, and what it looks like."""
 
     path: str  # names of the links from the root down to this one
     position: numpy.ndarray  # in the parent link (m)
     rotation: SO3
-    joint: str  # by which it turns; '' if it is fixed
-    axis: numpy.ndarray  # about which it turns
-    meshes: list
+    joint: str  # '' if it is fixed
+    axis: numpy.ndarray  # of the joint; None if it is fixed
+    meshes: dict  # trimesh.Trimesh by colour: red, green, blue (0 to 255)
 
 
 def load_links(path):
@@ -56,9 +48,9 @@ def _link(path, joint, meshes):
     if joint is None:
         return Link(path, numpy.zeros(3), SO3.identity(), '', None, meshes)
     origin = _origin(joint)
-    turns = joint.get('type') != 'fixed'
-    return Link(path, origin.translation(), origin.rotation(), joint.get('name') if turns else '',
-                _numbers(joint.find('axis').get('xyz')) if turns else None, meshes)
+    is_fixed = joint.get('type') == 'fixed'
+    return Link(path, origin.translation(), origin.rotation(), '' if is_fixed else joint.get('name'),
+                None if is_fixed else _numbers(joint.find('axis').get('xyz')), meshes)
 
 
 def _meshes(link, colours):
@@ -69,13 +61,7 @@ def _meshes(link, colours):
         material = visual.find('material')
         colour = GREY if material is None else colours.get(material.get('name'), GREY)
         parts.setdefault(colour, []).append(part)
-    return [_join(colour, shapes) for colour, shapes in parts.items()]
-
-
-def _join(colour, shapes):
-    counts = numpy.cumsum([0] + [len(shape.vertices) for shape in shapes])
-    return Mesh(colour, numpy.concatenate([shape.vertices for shape in shapes]),
-                numpy.concatenate([shape.faces + count for shape, count in zip(shapes, counts)]))
+    return {colour: trimesh.util.concatenate(shapes) for colour, shapes in parts.items()}
 
 
 def _shape(element):

@@ -98,19 +98,19 @@ class RobotFigure:
             self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False,
                                   position=link.position, wxyz=link.rotation.wxyz)
             for parent in (self._body, self._ghost))
-        for number, mesh in enumerate(link.meshes):
+        for number, (colour, mesh) in enumerate(link.meshes.items()):
             self._scene.add_mesh_simple(f'{body.name}/{number}', mesh.vertices, mesh.faces,
-                                        color=mesh.colour, flat_shading=True)
+                                        color=colour, flat_shading=True)
             self._scene.add_mesh_simple(f'{ghost.name}/{number}', mesh.vertices, mesh.faces,
                                         color=GHOST_COLOUR, opacity=GHOST_OPACITY,
                                         flat_shading=True)
         if link.joint:
             self._wheels[link.joint] = body, link
-            self._add_spokes(body, link.meshes[0].vertices)
+            self._add_spokes(body, next(iter(link.meshes.values())).extents)
 
-    def _add_spokes(self, wheel, vertices):
+    def _add_spokes(self, wheel, extents):
         """Mark a wheel, so that its turning is seen: little of it shows below the base."""
-        across, _, width = numpy.ptp(vertices, axis=0) + SPOKE_MARGIN
+        across, _, width = extents + SPOKE_MARGIN
         for number in range(SPOKES):
             rotation = SO3.from_z_radians(numpy.pi * number / SPOKES)
             self._scene.add_box(f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,

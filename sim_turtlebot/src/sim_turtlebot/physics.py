@@ -3,6 +3,7 @@
 The solver and its settings were chosen by measurement; the study is in this package's README.
 """
 
+import contextlib
 from pathlib import Path
 
 from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_SEPARATION, WHEEL_TORQUE
@@ -185,12 +186,5 @@ class TurtleBot:
 
 
 def _connect(gui):
-    if not gui:
-        return _connect_to(pybullet.DIRECT)
-    with screen():
-        return _connect_to(pybullet.GUI)
-
-
-def _connect_to(server):
-    with suppress_native_output():
-        return BulletClient(server)
+    with screen() if gui else contextlib.nullcontext(), suppress_native_output():
+        return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)

@@ -1,7 +1,7 @@
 """Rotations as unit quaternions (x, y, z, w).
 
-PyBullet has functions for these too. They compute in single precision, which far from the
-origin makes a robot tremble by a millimetre.
+PyBullet's functions for these compute in single precision, which makes a robot far from the origin
+tremble by a millimetre; tf's import rospy, which the simulation does without.
 """
 
 import math
