@@ -63,5 +63,5 @@ def test_without_viser_it_says_what_to_install(master, tmp_path):
     """The package works without it, but for the page."""
     (tmp_path / 'viser.py').write_text("raise ModuleNotFoundError(name='viser')\n")
     path = f'{tmp_path}:{os.environ["PYTHONPATH"]}'
-    with view(env={'PYTHONPATH': path}) as viewer:
+    with hold_port() as port, view(f'_port:={port}', env={'PYTHONPATH': path}) as viewer:
         assert_refused(viewer, 'is not installed', 'requirements-view.txt')
