@@ -6,21 +6,18 @@ import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
-from odometry_common.kobuki import (
-    MAX_ANGULAR_SPEED,
-    MAX_LINEAR_SPEED,
-    WHEEL_RADIUS,
-    WHEEL_SEPARATION,
-)
 from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 from sim_turtlebot.rotations import rotate, yaw_of
 
+from odometry_common import kobuki
+
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 PERIOD = 0.05  # s between two looks at the robots
-FASTEST_WHEEL = (MAX_LINEAR_SPEED + MAX_ANGULAR_SPEED * WHEEL_SEPARATION / 2) / WHEEL_RADIUS
+FASTEST_RIM = kobuki.MAX_LINEAR_SPEED + kobuki.MAX_ANGULAR_SPEED * kobuki.WHEEL_SEPARATION / 2
+FASTEST_WHEEL = FASTEST_RIM / kobuki.WHEEL_RADIUS
 OVERSHOOT = 1.1  # of a wheel that comes free from a wall, say
 LARGEST_LEAN = 25.0  # degrees, with the wheels up against another robot
 LOWEST, HIGHEST = -0.001, 0.05  # m, of the footprint

@@ -2,11 +2,11 @@
 
 import time
 
+from odometry_launch.monitors import ODOMETRY_PERIOD
 from odometry_launch.output import complain
 
 PATIENCE = 10.0  # s of wall time
 MESSAGES = 4  # that should have come, before silence is worth a word
-ODOMETRY_PERIOD = 0.05  # s
 
 
 class Silence:

@@ -5,17 +5,8 @@ import time
 
 from odometry_common.velocity import VelocityPublisher
 
+from robot_view import steering
 from robot_view.pad_html import LAYOUT
-from robot_view.steering import (
-    BACK,
-    COMMAND_PERIOD,
-    FORWARD,
-    HOLD_RATE,
-    LEFT,
-    RIGHT,
-    STOP,
-    Steering,
-)
 
 
 class Pad:
@@ -27,7 +18,7 @@ class Pad:
     def __init__(self, speeds):
         """Take a function that returns the linear (m/s) and the angular speed (rad/s)."""
         self._speeds = speeds
-        self._steering = Steering()
+        self._steering = steering.Steering()
         self._publishers = {}
         self._lock = threading.Lock()
         self._changed = threading.Event()
@@ -53,7 +44,7 @@ class Pad:
 
     def _drive(self):
         while True:
-            self._changed.wait(COMMAND_PERIOD if self._steering.is_driving else None)
+            self._changed.wait(steering.COMMAND_PERIOD if self._steering.is_driving else None)
             self._changed.clear()
             with self._lock:
                 commands = self._steering.commands(time.monotonic())
@@ -70,18 +61,18 @@ class Pad:
 def add_pad(gui, pad):
     """Add the buttons of a Pad at the current place in viser's GUI."""
     gui.add_html(LAYOUT)
-    _add_direction(gui, pad, FORWARD)
-    _add_direction(gui, pad, LEFT)
+    _add_direction(gui, pad, steering.FORWARD)
+    _add_direction(gui, pad, steering.LEFT)
     _add_stop(gui, pad)
-    _add_direction(gui, pad, RIGHT)
-    _add_direction(gui, pad, BACK)
+    _add_direction(gui, pad, steering.RIGHT)
+    _add_direction(gui, pad, steering.BACK)
 
 
 def _add_direction(gui, pad, direction):
     button = gui.add_button(direction)
 
     # Both run on the event loop, one after the other: a release cannot overtake a hold.
-    @button.on_hold(callback_hz=HOLD_RATE)
+    @button.on_hold(callback_hz=steering.HOLD_RATE)
     async def _(event):
         pad.hold(event.client_id, direction)
 
@@ -91,9 +82,9 @@ def _add_direction(gui, pad, direction):
 
 
 def _add_stop(gui, pad):
-    button = gui.add_button(STOP, color='red')
+    button = gui.add_button(steering.STOP, color='red')
 
     @button.on_click
     async def _(event):
         # As long as a hold lasts, so that it reaches even a robot that was not driven before.
-        pad.hold(event.client_id, STOP)
+        pad.hold(event.client_id, steering.STOP)

@@ -6,21 +6,8 @@ import threading
 ANSWER_TIMEOUT = 5.0  # s
 
 
-class RequestQueue:
+class RequestQueue(queue.SimpleQueue):
     """Functions without arguments, served one after the other."""
-
-    def __init__(self):
-        """Begin empty."""
-        self._requests = queue.SimpleQueue()
-
-    @property
-    def is_empty(self):
-        """Whether no request waits."""
-        return self._requests.empty()
-
-    def put(self, request):
-        """Add a request."""
-        self._requests.put(request)
 
     def put_and_wait(self, request):
         """Add a request and wait until it has been served."""
@@ -30,13 +17,13 @@ class RequestQueue:
             request()
             done.set()
 
-        self._requests.put(serve)
+        self.put(serve)
         done.wait(ANSWER_TIMEOUT)
 
     def serve(self, timeout=None):
         """Wait (s of wall time; None: for ever) for a request and serve it; False if none came."""
         try:
-            self._requests.get(timeout=timeout)()
+            self.get(timeout=timeout)()
         except queue.Empty:
             return False
         return True

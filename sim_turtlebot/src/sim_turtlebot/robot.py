@@ -2,13 +2,7 @@
 
 import math
 
-from odometry_common.kobuki import (
-    MAX_ANGULAR_SPEED,
-    MAX_LINEAR_SPEED,
-    MAX_WHEEL_ACCELERATION,
-    WHEEL_SEPARATION,
-)
-
+from odometry_common import kobuki
 from sim_turtlebot.odometry import STILL, Motion, true_motion
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
@@ -32,7 +26,7 @@ class Robot:
         :param cmd_vel_timeout: stop when no command has come for this long (s); 0: never
         """
         self.body = body
-        self._speed_step = MAX_WHEEL_ACCELERATION / step_rate
+        self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
         self._timeout = _whole_steps(cmd_vel_timeout, step_rate) if cmd_vel_timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._odometry = odometry
@@ -62,7 +56,8 @@ class Robot:
             self.stop()
             raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
         self._deadline = now + self._timeout
-        self._obey(_clamp(linear, MAX_LINEAR_SPEED), _clamp(angular, MAX_ANGULAR_SPEED))
+        self._obey(_clamp(linear, kobuki.MAX_LINEAR_SPEED),
+                   _clamp(angular, kobuki.MAX_ANGULAR_SPEED))
 
     def stop(self):
         """Command zero."""
@@ -111,7 +106,7 @@ class Robot:
     def _accelerate(self):
         """Bring both wheels nearer to their commanded speeds, by the same share of the change."""
         linear, angular = (wanted - now for wanted, now in zip(self._commanded, self._driven))
-        change = abs(linear) + abs(angular) * WHEEL_SEPARATION / 2  # of the faster wheel
+        change = abs(linear) + abs(angular) * kobuki.WHEEL_SEPARATION / 2  # of the faster wheel
         if change <= self._speed_step:
             self._driven = self._commanded
         else:

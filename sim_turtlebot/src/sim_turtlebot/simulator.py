@@ -54,7 +54,7 @@ class Simulator:
 
     def _take_turn(self):
         """Serve one request if there is one, else advance if it is time to."""
-        if not self._requests.is_empty or self._paused:
+        if not self._requests.empty() or self._paused:
             self._requests.serve()
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
