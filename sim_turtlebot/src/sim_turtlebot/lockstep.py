@@ -25,11 +25,6 @@ class Lockstep:
         """Whether any controller has ever sent a command."""
         return bool(self._in_step)
 
-    @property
-    def last_step(self):
-        """The last step that may be reached without asking must_wait() again."""
-        return self._last_step
-
     def heard(self, controller):
         """Note a command from a controller (an index)."""
         self._in_step.add(controller)
@@ -37,7 +32,7 @@ class Lockstep:
 
     def must_wait(self, steps):
         """Return whether the step after so many has to wait for a command."""
-        if steps < self._last_step:
+        if steps < self.last_step:
             return False
         if self._awaited:
             return True
@@ -54,5 +49,6 @@ class Lockstep:
 
     def _wait_at(self, multiple):
         self._multiple = multiple
-        # The small term keeps a multiple that falls on a step from being rounded off it.
-        self._last_step = int(multiple * self._steps_between + 1e-6)
+        # The last step that may be reached without asking must_wait() again. The small term keeps
+        # a multiple that falls on a step from being rounded off it.
+        self.last_step = int(multiple * self._steps_between + 1e-6)

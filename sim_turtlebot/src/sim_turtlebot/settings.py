@@ -74,11 +74,7 @@ def _get_coordinate(name):
 
 def _check_wall_time(settings):
     """Refuse what would make wall-clock stamps lie about the speed."""
-    if settings.use_sim_time:
-        return
-    if settings.real_time_factor != 1:
-        raise ParameterError('~real_time_factor', settings.real_time_factor,
-                             '1 unless /use_sim_time is true')
-    if settings.lockstep_rate != 0:
-        raise ParameterError('~lockstep_rate', settings.lockstep_rate,
-                             '0 unless /use_sim_time is true')
+    for name, needed in (('real_time_factor', 1), ('lockstep_rate', 0)):
+        value = getattr(settings, name)
+        if value != needed and not settings.use_sim_time:
+            raise ParameterError(f'~{name}', value, f'{needed} unless /use_sim_time is true')
