@@ -16,10 +16,8 @@ Parameters:
         between messages, however their stamps are bunched
 """
 
-import math
-
 import rospy
-from moved_distance.steps import Steps
+from moved_distance.distance_counter import DistanceCounter
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
@@ -27,16 +25,13 @@ from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
 from std_msgs.msg import Empty, Float64
 
-SMALLEST_DISTANCE = 1e-6  # m; a smaller total is published as zero, as in the tutorial
-
 
 class MovementDetector:
     """The node: odometry in, moved distance out."""
 
     def __init__(self):
         """Read the parameters, then publish from the first odometry message on."""
-        self._distance = 0.0
-        self._steps = Steps(
+        self._counter = DistanceCounter(
             min_step=get_number('~min_step', 0.0, lambda v: v >= 0, 'a number of metres from 0'),
             max_speed=get_number('~max_speed', 5.0, lambda v: v >= 0, 'a speed in m/s from 0'))
         self._publisher = ClosingPublisher('moved_distance', Float64)
@@ -45,15 +40,13 @@ class MovementDetector:
 
     def _on_odometry(self, message):
         position, stamp = message.pose.pose.position, message.header.stamp
-        dx, dy, jump = self._steps.to(position.x, position.y, stamp.to_sec(), rospy.get_time())
-        self._distance += math.hypot(dx, dy)
-        self._publisher.publish(self._distance if self._distance >= SMALLEST_DISTANCE else 0.0)
+        jump = self._counter.add(position.x, position.y, stamp.to_sec(), rospy.get_time())
+        self._publisher.publish(self._counter.distance)
         if jump:
             rospy.logwarn_throttle(1.0, f'not counted: {jump}')
 
     def _on_reset(self, _message):
-        self._distance = 0.0
-        self._steps.restart()
+        self._counter.reset()
         rospy.loginfo('counting from zero again')
 
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from odometry_tests.bare import DistanceCounter
+from moved_distance.distance_counter import DistanceCounter
 
 PERIOD = 0.05  # s between two messages at 20 Hz
 NO_STAMP = 0.0

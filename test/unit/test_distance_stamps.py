@@ -3,7 +3,7 @@
 import random
 
 import pytest
-from odometry_tests.bare import DistanceCounter
+from moved_distance.distance_counter import DistanceCounter
 
 PERIOD = 0.05  # s between two messages at 20 Hz
 NO_STAMP = 0.0

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from odometry_tests.bare import Drive
+from straight_drive.drive import Drive
 
 
 @pytest.mark.parametrize('moved, speed', [
@@ -34,9 +34,10 @@ def test_relative_counts_from_the_first_distance_seen():
 
 @pytest.mark.parametrize('relative', [False, True])
 @pytest.mark.parametrize('moved', [math.nan, math.inf, -math.inf])
-def test_a_distance_that_is_not_finite_is_stopped_at(moved, relative):
+def test_a_distance_that_is_not_finite_is_refused(moved, relative):
     """And is no start for a relative drive."""
     drive = Drive(2.0, 0.1, relative)
-    assert drive.speed_at(moved) == 0.0
+    with pytest.raises(ValueError, match='is not finite'):
+        drive.speed_at(moved)
     assert drive.speed_at(1.0) == 0.1
     assert drive.speed_at(2.5) == (0.1 if relative else 0.0)

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from odometry_common.velocity import clamp
-from odometry_tests.bare import Drive
 from odometry_tests.fuzzing import any_number, sequence_count
+from straight_drive.drive import Drive
 
 PERIOD = 0.1  # s between two commands of rotate.py
 
@@ -25,13 +25,16 @@ quaternions = st.builds(Quaternion, *[st.one_of(st.floats(-1, 1), any_number)] *
 @given(st.one_of(st.just(2.0), positive), finite.filter(bool), st.booleans(),
        st.lists(moved_distances, max_size=50))
 def test_the_mover_commands_its_speed_or_zero(distance, speed, relative, sequence):
-    """Against a model: the trip starts at zero, or at the first distance that is a number."""
+    """Against a model: the drive starts at zero, or at the first distance that is a number."""
     drive = Drive(distance, speed, relative)
     numbers = list(filter(math.isfinite, sequence))
     start = numbers[0] if relative and numbers else 0.0
     for moved in sequence:
-        on_the_way = math.isfinite(moved) and moved - start < distance
-        assert drive.speed_at(moved) == (speed if on_the_way else 0.0)
+        if math.isfinite(moved):
+            assert drive.speed_at(moved) == (speed if moved - start < distance else 0.0)
+        else:
+            with pytest.raises(ValueError, match='is not finite'):
+                drive.speed_at(moved)
 
 
 @many

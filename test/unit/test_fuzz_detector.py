@@ -5,8 +5,7 @@ import math
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
-from moved_distance.steps import LONGEST_STEP
-from odometry_tests.bare import DistanceCounter
+from moved_distance.distance_counter import DistanceCounter
 from odometry_tests.fuzzing import any_number, sequence_count
 
 FIRST_PERIOD = 0.05  # s, usual between two messages until there were some
@@ -58,8 +57,8 @@ class DetectorMachine(RuleBasedStateMachine):
         """Go on from the last position, at a speed that may be too high to be true."""
         self.time_passes(duration)
         x, y = self.last[:2] if self.last else (0.0, 0.0)
-        step = speed * duration
-        self.hear(x + step * math.cos(direction), y + step * math.sin(direction))
+        way = speed * duration
+        self.hear(x + way * math.cos(direction), y + way * math.sin(direction))
 
     @rule(x=any_number, y=any_number)
     def jump(self, x, y):
@@ -118,7 +117,7 @@ class DetectorMachine(RuleBasedStateMachine):
             self.last, self.late = message, None
 
     def must_be_refused(self, message):
-        """Return whether the contract calls this message a jump; None: it leaves that open."""
+        """Tell whether the contract calls this message a jump; None: it leaves that open."""
         x, y, stamp, arrival = message
         if self.last is None:
             return False
@@ -130,7 +129,7 @@ class DetectorMachine(RuleBasedStateMachine):
         interval = stamp - self.last[2] or max(0.0, arrival - self.last[3])
         usual, self.periods = self.periods, self.periods + [interval] * (interval < SILENCE)
         uncounted = math.hypot(x - self.reference[0], y - self.reference[1])
-        if uncounted > LONGEST_STEP:
+        if not math.isfinite(sum(self.steps) + uncounted):
             return True
         needed = math.hypot(x - self.last[0], y - self.last[1])
         needed = needed / self.max_speed if self.max_speed else 0.0

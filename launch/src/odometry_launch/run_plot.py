@@ -10,7 +10,7 @@ import rosbag
 from geometry_msgs.msg import Quaternion
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from moved_distance.steps import Steps
+from moved_distance.distance_counter import DistanceCounter
 from odometry_common.geometry import PlanarPose, yaw_from_orientation
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
@@ -154,16 +154,15 @@ def _draw_heading(axes, tracks):
 
 def _track(rows, start):
     """Return the Track of the messages whose numbers are finite; None if there are none."""
-    steps, distance, kept = Steps(), 0.0, []
+    counter, kept = DistanceCounter(), []
     for row in rows:
         pose, speed = row.message.pose.pose, row.message.twist.twist.linear.x
         x, y = pose.position.x, pose.position.y
         with suppress(ValueError):  # of a position or an orientation that is not finite
-            dx, dy, _ = steps.to(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
-            distance += math.hypot(dx, dy)
+            counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
             yaw = _yaw(pose.orientation)
             if math.isfinite(speed):
-                kept.append((_stamp(row), x, y, yaw, speed, distance))
+                kept.append((_stamp(row), x, y, yaw, speed, counter.distance))
     if not kept:
         return None
     time, x, y, yaw, *others = numpy.array(kept).T

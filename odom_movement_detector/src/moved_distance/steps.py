@@ -5,8 +5,6 @@ from typing import NamedTuple
 
 from moved_distance.usual_period import UsualPeriod
 
-LONGEST_STEP = 1e300  # m; so that no sum of steps is more than a float holds
-
 
 class Position(NamedTuple):
     """Where the robot was."""
@@ -22,7 +20,7 @@ class Step(NamedTuple):
 
     dx: float = 0.0  # m
     dy: float = 0.0  # m
-    jump: str = ''  # why the step is not counted as movement
+    jump: str = None  # why the step is not counted as movement
 
 
 class Steps:
@@ -53,7 +51,7 @@ class Steps:
         here = Position(x, y, stamp, arrival)
         if self._is_late(here):
             return Step(jump=f'the time stamp went back by {self._last.stamp - stamp:.3f} s')
-        jump = self._jump(here) if self._last else ''
+        jump = self._jump(here) if self._last else None
         self._last = here
         if jump or self._counted is None:
             self._counted = here
@@ -81,15 +79,12 @@ class Steps:
         return True
 
     def _jump(self, here):
-        """Return why the step from the last position to this one is not movement, or ''."""
+        """Return why the step from the last position to this one is not movement, or None."""
         available = self._available_time(here)
-        uncounted = math.hypot(here.x - self._counted.x, here.y - self._counted.y)
-        if uncounted > LONGEST_STEP:
-            return f'a step of {uncounted} m is no movement'
         step = math.hypot(here.x - self._last.x, here.y - self._last.y)
         if self._max_speed and step / self._max_speed > available:
             return f'a step of {step:.3f} m in {available:.3f} s is faster than ~max_speed'
-        return ''
+        return None
 
     def _available_time(self, here):
         """Return how long (s) the robot may have moved since the last position."""

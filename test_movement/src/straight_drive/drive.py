@@ -1,0 +1,24 @@
+"""How fast to go, after which distance."""
+
+import math
+
+
+class Drive:
+    """Decides from each moved distance alone how fast to go."""
+
+    def __init__(self, distance, speed, relative=False):
+        """Go at `speed` (m/s) for `distance` (m), from zero or from the first distance seen."""
+        self._distance = distance
+        self._speed = speed
+        self._start = None if relative else 0.0
+
+    def speed_at(self, moved_distance):
+        """Return the speed to command (m/s) after `moved_distance` (m).
+
+        :raises ValueError: if moved_distance is not finite
+        """
+        if not math.isfinite(moved_distance):
+            raise ValueError(f'the moved distance {moved_distance} is not finite')
+        if self._start is None:
+            self._start = moved_distance
+        return self._speed if moved_distance - self._start < self._distance else 0.0
