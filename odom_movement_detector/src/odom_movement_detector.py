@@ -9,10 +9,11 @@ Publishes:
     moved_distance (std_msgs/Float64): metres travelled, once per odometry message
 
 Parameters:
-    ~min_step (float, 0.0 m): a displacement from the last counted position below this
-        is not counted yet
-    ~max_speed (float, 5.0 m/s): a step that implies more than this is a jump of the
-        odometry and is not counted; 0 turns the check off
+    ~min_step (float, 0.0 m, from 0): a displacement from the last counted position that is
+        below this is not counted until it has grown
+    ~max_speed (float, 5.0 m/s, from 0): a faster step is a jump of the odometry and is not
+        counted, with one warning; 0 counts every step. Each step may take the usual time
+        between messages, however their stamps are bunched
 """
 
 import threading

@@ -9,13 +9,14 @@ Publishes:
     cmd_vel (geometry_msgs/Twist): angular.z = kp * (target - yaw), the shorter way round
 
 Parameters:
-    ~target (float, 90 degrees): heading to turn to, in the odom frame
-    ~kp (float, 0.5 1/s): gain
-    ~rate (float, 10 Hz): control rate
-    ~max_angular_speed (float, 3.14 rad/s): the command is clamped to this
-    ~tolerance (float, 0.0 degrees): 0 controls for ever; above 0, the node ends once the
-        heading has stayed this close and the robot has come to rest
-    ~timeout (float, 1.0 s): stop when no odometry has come for this long; 0 turns it off
+    ~target (float, 90 degrees, finite): heading to turn to, in the odom frame
+    ~kp (float, 0.5 1/s, above 0): gain
+    ~rate (float, 10 Hz, from 0.1 to 1000): control rate
+    ~max_angular_speed (float, 3.14 rad/s, above 0): the command is clamped to this
+    ~tolerance (float, 0.0 degrees, from 0 to 180): 0 controls for ever; above 0, the node exits
+        once the heading has stayed this close and the robot has come to rest
+    ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no odometry has arrived
+        for this long (ROS time); go on when it returns; 0 turns it off
 
 The last command the robot receives is zero, however the node ends.
 """

@@ -8,11 +8,15 @@ Publishes:
     cmd_vel (geometry_msgs/Twist): one command per moved_distance message
 
 Parameters:
-    ~distance (float, 2.0 m): where to stop
-    ~speed (float, 0.1 m/s): how fast; negative drives backwards
-    ~relative (bool, false): count from the first message instead of from the detector's start
-    ~exit_when_done (bool, false): end once the robot has stopped, instead of commanding zero
-    ~timeout (float, 1.0 s): stop when no message has come for this long; 0 turns it off
+    ~distance (float, 2.0 m, above 0): where to stop
+    ~speed (float, 0.1 m/s, other than 0): how fast; negative drives backwards
+    ~relative (bool, false): count from the first message instead of from the detector's start,
+        so that a second run moves again
+    ~exit_when_done (bool, false): exit once the robot has stopped, instead of commanding zero
+        for ever
+    ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no message has arrived
+        for this long (ROS time, and at least 0.2 s of wall time) while the robot moves; go on
+        when messages return; 0 turns it off
 
 The last command the robot receives is zero, however the node ends.
 """
