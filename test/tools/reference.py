@@ -3,6 +3,7 @@
 What stands under a heading that names a node, a launch file or the demo comes from there.
 """
 
+import argparse
 import ast
 import re
 from typing import NamedTuple
@@ -35,7 +36,8 @@ class Entry(NamedTuple):
 
 
 def main():
-    """Write the page."""
+    """Write the page, unless asked for help."""
+    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
     PAGE.write_text(updated(PAGE.read_text()))
 
 
