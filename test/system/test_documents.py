@@ -41,7 +41,7 @@ GOES_ON = {
 OUTSIDE_THE_SHELL = ['In a catkin workspace of your own']
 # Words that a reader replaces by his own.
 PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
-                'NODE': 'sim_turtlebot', '192.168.1.10': '127.0.0.1'}
+                'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
     (r'^roscore$', r'\g<0> -p "${ROS_MASTER_URI##*:}"', 'the usual port may be taken'),
@@ -52,14 +52,13 @@ IN_PLACE = [
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
      'test_bench measures two of the parts, and latency takes minutes'),
-    (r'^\./ws soak$', r'\g<0> --help', 'takes an hour'),
+    (r'^\./ws soak\b.*', r'\g<0> --hours 0.005', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
     (r'^sudo apt-mark', 'apt-mark --simulate', 'is in the way of others'),
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
 ]
 NOT_HERE = {
-    r'^\./ws soak --seed': 'test_soak runs it, and compares what is shown',
     r'^ssh\b': 'there is no other machine',
     r'^rosnode kill$': 'names a command, not a node',
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',

@@ -54,7 +54,7 @@ def _part(heading):
 
 def docstring(name):
     """Return the docstring of a node's script."""
-    path, = [*ROOT.glob(f'*/src/{name}'), *ROOT.glob(f'*/script/{name}')]
+    path, = [*ROOT.glob(f'*/src/{name}'), *ROOT.glob(f'*/script*/{name}')]
     return ast.get_docstring(ast.parse(path.read_text())) + '\n'
 
 

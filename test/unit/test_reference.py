@@ -17,7 +17,7 @@ def test_every_node_and_launch_file_has_a_heading():
     nodes = {path.name for folder in ('src', 'script') for path in ROOT.glob(f'*/{folder}/*.py')}
     launched = {path.name for path in ROOT.glob('launch/*.launch')} - {'movers.launch'}
     headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}
-    assert headings == nodes | launched | {'./ws demo'}
+    assert nodes | launched | {'./ws demo'} <= headings
 
 
 def test_an_entry_may_go_on_in_the_next_line():
