@@ -52,7 +52,7 @@ IN_PLACE = [
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
      'test_bench measures two of the parts, and latency takes minutes'),
-    (r'^\./ws soak\b.*', r'\g<0> --hours 0.005', 'takes an hour'),
+    (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
     (r'^sudo apt-mark', 'apt-mark --simulate', 'is in the way of others'),
@@ -68,7 +68,7 @@ NOT_HERE = {
 if not (ROOT / '.git').exists() or not shutil.which('git'):
     NOT_HERE['git clone '] = 'this is no clone'
 # Of the parts of the bench that are left out.
-NOT_PRINTED = re.compile('latency at |bare PyBullet|robot without ROS|graph in lockstep')
+NOT_PRINTED = re.compile('latency at |robot without ROS|graph in lockstep')
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
 READERS = 4
 
