@@ -16,7 +16,8 @@ Parameters:
     ~tolerance (float, 0.0 degrees, from 0 to 180): 0 controls for ever; above 0, the node exits
         once the heading has stayed this close and the robot has come to rest
     ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no odometry has arrived
-        for this long (ROS time); go on when it returns; 0 turns it off
+        for this long (ROS time, and at least 0.2 s of wall time); go on when it returns; 0
+        turns it off
 
 The last command the robot receives is zero, however the node ends.
 """
