@@ -2,36 +2,49 @@
 """Simulate a TurtleBot 2 in PyBullet.
 
 Subscribes:
-    cmd_vel, mobile_base/commands/velocity (geometry_msgs/Twist): linear.x, angular.z
-    mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero
+    cmd_vel, mobile_base/commands/velocity (geometry_msgs/Twist): linear.x up to 0.7 m/s,
+        angular.z up to 180 degrees/s; the rest is ignored
+    mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
-    base_pose_ground_truth (nav_msgs/Odometry): where the robot really is, in the world
+    base_pose_ground_truth (nav_msgs/Odometry): where the robot really is, in the frame world
     joint_states (sensor_msgs/JointState): both wheels
     /tf (tf2_msgs/TFMessage): odom -> base_footprint
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
-    ~warning (std_msgs/String): that the machine is too slow; empty otherwise; latched
+    ~warning (std_msgs/String): latched; that the machine is too slow for the real-time factor,
+        and which one it reaches; empty otherwise
 
-Services (std_srvs/Empty):
-    ~pause_physics, ~unpause_physics, ~reset_simulation
+Services:
+    ~pause_physics, ~unpause_physics, ~reset_simulation (std_srvs/Empty): as Gazebo's
 
 Parameters:
     ~gui (bool, false): open PyBullet's window
-    ~world (str, ''): URDF or SDF file to load beside the floor
-    ~robots (int, 1): more than one share a world, robot k in namespace robot_k
-    ~x, ~y, ~yaw (float, 0.0 m, m, rad): where the robot starts
-    ~odom_rate (float, 20 Hz): odometry messages per simulated second
-    ~odometry_source (str, world): world is the true pose, encoder counts wheel ticks
-    ~gyro (bool, false): encoder takes the yaw from a gyro
-    ~wheel_slip (float, 0.0): encoder, share of the wheels' travel that moves nothing
-    ~wheel_noise (float, 0.0 m): encoder, deviation of a wheel's travel after one metre
-    ~gyro_noise (float, 0.0 rad): encoder, deviation of the gyro's yaw after one second
-    ~seed (int, 0): for the noise
-    ~cmd_vel_timeout (float, 0.6 s): stop when commands cease; 0 turns it off
-    ~real_time_factor (float, 1.0): simulated seconds per second; 0: as fast as possible
-    ~lockstep_rate (float, 0.0 Hz): do not pass a multiple of 1/rate without a command; 0 is off
-    ~lockstep_patience (float, 2.0 s of wall time): go on without a controller silent for so long
+    ~world (str, ''): URDF or SDF file to load beside the floor; refused if it cannot be loaded,
+        or if a robot would start inside something
+    ~robots (int, 1, from 1 to 1000): more than one share a world, robot k in namespace robot_k,
+        one metre to the left of the one before
+    ~x, ~y (float, 0.0 m, from -10000 to 10000): where the robot starts; odom is zero there
+    ~yaw (float, 0.0 rad, from -2 pi to 2 pi): its heading there
+    ~odom_rate (float, 20 Hz, from 0.1 to 1000): odometry messages per simulated second
+    ~odometry_source (str, world, world or encoder): world is the true pose, encoder counts
+        wheel ticks
+    ~gyro (bool, false): encoder: take the yaw from a gyro
+    ~wheel_slip (float, 0.0, from 0 to below 1): encoder: share of the wheels' travel that moves
+        nothing
+    ~wheel_noise (float, 0.0 m, from 0 to 1): encoder: standard deviation of a wheel's travel
+        after one metre
+    ~gyro_noise (float, 0.0 rad, from 0 to 1): encoder: standard deviation of the gyro's yaw
+        after one second
+    ~seed (int, 0, from -2147483648 to 2147483647): for the noise
+    ~cmd_vel_timeout (float, 0.6 s, from 0 to 3600): stop when commands cease for this long; 0
+        turns it off
+    ~real_time_factor (float, 1.0, 0 or from 0.001 to 1000): simulated seconds per second; 0 is
+        as fast as the machine can
+    ~lockstep_rate (float, 0.0 Hz, 0 or from 0.1 to ~odom_rate): wait for a command at each
+        multiple of 1/rate; 0 is off
+    ~lockstep_patience (float, 2.0 s, from 0.1 to 3600): in lockstep, go on without a controller
+        that has been silent for this long (wall time)
 """
 
 from sim_turtlebot.node import main

@@ -1,30 +1,30 @@
 #!/usr/bin/env python3
 """Show the robots in a browser, by their topics: simulated ones and real ones.
 
-Subscribes, for each robot, while a page is open:
-    odom (nav_msgs/Odometry): the robot's odometry
+Whoever opens the page can drive the robot. While no page is open, only the warning is
+subscribed to.
+
+Subscribes:
+    odom (nav_msgs/Odometry): the odometry of each robot
     base_pose_ground_truth (nav_msgs/Odometry): where a simulated robot really is
     joint_states (sensor_msgs/JointState): the wheels
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
-
-Subscribes, always:
-    sim_turtlebot/warning (std_msgs/String): what the simulator warns of
+    sim_turtlebot/warning (std_msgs/String): what the simulator warns of, shown in the panel
 
 Publishes:
-    cmd_vel (geometry_msgs/Twist): while the pad is held; zero when it is released
+    cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
 
 Calls:
-    sim_turtlebot/pause_physics, unpause_physics, reset_simulation (std_srvs/Empty)
+    sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,
+        sim_turtlebot/reset_simulation (std_srvs/Empty): the panel's buttons
 
 Parameters:
-    ~port (int, 8080): where the page is
-    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the network in, and
-        whoever sees the page can drive the robot
-    ~allowed_hosts (str, none): further names of the page, where a proxy or a forwarded port gives
-        it others: with or without a port, separated by commas or spaces. It is always reached as
-        localhost, as ~host and by the address of this machine; who comes by another name, or from
-        another page, is refused
+    ~port (int, 8080, from 1 to 65535): port of the page
+    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the whole network in
+    ~allowed_hosts (str, ''): further names of the page, where a proxy or a forwarded port gives
+        it others, such as robots.example, lab:9000: separated by commas or spaces; without a
+        port, any will do
 """
 
 from odometry_common.node import run_node

@@ -4,6 +4,7 @@ One table lists the parameters with their kind and range; the bad values follow 
 test compares it with the nodes' own documentation, so that no parameter is left out.
 """
 
+import re
 from typing import NamedTuple
 
 import pytest
@@ -16,7 +17,12 @@ from odometry_tests.scripts import ROOT, load_script
 from robot_view.address import read_address
 from sim_turtlebot.settings import read_settings
 
+reference = load_script('test/tools/reference.py')
 EXIT_BAD_PARAMETER = 2
+# What the line that refuses a value says beside the range: the unit, what 0 does.
+BESIDE_THE_RANGE = re.compile(
+    r'^(a (?=finite)|a (speed|gain) in \S+ |a (whole )?number (of metres )?|a text|true or false)'
+    r'| number of degrees$| \([^)]*\)|, \S+ Hz$| (m|s|Hz|rad|degrees)\b')
 NOT_NUMBERS = ['abc', "''", '[1, 2]', '{a: 1}', 'true', '.nan', 'nan', '.inf', '-.inf',
                '99999999999', '', '[', '2026-01-01']
 NOT_FLAGS = ['abc', "''", '[true]', '{a: true}', '1', '0.5', '.nan', '']
@@ -142,6 +148,25 @@ def test_the_table_has_every_parameter(script):
     """A new parameter is in its node's documentation, and so has to be here."""
     known = parameters(load_script(script).__doc__)
     assert sorted(known) == sorted(f'~{row.name}' for row in TABLE if row.script == script)
+
+
+@pytest.mark.parametrize('parameter', TABLE, ids=lambda row: row.node)
+def test_default_and_range_in_the_documentation_are_those_of_the_code(parameter, monkeypatch):
+    """What --help prints, and docs/reference.md has, against what the node reads and refuses."""
+    defaults, name = {}, f'~{parameter.name}'
+
+    def get_param(asked, default):
+        defaults[asked] = default
+        return object() if asked == name else default
+
+    monkeypatch.setattr(rospy, 'get_param', get_param)
+    with pytest.raises(ParameterError) as refusal:
+        READERS[parameter.script]()
+    said, = [entry for entry in reference.entries(load_script(parameter.script).__doc__)
+             if entry.section == reference.PARAMETERS and name in entry.names.split(', ')]
+    assert yaml.safe_load(said.default.split()[0]) == defaults[name]
+    assert said.type == type(defaults[name]).__name__
+    assert said.range == BESIDE_THE_RANGE.sub('', str(refusal.value).partition('but must be ')[2])
 
 
 def test_a_world_that_cannot_be_used_ends_the_simulator(master, tmp_path):

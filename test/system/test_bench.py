@@ -7,6 +7,8 @@ import subprocess
 import uuid
 
 import pytest
+from odometry_tests.documents import shown_of
+from odometry_tests.forms import first_missing
 from odometry_tests.linux import LOOK_PERIOD, command_lines, marked, wait_until_none
 from odometry_tests.listening import LOOPBACK, listened_on
 from odometry_tests.processes import Process
@@ -52,6 +54,8 @@ def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
     _, heading, *rows = run.stdout.splitlines()
     assert heading.split() == ['name', 'value', 'unit', 'limit', 'ratio', 'target'], run.output
     assert [re.split(' {2,}', row)[0] for row in rows[:len(names)]] == names, run.output
+    shown = [line for line in shown_of('./ws bench') if line.startswith(tuple(names))]
+    assert first_missing(shown, rows) is None
     with open(file, newline='') as lines:
         assert [row['name'] for row in csv.DictReader(lines) if float(row['value']) > 0] == names
     missed = re.search('^targets missed: (.*)', run.stdout, re.MULTILINE).group(1)

@@ -14,50 +14,49 @@ from contextlib import ExitStack
 import pytest
 import rosbag
 import rospy
-from odometry_tests.documents import read_commands
+from odometry_tests.documents import DOCUMENTS, read_commands
 from odometry_tests.messages import odometry
 from odometry_tests.processes import hold_port
 from odometry_tests.reader import Reader
 from odometry_tests.screen import Screen
 from odometry_tests.scripts import ROOT
 
-DOCUMENTS = [path for path in sorted(ROOT.rglob('*.md')) if not re.search(r'/\.', str(
-    path.relative_to(ROOT.parent)))]
-ROBOT = ['roscore', 'rosrun sim_turtlebot sim_turtlebot_node.py']
-DETECTOR = 'rosrun odom_movement_detector odom_movement_detector.py'
 NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
-# What runs already when a reader comes to a heading, or to a single command.
-BEFORE = {
-    'Turn the robot to a heading': ROBOT,
-    'On a real TurtleBot 2': [*ROBOT, DETECTOR],
-    'Troubleshooting': ['roslaunch odometry_launch rotate.launch target:=180'],
-    'How to run': [*ROBOT, DETECTOR],
-    'In a catkin workspace of your own': NOETIC,
-    'roslaunch odometry_launch move_two_meters.launch view:=true': [],
-    'rosrun sim_turtlebot view.py': ROBOT,
-    'ROS_NAMESPACE=robot_2 rosrun rotate_robot rotate.py': [
-        'roslaunch odometry_launch sim.launch robots:=3'],
+# What is done already when a reader comes to a heading.
+BEFORE = {'In a catkin workspace of your own': NOETIC}
+TUTORIALS, LAUNCHES = 'README.md: The tutorials', 'README.md: All at once'
+SIMULATIONS = 'docs/simulator.md: Many robots, any world'
+# Where a reader goes on with what is running, by heading or by single command.
+GOES_ON = {
+    'Has the robot moved one metre?': TUTORIALS,
+    'Rotate the robot to a heading': TUTORIALS,
+    'rosrun sim_turtlebot view.py': TUTORIALS,
+    'On a real TurtleBot 2': TUTORIALS,
+    'Troubleshooting': LAUNCHES,
+    'How to remove it': LAUNCHES,
+    'Reference': LAUNCHES,
+    'On a network': LAUNCHES,
+    'Lockstep': SIMULATIONS,
 }
-# Where a reader goes on with what he has running.
-GOES_ON = {'Has the robot moved one metre?': 'The tutorials'}
 OUTSIDE_THE_SHELL = ['In a catkin workspace of your own']
 # Words that a reader replaces by his own.
 PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
-                'NODE': 'rotate_robot', 'N': '10', '192.168.1.10': '127.0.0.1'}
+                'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
     (r'^roscore$', r'\g<0> -p "${ROS_MASTER_URI##*:}"', 'the usual port may be taken'),
-    (r' view:=true$', r'\g<0> view_port:=$PAGE_PORT', 'the usual port may be taken'),
+    (r' view:=true\b', r'\g<0> view_port:=$PAGE_PORT', 'the usual port may be taken'),
     (r'view\.py$', r'\g<0> _port:=$PAGE_PORT', 'the usual port may be taken'),
     (r'^git clone .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}', 'is set up already'),
     (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
-    (r'^(\./ws bench .*) latency (.*)$', r'\1 \2 --runs 1 --window 0.1', 'takes minutes'),
-    (r'^\./ws soak\b.*', r'\g<0> --hours 0.005', 'takes an hour'),
-    (r'^\./ws python3 test/tools/screenshots.py$', r'\g<0> --help', 'changes the pictures'),
-    (r'^sudo apt install', 'apt-get --simulate install', 'is installed already'),
+    (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
+     'test_bench measures two of the parts, and latency takes minutes'),
+    (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
+    (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
+    (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
+    (r'^sudo apt-mark', 'apt-mark --simulate', 'is in the way of others'),
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
-    (r'^\./ws catkin_make -C \.ws$', r'\g<0> --help', 'builds what other tests run'),
 ]
 NOT_HERE = {
     r'^ssh\b': 'there is no other machine',
@@ -68,24 +67,31 @@ NOT_HERE = {
 }
 if not (ROOT / '.git').exists() or not shutil.which('git'):
     NOT_HERE['git clone '] = 'this is no clone'
-NOT_PRINTED = re.compile('latency at ')  # is a part of the bench that is left out
+# Of the parts of the bench that are left out.
+NOT_PRINTED = re.compile('latency at |robot without ROS|graph in lockstep')
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
 READERS = 4
 
 
 def sessions():
-    """Return the commands that are typed one after the other, by heading or by command."""
-    found, seen = {}, set()
-    for path in DOCUMENTS:
-        name = str(path.relative_to(ROOT))
-        for command in read_commands(name, path.read_text()):
-            if command.text in seen and command.inline and not command.shown:
-                continue
-            seen.add(command.text)
-            heading = GOES_ON.get(command.heading, command.heading)
-            key = command.text if command.text in BEFORE else f'{name}: {heading}'
-            found.setdefault(key, []).append(command)
+    """Return the commands that are typed one after the other, by the heading at which they begin."""
+    commands = [command for path in DOCUMENTS
+                for command in read_commands(str(path.relative_to(ROOT)), path.read_text())]
+    found = {}
+    for number, command in enumerate(commands):
+        if command.inline and not command.shown and is_mentioned_again(command, number, commands):
+            continue
+        key = GOES_ON.get(command.text, GOES_ON.get(
+            command.heading, f'{command.document}: {command.heading}'))
+        found.setdefault(key, []).append(command)
     return found
+
+
+def is_mentioned_again(command, number, commands):
+    """Return whether the same command is typed earlier, or anywhere with more arguments."""
+    words = set(command.text.split())
+    return any(words < set(other.text.split()) for other in commands) or any(
+        command.text == other.text for other in commands[:number])
 
 
 SESSIONS = sessions()
@@ -113,7 +119,7 @@ def read(key, home):
     in_shell = commands[0].heading not in OUTSIDE_THE_SHELL
     with hold_port() as port, hold_port() as page_port, \
             Reader(home, environment(port, page_port), in_shell) as reader:
-        for before in BEFORE.get(key, BEFORE.get(commands[0].heading, [])):
+        for before in BEFORE.get(commands[0].heading, []):
             reader.follow(typed(before))
         for command in commands:
             try:

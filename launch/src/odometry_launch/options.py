@@ -17,6 +17,18 @@ BELONGING = {'distance': ('move', 2.0), 'speed': ('move', 0.1), 'target': ('rota
 
 def parse(arguments):
     """Return the options; print help or a complaint and exit if there is nothing to run."""
+    parser = make_parser()
+    options = parser.parse_args(_with_numbers_joined(arguments))
+    for name, (tutorial, default) in BELONGING.items():
+        if getattr(options, name) is None:
+            setattr(options, name, default)
+        elif options.tutorial != tutorial:
+            parser.error(f'argument --{name}: is for ./ws demo {tutorial}')
+    return options
+
+
+def make_parser():
+    """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
         prog='./ws demo', description='Run a tutorial with a simulated TurtleBot 2 and show how '
         'it goes. A recording and a picture of the run are left in the folder runs.')
@@ -38,13 +50,7 @@ def parse(arguments):
                         help=f'show the robot in a browser, at http://localhost:{PAGE_PORT} or the '
                              'next port that is free; on a terminal the page stays after the run, '
                              'and its pad drives the robot, until Ctrl-C')
-    options = parser.parse_args(_with_numbers_joined(arguments))
-    for name, (tutorial, default) in BELONGING.items():
-        if getattr(options, name) is None:
-            setattr(options, name, default)
-        elif options.tutorial != tutorial:
-            parser.error(f'argument --{name}: is for ./ws demo {tutorial}')
-    return options
+    return parser
 
 
 def _default(name):

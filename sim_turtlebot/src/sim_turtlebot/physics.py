@@ -1,6 +1,6 @@
 """The physics: a floor and TurtleBots in PyBullet, driven by their wheel motors.
 
-The solver and its settings were chosen by measurement; the study is in this package's README.
+The solver and its settings were chosen by measurement; the study is in docs/simulator.md.
 """
 
 import contextlib

@@ -3,6 +3,10 @@
 import re
 from dataclasses import dataclass, field
 
+from odometry_tests.scripts import ROOT
+
+README = ROOT / 'README.md'
+DOCUMENTS = [README, ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md'))]
 WORDS = {'./ws', 'rosrun', 'roslaunch', 'rostopic', 'rosparam', 'rosnode', 'rosservice', 'rosbag',
          'rosmsg', 'rostest', 'rospack', 'roscore', 'rosdep', 'catkin_make', 'git', 'cd', 'mkdir',
          'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', '.'}
@@ -38,6 +42,12 @@ def is_command(text):
 def read_commands(name, text):
     """Return the commands of a document in their order."""
     return _Parser(name).read(text.splitlines())
+
+
+def shown_of(beginning):
+    """Return what the documents show of the commands with this beginning."""
+    return [line for path in DOCUMENTS for command in read_commands(path.name, path.read_text())
+            if command.text.startswith(beginning) for line in command.shown]
 
 
 class _Parser:

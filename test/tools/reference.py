@@ -1,0 +1,129 @@
+"""Write docs/reference.md anew: ./ws python3 test/tools/reference.py.
+
+What stands under a heading that names a node, a launch file or the demo comes from there.
+"""
+
+import argparse
+import ast
+import re
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+from odometry_launch.options import make_parser
+from odometry_tests.scripts import ROOT
+
+PAGE = ROOT / 'docs' / 'reference.md'
+GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo)\n.*?(?=^## |\Z)',
+                       re.DOTALL | re.MULTILINE)
+KINDS = {'Subscribes': 'sub', 'Publishes': 'pub', 'Calls': 'calls', 'Services': 'srv'}
+PARAMETERS = 'Parameters'
+SECTION = re.compile(rf'^({"|".join([*KINDS, PARAMETERS])}):\n((?: +.*\n?)+)', re.MULTILINE)
+ENTRY = re.compile(r'^    (?=\S)', re.MULTILINE)
+PARTS = re.compile(r'(?P<names>[^(]+) \((?P<type>[^,]+?)(, (?P<default>[^,]+?))?'
+                   r'(, (?P<range>.+?))?\): (?P<meaning>.*)')
+BASE_LAUNCH = 'sim.launch'
+
+
+class Entry(NamedTuple):
+    """A topic, a service or a parameter in a docstring, or several that are alike."""
+
+    section: str
+    names: str
+    type: str
+    default: str
+    range: str
+    meaning: str
+
+
+def main():
+    """Write the page, unless asked for help."""
+    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
+    PAGE.write_text(updated(PAGE.read_text()))
+
+
+def updated(page):
+    """Return the page with every part that comes from elsewhere as it is there."""
+    return GENERATED.sub(lambda found: f'## {found[1]}\n\n{_part(found[1])}\n\n', page).rstrip() + '\n'
+
+
+def _part(heading):
+    if heading.endswith('.launch'):
+        return _launch_part(heading)
+    return _node_part(docstring(heading)) if heading.endswith('.py') else _demo_part()
+
+
+def docstring(name):
+    """Return the docstring of a node's script."""
+    path, = [*ROOT.glob(f'*/src/{name}'), *ROOT.glob(f'*/script*/{name}')]
+    return ast.get_docstring(ast.parse(path.read_text())) + '\n'
+
+
+def entries(documentation):
+    """Return the Entry of each topic, service and parameter in a node's docstring."""
+    found = []
+    for title, block in SECTION.findall(documentation):
+        for entry in filter(None, ENTRY.split(block)):
+            parts = PARTS.fullmatch(' '.join(entry.split()))
+            assert parts, f'this is not "name (type): meaning": {entry}'
+            found.append(Entry(title, **parts.groupdict(default='')))
+    return found
+
+
+def _node_part(documentation):
+    prose = re.split(r'\n\n+', SECTION.sub('', documentation).strip())
+    found = entries(documentation)
+    topics = [(KINDS[e.section], _code(e.names), e.type, e.meaning) for e in found if e.section in KINDS]
+    parameters = [(_code(e.names), e.type, _code(e.default), e.range, e.meaning)
+                  for e in found if e.section == PARAMETERS]
+    return '\n\n'.join(filter(None, [
+        *prose, _table(' | name | type | meaning', topics),
+        _table('parameter | type | default | range | meaning', parameters)]))
+
+
+def _launch_part(name):
+    own, base = _arguments(name), _arguments(BASE_LAUNCH)
+    if own == base:
+        intro, new = '', own
+    else:
+        missing = ', '.join(_code(argument) for argument in base if argument not in own)
+        intro = f'Every argument of {BASE_LAUNCH} but {missing}, and:\n\n'
+        new = {argument: own[argument] for argument in own if argument not in base}
+    return intro + _table('argument | default | meaning', [
+        (_code(argument), _code(default), meaning) for argument, (default, meaning) in new.items()])
+
+
+def _arguments(name):
+    """Return default and meaning of each argument of a launch file."""
+    root = ElementTree.parse(ROOT / 'launch' / name)
+    return {arg.get('name'): (arg.get('default'), arg.get('doc')) for arg in root.iterfind('arg')}
+
+
+def _demo_part():
+    parser = make_parser()
+    return _table('option | meaning', [
+        (_code(_usage(action)), action.help % vars(action)) for action in parser._actions
+        if action.dest != 'help'])
+
+
+def _usage(action):
+    value = '|'.join(action.choices) if action.choices else action.metavar or ''
+    return ' '.join(filter(None, [', '.join(action.option_strings), value]))
+
+
+def _code(names):
+    return ', '.join(f'`{name}`' for name in names.split(', ') if name)
+
+
+def _table(heading, rows):
+    if not rows:
+        return ''
+    lines = [' | '.join(cell.replace('|', '\\|') for cell in row) for row in rows]
+    return '\n'.join(f'| {line} |' for line in [heading, _rule(heading), *lines])
+
+
+def _rule(heading):
+    return ' | '.join('---' for _ in heading.split('|'))
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,71 @@
+"""The documents hang together, and what they name exists."""
+
+import re
+
+import pytest
+from odometry_tests.documents import DOCUMENTS, README
+from odometry_tests.scripts import ROOT
+
+PAGES = sorted(ROOT.glob('docs/*.md'))
+LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
+TEST = re.compile(r'`(test_\w+|\w+\.test)`')
+LONGEST = 200  # lines of the README
+
+
+def links(page):
+    """Return the files to which a page links, and the anchors in them."""
+    return [(page.parent / path if path else page, anchor)
+            for path, anchor in LINK.findall(page.read_text())]
+
+
+def anchors(page):
+    """Return what GitHub names the headings of a page."""
+    headings = re.findall(r'^#+ (.*)', page.read_text(), re.MULTILINE)
+    return {re.sub(r'[^\w -]', '', heading.lower()).replace(' ', '-') for heading in headings}
+
+
+@pytest.mark.parametrize('page', DOCUMENTS, ids=lambda page: str(page.relative_to(ROOT)))
+def test_every_link_leads_somewhere(page):
+    """To a file, and to a heading in it."""
+    for file, anchor in links(page):
+        assert file.exists(), f'{file} is not there'
+        assert not anchor or anchor in anchors(file), f'{file.name} has no heading #{anchor}'
+
+
+def test_the_readme_is_short_and_leads_to_every_page():
+    """Nobody reads more; what is not linked, nobody finds."""
+    assert len(README.read_text().splitlines()) <= LONGEST
+    linked = {file.resolve() for file, _ in links(README)}
+    assert {*PAGES, ROOT / 'CONTRIBUTING.md', ROOT / 'LICENSE'} <= linked
+
+
+@pytest.mark.parametrize('page', PAGES, ids=lambda page: page.name)
+def test_a_page_begins_with_whom_it_is_for_and_leads_back(page):
+    """In its first paragraph, since readers come from elsewhere too."""
+    first = page.read_text().split('\n\n')[1]
+    assert 'for whoever' in ' '.join(first.split())
+    assert '[Back to the README](../README.md)' in ' '.join(first.split())
+
+
+def test_every_package_says_in_a_paragraph_what_it_is():
+    """And where to read more."""
+    for manifest in ROOT.glob('*/package.xml'):
+        paragraphs = (manifest.parent / 'README.md').read_text().split('\n\n')
+        assert len(paragraphs) == 3 and '](../' in paragraphs[2], manifest.parent
+
+
+def test_each_test_that_reliability_names_exists():
+    """A fault is shown by something."""
+    named = set(TEST.findall((ROOT / 'docs' / 'reliability.md').read_text()))
+    there = {path.stem for path in ROOT.glob('test/*/test_*.py')} | {
+        path.name for path in ROOT.glob('test/rostests/*.test')}
+    assert named and named <= there, sorted(named - there)
+
+
+def test_everything_that_is_installed_is_named_where_it_is_removed():
+    """docs/install.md, against the lists in the set-up."""
+    set_up = (ROOT / 'launch' / 'scripts' / 'set_up.bash').read_text()
+    installed = re.findall(r'^\w+_PARTS=\(([^)]*)\)', set_up, re.MULTILINE)
+    removed = re.findall(r'^sudo apt-mark auto (.*)', (ROOT / 'docs' / 'install.md').read_text(),
+                         re.MULTILINE)
+    assert sorted(' '.join(removed).split()) == sorted(' '.join(installed).split())
