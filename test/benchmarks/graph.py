@@ -1,22 +1,21 @@
 """The whole graph, or its robot alone, in processes of their own, quiet until it is measured."""
 
 import contextlib
-import os
 import threading
 import time
 import xmlrpc.client
 from typing import NamedTuple
 
+import psutil
 import rosgraph
 import rospy
+from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import wait_until
 from rosgraph_msgs.msg import Clock
-from std_srvs.srv import Empty
 
 FAR = 1e6  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
-TICKS_PER_SECOND = os.sysconf('SC_CLK_TCK')
 MEGABYTE = 2**20
 
 
@@ -41,7 +40,7 @@ class Graph:
         self._stack = contextlib.ExitStack()
         self._processes = [self._start('sim_turtlebot', 'sim_turtlebot_node.py', *arguments)]
         # Nothing may pass before it is measured.
-        self._call('pause_physics')
+        call('pause_physics')
         if movers:
             self._processes += [
                 self._start('odom_movement_detector', 'odom_movement_detector.py'),
@@ -61,9 +60,9 @@ class Graph:
     @contextlib.contextmanager
     def running(self):
         """Let time pass within this context."""
-        self._call('unpause_physics')
+        call('unpause_physics')
         yield
-        self._call('pause_physics')
+        call('pause_physics')
 
     def watch(self, window):
         """Let time pass for `window` s of wall time; return the differences as a Sample."""
@@ -81,7 +80,8 @@ class Graph:
 
     def memory(self):
         """Return the resident memory of all processes (MB)."""
-        return sum(_resident(process.pid) for process in self._processes)
+        return sum(psutil.Process(process.pid).memory_info().rss
+                   for process in self._processes) / MEGABYTE
 
     def _start(self, *command):
         return self._stack.enter_context(rosrun(*command))
@@ -90,11 +90,6 @@ class Graph:
         simulated = _now()
         return Sample(time.perf_counter(), simulated,
                       sum(_cpu_time(process.pid) for process in self._processes))
-
-    def _call(self, service):
-        name = f'/sim_turtlebot/{service}'
-        rospy.wait_for_service(name, TIMEOUT)
-        rospy.ServiceProxy(name, Empty)()
 
 
 def forget_parameters():
@@ -137,11 +132,5 @@ def _now():
 
 def _cpu_time(pid):
     """Return the CPU time (s) that a process has used."""
-    with open(f'/proc/{pid}/stat') as file:
-        fields = file.read().rpartition(')')[2].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS_PER_SECOND
-
-
-def _resident(pid):
-    with open(f'/proc/{pid}/statm') as file:
-        return int(file.read().split()[1]) * os.sysconf('SC_PAGE_SIZE') / MEGABYTE
+    times = psutil.Process(pid).cpu_times()
+    return times.user + times.system
