@@ -101,7 +101,7 @@ def forget_parameters():
 
 
 def _has_listener(topic):
-    """Tell whether the topic's publisher is connected to a subscriber."""
+    """Return whether the topic's publisher is connected to a subscriber."""
     master = rosgraph.Master('/bench')
     publishers = dict(master.getSystemState()[0]).get(topic, [])
     return any(_is_connected(master.lookupNode(node), topic) for node in publishers)

@@ -60,7 +60,7 @@ class Talk(Partner):
 
 
 def turns_at(command, speed):
-    """Tell whether a command is a turn on the spot at this speed (rad/s)."""
+    """Return whether a command is a turn on the spot at this speed (rad/s)."""
     turned = command.angular.z
     return command == turn(turned) and abs(turned - speed) < 1e-9
 

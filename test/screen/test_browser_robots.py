@@ -33,7 +33,7 @@ def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
 
 
 def test_odometry_that_is_off_is_drawn_as_a_ghost(master, browser):
-    """Slipping wheels: where the robot believes to be is blue, where it is is dark."""
+    """Slipping wheels: where the robot believes it is is blue, where it really is dark."""
     with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=slippery',
                 '_odometry_source:=encoder', '_wheel_slip:=0.4', '_cmd_vel_timeout:=0'), \
             View('__ns:=slippery') as view, browser.open(view.url) as page:

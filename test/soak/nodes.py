@@ -184,7 +184,7 @@ class Nodes:
 
 
 def _is_online(node):
-    """Tell whether a node has registered and answers."""
+    """Return whether a node has registered and answers."""
     try:
         links(node)
     except (rosgraph.MasterError, OSError):

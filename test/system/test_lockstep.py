@@ -43,7 +43,7 @@ def record(rate, nodes, topics):
     """
     with contextlib.ExitStack() as stack:
         stack.enter_context(simulator(rate))
-        call('pause_physics')  # until there is an ear for everything
+        call('pause_physics')  # until everybody listens
         for node in nodes:
             stack.enter_context(rosrun(*node))
         recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in topics.items()}
