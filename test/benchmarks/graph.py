@@ -1,12 +1,12 @@
 """The whole graph, or its robot alone, in processes of their own, quiet until it is measured."""
 
 import contextlib
-import os
 import threading
 import time
 import xmlrpc.client
 from typing import NamedTuple
 
+import psutil
 import rosgraph
 import rospy
 from odometry_tests.pausing import call
@@ -16,7 +16,6 @@ from rosgraph_msgs.msg import Clock
 
 FAR = 1e6  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
-TICKS_PER_SECOND = os.sysconf('SC_CLK_TCK')
 MEGABYTE = 2**20
 
 
@@ -81,7 +80,8 @@ class Graph:
 
     def memory(self):
         """Return the resident memory of all processes (MB)."""
-        return sum(_resident(process.pid) for process in self._processes)
+        return sum(psutil.Process(process.pid).memory_info().rss
+                   for process in self._processes) / MEGABYTE
 
     def _start(self, *command):
         return self._stack.enter_context(rosrun(*command))
@@ -132,11 +132,5 @@ def _now():
 
 def _cpu_time(pid):
     """Return the CPU time (s) that a process has used."""
-    with open(f'/proc/{pid}/stat') as file:
-        fields = file.read().rpartition(')')[2].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS_PER_SECOND
-
-
-def _resident(pid):
-    with open(f'/proc/{pid}/statm') as file:
-        return int(file.read().split()[1]) * os.sysconf('SC_PAGE_SIZE') / MEGABYTE
+    times = psutil.Process(pid).cpu_times()
+    return times.user + times.system

@@ -3,6 +3,7 @@
 import os
 import queue
 
+import psutil
 import rosgraph
 import rospy
 from checks import Violation
@@ -11,11 +12,12 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from odometry_tests.links import HEARS, links
+from odometry_tests.linux import command_line
+from odometry_tests.pausing import call
 from odometry_tests.processes import Master
 from odometry_tests.tutorial import detector, simulator
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from std_msgs.msg import Empty, Float64
-from std_srvs.srv import Empty as EmptyService
 
 NAME = '/soak'
 DETECTOR = '/detector'
@@ -88,11 +90,9 @@ class Nodes:
     @property
     def pids(self):
         """Process ids by name."""
-        children = f'/proc/{self._master.pid}/task/{self._master.pid}/children'
-        with open(children, encoding='ascii') as listing:
-            rosmaster, rosout = map(int, listing.read().split())
         return {'simulator': self._simulator.pid, 'detector': self._detector.pid,
-                'rosmaster': rosmaster, 'rosout': rosout, 'this program': os.getpid()}
+                'rosmaster': self._pid_under_roscore('rosmaster'),
+                'rosout': self._pid_under_roscore('rosout'), 'this program': os.getpid()}
 
     def command(self, linear, angular):
         """Command the robot, which lets the simulation go on."""
@@ -164,11 +164,15 @@ class Nodes:
                    START_TIMEOUT, f'{node} that has heard {topic}')
         self.unpause()
 
+    def _pid_under_roscore(self, program):
+        return next(child.pid for child in psutil.Process(self._master.pid).children()
+                    if program in command_line(child.pid))
+
     @staticmethod
     def _call(name):
         """Call a service of the simulator and return once it is done."""
         try:
-            rospy.ServiceProxy(f'{SIMULATOR}/{name}', EmptyService)()
+            call(name)
         except rospy.ServiceException as error:
             raise Violation(f'the simulator does not answer to {name}: {error}') from None
 
@@ -180,7 +184,7 @@ class Nodes:
 
 
 def _is_online(node):
-    """Tell whether a node has registered and answers."""
+    """Return whether a node has registered and answers."""
     try:
         links(node)
     except (rosgraph.MasterError, OSError):

@@ -1,10 +1,11 @@
 """What the processes need, which must not grow."""
 
-from pathlib import Path
 from typing import NamedTuple
 
+import psutil
 from checks import Violation
 
+MEGABYTE = 2**20
 FEWEST = 16  # measurements, to tell a trend
 MANY = 64  # measurements; so many at a time are looked at from then on
 
@@ -18,12 +19,9 @@ class Usage(NamedTuple):
 
     @classmethod
     def of(cls, pid):
-        """Ask Linux."""
-        process = Path('/proc', str(pid))
-        fields = dict(line.split(':', 1) for line in
-                      (process / 'status').read_text().splitlines())
-        return cls(int(fields['VmRSS'].split()[0]) / 1024, int(fields['Threads']),
-                   sum(1 for _ in (process / 'fd').iterdir()))
+        """Ask the system."""
+        process = psutil.Process(pid)
+        return cls(process.memory_info().rss / MEGABYTE, process.num_threads(), process.num_fds())
 
 
 GROWTH = Usage(memory=3.0, threads=2, files=3)  # from one quarter of a run to the next

@@ -82,7 +82,7 @@ class Demo:
         return self._process.pid
 
     def end(self, signals):
-        """Send it signals, as fast as can be; those of keys as a terminal does, to its group."""
+        """Send it signals, as fast as possible; those of keys as a terminal does, to its group."""
         for signum in signals:
             if signum in (signal.SIGINT, signal.SIGQUIT):
                 with contextlib.suppress(ProcessLookupError):

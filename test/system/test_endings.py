@@ -5,8 +5,8 @@ import signal
 import pytest
 import rosgraph
 import rosnode
-import rospy
 from odometry_tests.links import HEARS, links
+from odometry_tests.pausing import call
 from odometry_tests.processes import hold_port, rosrun
 from odometry_tests.tutorial import (
     REST_SPEED,
@@ -19,7 +19,6 @@ from odometry_tests.tutorial import (
     speed,
 )
 from odometry_tests.waiting import wait_until
-from std_srvs.srv import Empty
 
 ROBOT = '/sim_turtlebot'
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
@@ -82,11 +81,6 @@ def driver(request, truth):
         for process in [node, *helpers]:
             process.__exit__()
         truth.wait_until_resting()
-
-
-def call(service):
-    """Call a service of the simulator."""
-    rospy.ServiceProxy(f'{ROBOT}/{service}', Empty)()
 
 
 def controllers():

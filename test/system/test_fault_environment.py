@@ -69,7 +69,7 @@ def test_a_node_runs_without_a_home(master, start, monkeypatch):
 
 
 def known(name):
-    """Tell whether a node has registered."""
+    """Return whether a node has registered."""
     try:
         return bool(rosgraph.Master('/test').lookupNode(f'/{name}'))
     except rosgraph.MasterError:

@@ -118,7 +118,7 @@ def test_no_distance_is_lost_at_slow_and_at_fast_odometry(ns, rate):
 
 
 def test_a_burst_after_a_gap_is_counted_whole(ns):
-    """Ten seconds of odometry, held up on the way, arrive at once; no one of them is a jump."""
+    """Ten seconds of odometry, held up on the way, arrive at once; none of them is a jump."""
     with detector() as node:
         talk = meet_detector(ns)
         distances = talk.ask(*(odometry(x=0.01 + 0.005 * step, stamp=11 + 0.05 * step)

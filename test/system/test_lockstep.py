@@ -8,13 +8,12 @@ import signal
 import numpy
 import pytest
 import rosgraph
-import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
-from std_srvs.srv import Empty
 
 COMPARED = 24  # s of simulated time; two metres take 20
 RUN_TIME = 60.0  # s
@@ -44,7 +43,7 @@ def record(rate, nodes, topics):
     """
     with contextlib.ExitStack() as stack:
         stack.enter_context(simulator(rate))
-        call('pause_physics')  # until there is an ear for everything
+        call('pause_physics')  # until everybody listens
         for node in nodes:
             stack.enter_context(rosrun(*node))
         recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in topics.items()}
@@ -57,12 +56,6 @@ def record(rate, nodes, topics):
                        RUN_TIME, f'{count} messages on {topic}', period=0.1)
         return {topic: from_time_zero(recorders[topic].messages)[:count]
                 for topic, (_, count) in topics.items()}
-
-
-def call(service):
-    """Call a service of the simulator."""
-    rospy.wait_for_service(f'/sim_turtlebot/{service}', RUN_TIME)
-    rospy.ServiceProxy(f'/sim_turtlebot/{service}', Empty)()
 
 
 def from_time_zero(messages):

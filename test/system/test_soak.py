@@ -7,7 +7,7 @@ import subprocess
 import uuid
 
 import pytest
-from odometry_tests.linux import marked, needs_children, wait_until_none
+from odometry_tests.linux import marked, wait_until_none
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
@@ -39,7 +39,6 @@ def master_of(soaking):
     return {'ROS_MASTER_URI': soaking.stdout.partition('ROS_MASTER_URI=')[2].split()[0]}
 
 
-@needs_children
 def test_a_simulated_minute_passes_with_every_event():
     """Exit status 0, and a summary of what was done and found."""
     with soak('--hours', A_MINUTE, '--seed', 3) as soaked:
@@ -54,7 +53,6 @@ def test_a_simulated_minute_passes_with_every_event():
     assert 'replay' not in soaked.output
 
 
-@needs_children
 def test_a_wrong_distance_is_found_and_the_run_can_be_repeated():
     """A second publisher lies; the step is named, the exit status is 1."""
     with soak('--hours', 24, '--seed', 4) as soaking, \
@@ -67,7 +65,6 @@ def test_a_wrong_distance_is_found_and_the_run_can_be_repeated():
     assert soaking.stdout.endswith('replay: ./ws soak --seed 4 --hours 24')
 
 
-@needs_children
 def test_ctrl_c_ends_it_and_its_nodes_with_a_summary():
     """Exit status 130, as of any program that is interrupted, and no traceback."""
     with soak('--hours', 24) as soaking:

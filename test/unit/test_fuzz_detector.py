@@ -118,7 +118,7 @@ class DetectorMachine(RuleBasedStateMachine):
             self.last, self.late = message, None
 
     def must_be_refused(self, message):
-        """Tell whether the contract calls this message a jump; None: it leaves that open."""
+        """Return whether the contract calls this message a jump; None: it leaves that open."""
         x, y, stamp, arrival = message
         if self.last is None:
             return False

@@ -6,6 +6,7 @@ import socket
 import subprocess
 import sys
 
+import psutil
 import pytest
 from odometry_launch.keeping import KEEPER, Kept
 from odometry_tests.linux import marked, wait_until_none
@@ -53,8 +54,8 @@ def test_a_command_that_is_not_there_has_the_shell_s_status(capfd):
 def test_signals_go_to_the_command_itself():
     """Not to what looks after it."""
     kept = Kept('sleep', '1000')
-    with open(f'/proc/{kept.pid}/cmdline') as file:
-        wait_until(lambda: file.seek(0) or file.read() == 'sleep\x001000\x00', 10.0, 'the command')
+    command = psutil.Process(kept.pid)
+    wait_until(lambda: command.cmdline() == ['sleep', '1000'], 10.0, 'the command')
     kept.send_signal(signal.SIGINT)
     assert kept.wait() == -signal.SIGINT
     kept.send_signal(signal.SIGINT)

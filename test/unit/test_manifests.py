@@ -14,7 +14,7 @@ MANIFESTS = sorted(ROOT.glob('*/package.xml'))
 FROM_PYPI = {'hypothesis', 'msgspec', 'pybullet', 'pybullet_utils', 'rich', 'selenium', 'trimesh',
              'typing_extensions', 'viser', 'websockets', 'zstandard'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
-        'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
+        'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
 COMMANDS = {'rosbag': 'rosbag', 'roscore': 'roslaunch', 'roslaunch': 'roslaunch',
             'rosnode': 'rosnode', 'rosparam': 'rosparam', 'rosrun': 'rosbash',
             'rosservice': 'rosservice', 'rostest': 'rostest', 'rostopic': 'rostopic'}

@@ -8,7 +8,7 @@ from the top: the command first, then what it leaves behind. What has not ended 
 regardless of order, and finally killed. The exit status is the
 command's; the same signal ends this process that has ended the command.
 
-It starts in a few hundredths of a second, since it imports little.
+It starts in a few hundredths of a second, since it imports little: no psutil either.
 """
 
 import ctypes
@@ -107,14 +107,14 @@ def _end_all(statuses, woken):
     asked_all = False
     while _reap(statuses):
         passed = time.monotonic() - start
-        children = children_by_parent()
+        children = _children_by_parent()
         mine = children.get(os.getpid(), [])
         if passed > KILL_AFTER:
-            _signal(signal.SIGKILL, with_descendants(mine, children))
+            _signal(signal.SIGKILL, _with_descendants(mine, children))
         elif passed > ASK_ALL_AFTER and not asked_all:
             # This includes those that have missed the first time.
             asked_all = True
-            _ask(with_descendants(mine, children), asked)
+            _ask(_with_descendants(mine, children), asked)
         else:
             _ask([pid for pid in mine if pid not in asked], asked)
         if select.select([woken], [], [], LOOK_PERIOD)[0]:
@@ -138,7 +138,7 @@ def _signal(signum, pids):
             pass  # it has become another user's
 
 
-def children_by_parent():
+def _children_by_parent():
     """Return the ids of the children of each process, by its id."""
     children = {}
     for entry in os.listdir('/proc'):
@@ -152,7 +152,7 @@ def children_by_parent():
     return children
 
 
-def with_descendants(pids, children):
+def _with_descendants(pids, children):
     """Return the ids of processes and of all their descendants."""
     found = list(pids)
     for pid in found:

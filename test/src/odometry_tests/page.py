@@ -2,18 +2,16 @@
 
 import contextlib
 import io
-import os
 import re
-import signal
-from pathlib import Path
 
 import numpy
+import psutil
 from PIL import Image
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from odometry_tests.linux import descendants
+from odometry_tests.linux import command_line
 from odometry_tests.waiting import wait_until
 
 LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
@@ -106,16 +104,17 @@ class Page:
     @contextlib.contextmanager
     def hanging(self):
         """Use it as a context in which the page does nothing and answers nobody."""
-        renderers = [pid for pid in descendants(self.driver.service.process.pid)
-                     if b'--type=renderer' in Path(f'/proc/{pid}/cmdline').read_bytes()]
+        driver = psutil.Process(self.driver.service.process.pid)
+        renderers = [child for child in driver.children(recursive=True)
+                     if '--type=renderer' in command_line(child.pid)]
         assert renderers, 'no process draws the page'
-        for pid in renderers:
-            os.kill(pid, signal.SIGSTOP)
+        for renderer in renderers:
+            renderer.suspend()
         try:
             yield
         finally:
-            for pid in renderers:
-                os.kill(pid, signal.SIGCONT)
+            for renderer in renderers:
+                renderer.resume()
 
     def let_go(self):
         """Let go of all buttons and keys."""

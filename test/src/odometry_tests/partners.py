@@ -56,7 +56,7 @@ class NodeLog(Recorder):
         super().__init__('/rosout', Log)
 
     def has_warning(self, node, text):
-        """Tell whether a node (a full name) has warned in words with this text."""
+        """Return whether a node (a full name) has warned in words with this text."""
         return any((m.name, m.level) == (node, Log.WARN) and text in m.msg for m in self.messages)
 
     def wait_for_warning(self, node, text, timeout=10.0):
@@ -65,7 +65,7 @@ class NodeLog(Recorder):
                    f'a warning of {node}: {text!r}')
 
     def has_heard(self, node, stamp):
-        """Tell whether a node has logged at this time (rospy.Time) by its own clock, or later."""
+        """Return whether a node has logged at this time (rospy.Time) by its own clock, or later."""
         return any(m.name == node and m.header.stamp >= stamp for m in self.messages)
 
 
