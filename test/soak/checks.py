@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from sim_turtlebot.rotations import yaw_of
+from tf.transformations import euler_from_quaternion
 
 MAX_SPEED = 5.0  # m/s, the detector's ~max_speed
 SMALLEST_DISTANCE = 1e-6  # m
@@ -15,7 +15,7 @@ class Violation(AssertionError):
 
 
 class DistanceCheck:
-    """The sum of one detector's steps, computed here once more."""
+    """The sum of one detector's steps, computed here once more, without the detector's own code."""
 
     def __init__(self):
         """Begin with a detector that has not heard anything yet."""
@@ -81,14 +81,15 @@ class Pose(NamedTuple):
 
     def distance_to(self, other):
         """Return the largest difference (m or rad)."""
-        turn = math.remainder(self.yaw - other.yaw, math.tau)
-        return max(abs(self.x - other.x), abs(self.y - other.y), abs(turn))
+        turned = math.remainder(self.yaw - other.yaw, math.tau)
+        return max(abs(self.x - other.x), abs(self.y - other.y), abs(turned))
 
 
 def pose_of(message):
     """Return the Pose in an Odometry."""
-    position, turn = message.pose.pose.position, message.pose.pose.orientation
-    return Pose(position.x, position.y, yaw_of((turn.x, turn.y, turn.z, turn.w)))
+    position, orientation = message.pose.pose.position, message.pose.pose.orientation
+    quaternion = [orientation.x, orientation.y, orientation.z, orientation.w]
+    return Pose(position.x, position.y, euler_from_quaternion(quaternion)[2])
 
 
 def _published(total):
