@@ -3,29 +3,12 @@
 import errno
 import os
 import resource
-import threading
-import time
-
-LOOK_PERIOD = 1.0  # s
 
 
 def take_all_handles():
     """Let this process open as many files as it may, and not just as many as is usual."""
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
-
-
-def watch_handles(on_shortage):
-    """Call on_shortage(error), from a thread, once no file handle is left.
-
-    Nobody reaches the node any more then, and rosgraph's server would try again and again for ever.
-    """
-    def watch():
-        while not (error := _try_one()):
-            time.sleep(LOOK_PERIOD)
-        on_shortage(error)
-
-    threading.Thread(target=watch, daemon=True).start()
 
 
 def shortage(error):

@@ -11,7 +11,7 @@ import rosgraph
 import rospkg
 import rospy
 
-from odometry_common.handles import shortage, take_all_handles, watch_handles
+from odometry_common.handles import shortage, take_all_handles
 from odometry_common.output import LineOutput
 from odometry_common.parameters import (
     ParameterError,
@@ -20,6 +20,7 @@ from odometry_common.parameters import (
     forget_argument,
 )
 from odometry_common.usage import show_help_if_asked, warn_of_unknown
+from odometry_common.xmlrpc_server import use_closable_server
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
@@ -110,9 +111,9 @@ def _start(name, init_node_options):
 
     _on_signals(interrupt)
     _wait_for_master(interrupted)
+    use_closable_server(_report)
     if not interrupted.is_set():
         rospy.init_node(name, disable_signals=True, **init_node_options)
-        watch_handles(_report)
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted.is_set():
         raise KeyboardInterrupt
