@@ -18,7 +18,6 @@ from std_msgs.msg import Float64
 
 NODES = 3
 PERIOD = 0.1  # s, of the control
-WALL_SILENCE = 0.25  # s; it does not take less for silence, however fast its time runs
 START = 1000.0  # s, the time stamp of the first odometry
 NO_ROTATIONS = [Quaternion(), Quaternion(x=math.nan, w=1.0), Quaternion(z=math.inf, w=1.0)]
 
@@ -63,8 +62,7 @@ class Talk(Partner):
 
 def turns_at(command, speed):
     """Return whether a command is a turn on the spot at this speed (rad/s)."""
-    turned = command.angular.z
-    return command == turn(turned) and abs(turned - speed) < 1e-9
+    return command == turn(command.angular.z) and abs(command.angular.z - speed) < 1e-9
 
 
 class RotateTest(unittest.TestCase):
@@ -108,7 +106,7 @@ class RotateTest(unittest.TestCase):
         self.talk.say(odometry(yaw=0.0))
         self.talk.answers.wait_for_count(1)
         self.talk.answers.clear()
-        time.sleep(WALL_SILENCE)
+        time.sleep(0.25)  # s; it takes no less for silence, however fast its time runs
         self.clock.advance(0.2)
         for count in range(1, 8):
             self.clock.advance(0.1)
