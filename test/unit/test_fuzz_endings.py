@@ -43,12 +43,12 @@ class Wire(Transport):
             super().close()
 
 
-class WatchedLock:
-    """A lock that tells when a thread has to wait for it."""
+class WatchedLock(threading.Semaphore):
+    """A lock (of which Python lets no class be derived) that tells when a thread waits for it."""
 
     def __init__(self):
         """Begin unlocked."""
-        self._lock = threading.Lock()
+        super().__init__()
         self.awaited = threading.Event()
 
     def acquire(self, timeout=END_TIMEOUT):
@@ -57,22 +57,12 @@ class WatchedLock:
         What the node grants a subscriber that has stopped reading would here be granted the
         machine.
         """
-        if self._lock.acquire(blocking=False):
+        if super().acquire(blocking=False):
             return True
         self.awaited.set()
-        return self._lock.acquire(timeout=END_TIMEOUT)
+        return super().acquire(timeout=END_TIMEOUT)
 
-    def release(self):
-        """Let the next one in."""
-        self._lock.release()
-
-    def __enter__(self):
-        """Use it as a context."""
-        self.acquire()
-
-    def __exit__(self, *_):
-        """Let the next one in."""
-        self.release()
+    __enter__ = acquire
 
 
 class Gate:

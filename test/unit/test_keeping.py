@@ -1,6 +1,5 @@
 """Kept processes end as they are told, and all with whoever has started them."""
 
-import os
 import signal
 import socket
 import subprocess
@@ -29,12 +28,10 @@ keeper.main(sys.argv[1:])
 
 
 @pytest.fixture
-def mark(request):
+def mark(request, monkeypatch):
     """Mark the processes that a test starts."""
-    name = request.node.name
-    os.environ['KEPT_UNDER_TEST'] = name
-    yield {'KEPT_UNDER_TEST': name}
-    del os.environ['KEPT_UNDER_TEST']
+    monkeypatch.setenv('KEPT_UNDER_TEST', request.node.name)
+    return {'KEPT_UNDER_TEST': request.node.name}
 
 
 @pytest.mark.parametrize('script, status', [

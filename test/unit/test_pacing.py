@@ -1,25 +1,17 @@
 """Simulated time keeps to its share of the wall clock, and a machine that is too slow is found."""
 
+from types import SimpleNamespace
+
 import pytest
 from sim_turtlebot.pacing import Pacer
 
 SECOND = 10**9  # ns
 
 
-class WallClock:
-    """A clock that stands still unless it is set."""
-
-    now = 1000.0
-
-    def monotonic(self):
-        """Return its time (s), as time.monotonic does."""
-        return self.now
-
-
 @pytest.fixture
 def wall(monkeypatch):
-    """Give the pacers a wall clock that the test sets."""
-    clock = WallClock()
+    """Give the pacers a wall clock that stands still unless the test advances it."""
+    clock = SimpleNamespace(now=1000.0, monotonic=lambda: clock.now)
     monkeypatch.setattr('sim_turtlebot.pacing.time', clock)
     return clock
 

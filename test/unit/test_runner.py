@@ -6,6 +6,9 @@ import time
 import pytest
 from odometry_tests.scripts import load_script
 
+suite = load_script('test/runner/suite.py')
+results = load_script('test/runner/results.py')
+running = load_script('test/runner/running.py')
 JUNIT = """<testsuite>
   <testcase classname="system.test_a" name="good" time="1"/>
   <testcase classname="system.test_a" name="bad" time="1"><failure>it said no</failure></testcase>
@@ -13,75 +16,61 @@ JUNIT = """<testsuite>
 </testsuite>"""
 
 
-@pytest.fixture
-def suite(tmp_path, monkeypatch):
-    """Return the module of jobs, whose results are in a folder of the test's own."""
-    module = load_script('test/runner/suite.py')
-    monkeypatch.setattr(module, 'RESULTS', tmp_path)
-    return module
+@pytest.fixture(autouse=True)
+def results_of_its_own(tmp_path, monkeypatch):
+    """Have the results of a test's jobs in a folder of its own."""
+    monkeypatch.setattr(suite, 'RESULTS', tmp_path)
 
 
-@pytest.fixture
-def results():
-    """Return the module that reads results."""
-    return load_script('test/runner/results.py')
-
-
-@pytest.fixture
-def running():
-    """Return the module that runs jobs."""
-    return load_script('test/runner/running.py')
-
-
-def python(suite, name, code, **options):
+def python(name, code, **options):
     """Return a job of a line of Python."""
     return suite.Job(name, [sys.executable, '-c', code], **options)
 
 
-def counts_of(results, cases):
+def counts_of(cases):
     """Return the sums over cases."""
     return sum((case.counts for case in cases), results.Counts())
 
 
-def test_each_test_counts_in_its_file(suite, results):
+def test_each_test_counts_in_its_file():
     """One passed, one failed with its words, one skipped with its reason."""
-    job = python(suite, 'some', '')
+    job = python('some', '')
     job.results.mkdir()
     (job.results / 'pytest.xml').write_text(JUNIT)
     good, bad, left = results.read_cases(job, 1, '', 3.0)
     assert [case.file for case in (good, bad, left)] == ['test_a', 'test_a', 'test_b']
     assert bad.failure == 'it said no' and left.skipped == 'no X'
-    assert counts_of(results, [good, bad, left]) == (1, 1, 1)
+    assert counts_of([good, bad, left]) == (1, 1, 1)
 
 
 @pytest.mark.parametrize('status', [0, 1, -9])
-def test_a_job_without_results_has_failed(suite, results, status):
+def test_a_job_without_results_has_failed(status):
     """It ended before its first test, whatever its exit status; what it printed is told."""
-    case, = results.read_cases(python(suite, 'some', ''), status, 'Segmentation fault', 1.0)
+    case, = results.read_cases(python('some', ''), status, 'Segmentation fault', 1.0)
     assert case.counts == (0, 1, 0)
     assert 'Segmentation fault' in case.failure and str(status) in case.failure
 
 
-def test_an_exit_status_that_no_test_explains_is_a_failure(suite, results):
+def test_an_exit_status_that_no_test_explains_is_a_failure():
     """Such as an error after the last test."""
-    job = python(suite, 'some', '')
+    job = python('some', '')
     job.results.mkdir()
     (job.results / 'pytest.xml').write_text(JUNIT.replace('failure', 'system-out'))
     cases = results.read_cases(job, 3, 'crash at exit', 1.0)
-    assert counts_of(results, cases) == (2, 1, 1)
+    assert counts_of(cases) == (2, 1, 1)
 
 
 @pytest.mark.parametrize('status, counts', [(0, (1, 0, 0)), (1, (0, 1, 0))])
-def test_a_linter_is_one_test(suite, results, status, counts):
+def test_a_linter_is_one_test(status, counts):
     """Passed if it exits with 0."""
-    cases = results.read_cases(python(suite, 'lint', '', is_linter=True), status, 'finding', 1.0)
-    assert counts_of(results, cases) == counts
+    cases = results.read_cases(python('lint', '', is_linter=True), status, 'finding', 1.0)
+    assert counts_of(cases) == counts
 
 
-def test_jobs_run_side_by_side_but_for_those_that_run_alone(suite, running, tmp_path):
+def test_jobs_run_side_by_side_but_for_those_that_run_alone(tmp_path):
     """At most so many at a time; a job that runs alone waits for all others."""
-    jobs = [python(suite, 'alone', 'print(1)', alone=True),
-            *(python(suite, f'job{number}', 'print(1)') for number in range(5))]
+    jobs = [python('alone', 'print(1)', alone=True),
+            *(python(f'job{number}', 'print(1)') for number in range(5))]
     seen = []
     ended = [one.job.name for one in running.run(
         jobs, 2, tmp_path, lambda some: seen.append({one.job.name for one in some}))]
@@ -90,7 +79,7 @@ def test_jobs_run_side_by_side_but_for_those_that_run_alone(suite, running, tmp_
     assert all(names == {'alone'} for names in seen if 'alone' in names)
 
 
-def test_a_command_that_is_not_there_has_failed(suite, results, running, tmp_path):
+def test_a_command_that_is_not_there_has_failed(tmp_path):
     """Whatever the reason, the others go on."""
     job = suite.Job('lint', ['no_such_linter'], is_linter=True)
     ended, = running.run([job], 1, tmp_path, lambda _: None)
@@ -98,9 +87,9 @@ def test_a_command_that_is_not_there_has_failed(suite, results, running, tmp_pat
     assert case.counts == (0, 1, 0) and 'no_such_linter' in case.failure
 
 
-def test_an_interrupted_run_leaves_no_process(suite, running, tmp_path):
+def test_an_interrupted_run_leaves_no_process(tmp_path):
     """Ctrl-C while a job runs: it is interrupted, and has ended when the run has."""
-    job = python(suite, 'long', 'import time\nprint("up", flush=True)\ntime.sleep(600)')
+    job = python('long', 'import time\nprint("up", flush=True)\ntime.sleep(600)')
     started = []
 
     def press_ctrl_c(some):
@@ -117,13 +106,13 @@ def test_an_interrupted_run_leaves_no_process(suite, running, tmp_path):
 
 
 @pytest.mark.parametrize('name', ['report', 'test_nothing', 'run_soak', ''])
-def test_a_name_of_no_test_is_refused(suite, name):
+def test_a_name_of_no_test_is_refused(name):
     """In one line, also if there is another file of that name."""
     with pytest.raises(suite.argparse.ArgumentTypeError, match='there is no test'):
         suite.job(name)
 
 
-def test_every_test_file_is_run(suite):
+def test_every_test_file_is_run():
     """Each file of each folder is in a job, and has one of its own by name."""
     commands = [' '.join(map(str, job.command)) for job in suite.all_jobs()]
     for folder in ('unit', 'screen'):
