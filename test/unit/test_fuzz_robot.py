@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
 from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
-from odometry_tests.simulation import Simulation
+from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import rotate, yaw_of
+from sim_turtlebot.rotations import yaw_of
 
 from odometry_common import kobuki
 
@@ -42,11 +42,6 @@ def numbers_of(robot):
     yield from (number for motion in (robot.ground_truth, robot.odometry)
                 for part in motion for number in part)
     yield from (number for part in robot.wheels for number in part)
-
-
-def lean(motion):
-    """Return by how many degrees a robot is not upright."""
-    return math.degrees(math.acos(min(1.0, rotate(motion.orientation, (0.0, 0.0, 1.0))[2])))
 
 
 class RobotMachine(RuleBasedStateMachine):
@@ -83,7 +78,7 @@ class RobotMachine(RuleBasedStateMachine):
     def reset_odometry(self, robot):
         """Call the robot's place zero."""
         self.simulation.robots[robot].reset_odometry()
-        self.note_origin(robot)
+        self.origins[robot] = self.simulation.robots[robot].ground_truth
         x, y, _ = self.simulation.robots[robot].odometry.position
         assert (x, y) == (0.0, 0.0)
 
@@ -114,10 +109,6 @@ class RobotMachine(RuleBasedStateMachine):
         """Remember where each odometry has begun."""
         self.origins = [robot.ground_truth for robot in self.simulation.robots]
 
-    def note_origin(self, robot):
-        """Remember where one odometry has begun again."""
-        self.origins[robot] = self.simulation.robots[robot].ground_truth
-
     def look(self):
         """Check all that must hold for each robot at any time."""
         for robot, origin in zip(self.simulation.robots, self.origins):
@@ -130,7 +121,7 @@ class RobotMachine(RuleBasedStateMachine):
                 self.compare(robot, origin)
 
     def compare(self, robot, origin):
-        """Check a world odometry against the way from where it has begun."""
+        """Check a world odometry against the path from where it has begun."""
         x, y, _ = robot.odometry.position
         true_x, true_y = (now - then for now, then in
                           zip(robot.ground_truth.position[:2], origin.position[:2]))

@@ -64,13 +64,6 @@ def test_a_timeout_below_a_step_of_time_is_no_lack_of_one():
     assert simulation.robot.ground_truth.position[0] < 0.01
 
 
-def test_without_a_timeout_one_command_is_enough():
-    """It drives on for as long as nobody says otherwise."""
-    simulation = Simulation(cmd_vel_timeout=0.0)
-    simulation.drive(0.3, 0.0, 10.0)
-    assert speeds(simulation) == pytest.approx((0.3, 0.0), abs=0.001)
-
-
 def test_its_twist_is_in_its_own_frame():
     """Forwards is x wherever it looks."""
     simulation = Simulation((1.0, -2.0, 2.5))

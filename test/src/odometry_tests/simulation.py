@@ -1,8 +1,10 @@
 """The simulated robots without ROS, with a record of what they did."""
 
+import math
 from typing import NamedTuple
 
 from sim_turtlebot.odometry import WorldOdometry, true_motion
+from sim_turtlebot.rotations import rotate
 from sim_turtlebot.simulation import AT_ZERO
 from sim_turtlebot.simulation import Simulation as SteppedRobots
 
@@ -38,3 +40,8 @@ class Simulation(SteppedRobots):
         """Command the first robot and run; return the Record."""
         self.command(linear, angular)
         return self.run(duration)
+
+
+def lean(motion):
+    """Return by how many degrees a robot is not upright."""
+    return math.degrees(math.acos(min(1.0, rotate(motion.orientation, (0.0, 0.0, 1.0))[2])))
