@@ -118,11 +118,8 @@ def _table(heading, rows):
     if not rows:
         return ''
     lines = [' | '.join(cell.replace('|', '\\|') for cell in row) for row in rows]
-    return '\n'.join(f'| {line} |' for line in [heading, _rule(heading), *lines])
-
-
-def _rule(heading):
-    return ' | '.join('---' for _ in heading.split('|'))
+    rule = ' | '.join('---' for _ in heading.split('|'))
+    return '\n'.join(f'| {line} |' for line in [heading, rule, *lines])
 
 
 if __name__ == '__main__':
