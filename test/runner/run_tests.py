@@ -63,7 +63,7 @@ def _run(jobs):
 def _parse():
     parser = argparse.ArgumentParser(prog='./ws test', description=__doc__)
     parser.add_argument('names', nargs='*', metavar='NAME', type=job,
-                        help='run only these, such as test_heading, test_heading::test_x, '
+                        help='run only these, such as test_drive, test_drive::test_x, '
                              'detector.test, unit or ruff')
     parser.add_argument('--nightly', action='store_true',
                         help='try many more random sequences; takes hours')

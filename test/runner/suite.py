@@ -48,7 +48,7 @@ def all_jobs():
 
 
 def job(name):
-    """Return the job with a name: test_heading, test_heading::test_x, detector.test, unit, ruff.
+    """Return the job with a name: test_drive, test_drive::test_x, detector.test, unit, ruff.
 
     :raises argparse.ArgumentTypeError: if there is none
     """

@@ -11,9 +11,7 @@ from moved_distance.distance_counter import DistanceCounter
 PERIOD = 0.05  # s between two messages at 20 Hz
 NO_STAMP = 0.0
 
-coordinates = st.floats(-1e4, 1e4)
-points = st.tuples(coordinates, coordinates)
-paths = st.lists(points, min_size=1, max_size=30)
+points = st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4))
 
 
 @st.composite
@@ -48,7 +46,9 @@ def length(positions):
 
 
 @given(drives())
-@example([(0.0, 0.0, 0.0), (1e-7, 0.0, 0.1), (1e-6, 0.0, 0.2)])
+@example([(0.0, 0.0, 0.0), (9e-7, 0.0, 0.1)])
+@example([(0.0, 0.0, 0.0), (1e-6, 0.0, 0.1)])
+@example([(number * 4e-7, 0.0, number * 0.1) for number in range(11)])
 def test_the_distance_is_the_sum_of_the_tutorial_to_the_last_bit(rows):
     """With the defaults, after each message, and a total under a micrometre is zero."""
     counter = DistanceCounter()
@@ -56,37 +56,6 @@ def test_the_distance_is_the_sum_of_the_tutorial_to_the_last_bit(rows):
         assert counter.add(x, y, stamp, arrival=0.0) is None
         total = length([row[:2] for row in rows[:number]])
         assert counter.distance == (total if total >= 1e-6 else 0.0)
-
-
-@given(paths, st.floats(-math.pi, math.pi), points)
-def test_the_distance_does_not_depend_on_the_frame(path, turn, offset):
-    """Turning and shifting the odom frame changes no length."""
-    def moved(x, y):
-        return (offset[0] + x * math.cos(turn) - y * math.sin(turn),
-                offset[1] + x * math.sin(turn) + y * math.cos(turn))
-
-    here, _ = count(DistanceCounter(max_speed=0), path)
-    there, _ = count(DistanceCounter(max_speed=0), [moved(x, y) for x, y in path])
-    assert there == pytest.approx(here, rel=1e-9, abs=1e-6)
-
-
-@pytest.mark.parametrize('step, expected', [(9e-7, 0.0), (1e-6, 1e-6), (2e-6, 2e-6)])
-def test_less_than_a_micrometre_is_published_as_zero(step, expected):
-    """And not as a number that a reader takes for motion."""
-    distances, _ = count(DistanceCounter(), [(0, 0), (step, 0)])
-    assert distances == [0.0, expected]
-
-
-def test_small_steps_add_up_to_more_than_a_micrometre():
-    """What is published as zero is not forgotten."""
-    distances, _ = count(DistanceCounter(), [(number * 4e-7, 0) for number in range(11)])
-    assert distances[:3] == [0.0, 0.0, 0.0]
-    assert distances[-1] == pytest.approx(4e-6)
-
-
-def test_the_first_position_is_no_movement():
-    """Wherever the odometry starts."""
-    assert count(DistanceCounter(), [(1000, -1000)]) == ([0.0], [])
 
 
 def test_trembling_below_min_step_is_not_counted():
@@ -101,14 +70,6 @@ def test_slow_motion_adds_up_past_min_step():
     distances, _ = count(DistanceCounter(min_step=0.0105), path)
     assert 1 - 0.0105 < distances[-1] <= 1
     assert sorted(set(distances)) == pytest.approx([n * 0.011 for n in range(91)])
-
-
-@given(st.floats(0.01, 100), paths)
-def test_min_step_never_lengthens_a_way(min_step, path):
-    """Each counted step is a chord of what it stands for."""
-    whole, _ = count(DistanceCounter(max_speed=0), path)
-    chords, _ = count(DistanceCounter(min_step, max_speed=0), path)
-    assert chords[-1] <= whole[-1] * (1 + 1e-9)
 
 
 @pytest.mark.parametrize('max_speed, counted', [(5.0, False), (100.0, False), (401.0, True),
@@ -152,30 +113,3 @@ def test_a_reset_counts_from_the_last_position():
     assert counter.distance == 0.0
     counter.add(1.5, 0, 2.0, arrival=2.0)
     assert counter.distance == 0.5
-
-
-any_number = st.one_of(st.floats(), st.sampled_from([1e308, -1e308, 1.7e308, 5e-324]), coordinates)
-events = st.one_of(
-    st.just('reset'),
-    st.tuples(any_number, any_number, st.floats(0, 1e3), st.floats(0, 1e3)))
-
-
-@given(st.floats(0, 1e308), st.floats(0, 1e308), st.lists(events, max_size=40))
-@example(1.7e308, 0.0, [(0, 0, 0, 0), (1.6e308, 0, 1, 1), (1.6e308, 1.6e308, 2, 2)])
-def test_whatever_arrives_the_distance_is_finite_and_falls_only_by_a_reset(
-        min_step, max_speed, sequence):
-    """NaN, jumps of the largest numbers, stamps in any order, resets at any time."""
-    counter = DistanceCounter(min_step, max_speed)
-    before = 0.0
-    for event in sequence:
-        if event == 'reset':
-            counter.reset()
-            before = 0.0
-            assert counter.distance == 0.0
-            continue
-        try:
-            counter.add(*event)
-        except ValueError:
-            assert not all(map(math.isfinite, event)) and counter.distance == before
-        assert before <= counter.distance < math.inf
-        before = counter.distance

@@ -30,14 +30,3 @@ def test_relative_counts_from_the_first_distance_seen():
     drive = Drive(2.0, 0.1, relative=True)
     sequence = [2.0, 3.9, 4.0, 3.0, 0.0]
     assert [drive.speed_at(moved) for moved in sequence] == [0.1, 0.1, 0.0, 0.1, 0.1]
-
-
-@pytest.mark.parametrize('relative', [False, True])
-@pytest.mark.parametrize('moved', [math.nan, math.inf, -math.inf])
-def test_a_distance_that_is_not_finite_is_refused(moved, relative):
-    """And is no start for a relative drive."""
-    drive = Drive(2.0, 0.1, relative)
-    with pytest.raises(ValueError, match='is not finite'):
-        drive.speed_at(moved)
-    assert drive.speed_at(1.0) == 0.1
-    assert drive.speed_at(2.5) == (0.1 if relative else 0.0)
