@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from odometry_tests.fuzzing import PHYSICS_SHARE, sequence_count
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 from sim_turtlebot.rotations import yaw_of
@@ -15,9 +16,6 @@ STEP_RATE = 240  # Hz
 TEN_MINUTES = 600.0  # s
 SETTLED_HEIGHT = -0.00021  # m, of the footprint; wheels of rubber sink in a little
 REAR_CASTER_LEAN = 0.95  # degrees until the rear caster, 2.2 mm above the floor, touches it
-
-# A drive in the physics takes hundreds of times as long as a piece of arithmetic.
-few = settings(max_examples=settings.default.max_examples // 4)
 
 
 def distance_between(a, b):
@@ -87,7 +85,7 @@ def test_beside_a_driving_robot_a_standing_one_does_not_creep():
     simulation.drive(0.0, 0.0, STOPPING)
     start = simulation.robot.ground_truth
     simulation.command(0.3, 0.8, robot=1)
-    record = simulation.run(60.0)
+    record = simulation.run(20.0)
     assert max(distance_between(start, motion) for motion in record.ground_truth) <= 1e-6
     assert len(set(record.odometry)) == 1
 
@@ -144,7 +142,7 @@ def test_at_other_odometry_rates_it_moves_the_same(odom_rate):
     assert simulation.robot.resting
 
 
-@few
+@settings(max_examples=sequence_count(PHYSICS_SHARE))
 @given(st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-6.28, 6.28)),
        st.lists(st.tuples(st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi),
                           st.floats(0.05, 1.5)), min_size=1, max_size=5))

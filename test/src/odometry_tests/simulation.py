@@ -28,12 +28,13 @@ class Simulation(SteppedRobots):
     def run(self, duration):
         """Simulate so many seconds; return the Record of the first robot."""
         record = Record([], [])
-        for _ in range(round(duration * self.timeline.step_rate)):
-            rested = self.everything_rests
-            if self.advance(self.timeline.steps + 1):
+        end = self.timeline.steps + round(duration * self.timeline.step_rate)
+        while self.timeline.steps < end:
+            before, rested = self.timeline.steps, self.everything_rests
+            if self.advance(end if rested else before + 1):
                 record.odometry.append(self.robot.odometry)
-            record.ground_truth.append(
-                self.robot.ground_truth if rested else true_motion(self.robot.body))
+            motion = self.robot.ground_truth if rested else true_motion(self.robot.body)
+            record.ground_truth.extend([motion] * (self.timeline.steps - before))
         return record
 
     def drive(self, linear, angular, duration):
