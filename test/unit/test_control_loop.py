@@ -16,7 +16,7 @@ class Controller:
 
     def __init__(self, monkeypatch, timeout=1.0, period=PERIOD, wallclock=False):
         """Start it, in real time (as `wallclock` says) or in simulated time."""
-        self.now, self.real, self.done = START, 0.0, []
+        self.now, self.real, self.done = START, START, []
         monkeypatch.setattr('odometry_common.control_loop.rospy', SimpleNamespace(
             Timer=Mock(), Duration=Mock(), get_time=lambda: self.now,
             rostime=SimpleNamespace(is_wallclock=lambda: wallclock)))
