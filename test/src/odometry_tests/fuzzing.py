@@ -6,7 +6,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 SEQUENCES, NIGHTLY_SEQUENCES = 300, 10000
-PHYSICS_SHARE = 20  # a sequence in the physics takes as long as hundreds of pieces of arithmetic
+PHYSICS_SHARE = 10  # a sequence in the physics takes as long as hundreds of pieces of arithmetic
 
 STRANGE = [math.nan, math.inf, -math.inf, 1e308, -1e308, 1.7e308, 5e-324, -5e-324, -0.0]
 
