@@ -77,30 +77,21 @@ def nodes_that_end(options):
     """Return the names of the nodes that end when they have done what they were told."""
     # Beside a page the tutorial's node does so, or it would go on to command zero, against the
     # page's pad.
-    return {'move': ['test_movement'], 'rotate': ['rotate_robot']}[options.tutorial] \
-        if options.view else []
+    return ['test_movement', 'rotate_robot'] if options.view else []
 
 
 def launch_arguments(options, page_port=None):
-    """Return the launch file and its arguments for these options.
-
-    :param page_port: where the page is, if there is one
-    """
-    arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
-                 'real_time_factor': options.real_time_factor,
-                 'lockstep': _flag(in_lockstep(options))}
+    """Return the launch file and its arguments for these options, and for the page if any."""
+    arguments = {'gui': options.gui, 'view': options.view,
+                 'real_time_factor': options.real_time_factor, 'lockstep': in_lockstep(options)}
     if page_port:
         arguments['view_port'] = page_port
     if options.tutorial == 'move':
         arguments.update(distance=options.distance, speed=options.speed,
-                         exit_when_done=_flag(options.view))
+                         exit_when_done=options.view)
         return 'move_two_meters.launch', arguments
     arguments.update(target=options.target, tolerance=VIEW_TOLERANCE if options.view else 0.0)
     return 'rotate.launch', arguments
-
-
-def _flag(value):
-    return str(value).lower()
 
 
 def _number(lowest, highest):
