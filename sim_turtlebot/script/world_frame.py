@@ -27,8 +27,8 @@ class WorldFrame:
         """Publish with each true pose from the first odometry on."""
         self._odometry = None
         self._publisher = ClosingPublisher('/tf', TFMessage)
-        Subscriber('odom', Odometry, self._on_odometry)
-        Subscriber('base_pose_ground_truth', Odometry, self._on_ground_truth)
+        Subscriber('odom', Odometry, self._on_odometry, 'odometry')
+        Subscriber('base_pose_ground_truth', Odometry, self._on_ground_truth, 'ground truth')
 
     def _on_odometry(self, message):
         self._odometry = message

@@ -49,7 +49,7 @@ def as_number(value):
 
 
 def get_whole(name, default, lowest, highest):
-    """Read a whole number; raise ParameterError if it is none, or out of range."""
+    """Read a whole number; raise ParameterError if the value is another one, or out of range."""
     return int(get_number(name, default, lambda v: v == int(v) and lowest <= v <= highest,
                           f'a whole number from {lowest} to {highest}'))
 
