@@ -98,7 +98,9 @@ def make_figure(run):
     _draw_track(figure.axes, run.odometry, '-', 'odometry')
     if run.ground_truth is not None:
         _draw_track(figure.axes, run.ground_truth, '--', 'truth')
-    _mark_ends(path, run.odometry)
+    path.plot(run.odometry.x[0], run.odometry.y[0], 'o', label='start')
+    path.plot(run.odometry.x[-1], run.odometry.y[-1], 's', label='end')
+    path.set_aspect('equal', adjustable='datalim')
     if TWO_METRES / 2 <= run.odometry.distance[-1] <= TWO_METRES * 2:
         distance.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
     middle, span = numpy.mean(heading.get_ylim()), numpy.ptp(heading.get_ylim())
@@ -119,12 +121,6 @@ def _draw_track(all_axes, track, style, label):
     distance.plot(track.time, track.distance, style, label=label)
     speed.plot(track.time, track.speed, style, label=label)
     heading.plot(track.time, numpy.degrees(track.yaw), style, label=label)
-
-
-def _mark_ends(path, track):
-    path.plot(track.x[0], track.y[0], 'o', label='start')
-    path.plot(track.x[-1], track.y[-1], 's', label='end')
-    path.set_aspect('equal', adjustable='datalim')
 
 
 def _track(rows, start):
