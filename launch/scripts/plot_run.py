@@ -4,7 +4,7 @@
 import argparse
 import sys
 
-from odometry_launch.run_plot import BagError, draw, read_run
+from odometry_launch.run_plot import BagError, make_figure, read_run
 
 EXIT_BAD_BAG = 2
 
@@ -19,7 +19,7 @@ def main():
     options = parser.parse_args()
     try:
         run = read_run(options.bag, options.topic)
-        draw(run, options.output)
+        make_figure(run).savefig(options.output)
     except (BagError, OSError, ValueError) as error:
         print(f'plot_run: {error}', file=sys.stderr)
         sys.exit(EXIT_BAD_BAG)

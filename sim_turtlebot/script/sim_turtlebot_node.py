@@ -47,7 +47,9 @@ Parameters:
         that has been silent for this long (wall time)
 """
 
-from sim_turtlebot.node import main
+from odometry_common.node import run_node
+from sim_turtlebot.node import simulate
 
 if __name__ == '__main__':
-    main(__doc__)
+    # disable_rostime: the clock is ours, so there is none to subscribe to and wait for.
+    run_node('sim_turtlebot', simulate, __doc__, disable_rostime=True)

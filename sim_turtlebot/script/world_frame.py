@@ -11,17 +11,13 @@ Publishes:
 """
 
 import rospy
-import tf
+from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
-from tf.transformations import (
-    concatenate_matrices,
-    inverse_matrix,
-    quaternion_from_matrix,
-    quaternion_matrix,
-    translation_from_matrix,
-    translation_matrix,
-)
+from odometry_common.publishing import ClosingPublisher
+from odometry_common.subscribing import Subscriber
+from tf import transformations
+from tf2_msgs.msg import TFMessage
 
 
 class WorldFrame:
@@ -30,12 +26,9 @@ class WorldFrame:
     def __init__(self):
         """Publish with each true pose from the first odometry on."""
         self._odometry = None
-        self._stopping = False
-        rospy.on_shutdown(self._stop)
-        self._broadcaster = tf.TransformBroadcaster()
-        rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
-        rospy.Subscriber(
-            'base_pose_ground_truth', Odometry, self._on_ground_truth, tcp_nodelay=True)
+        self._publisher = ClosingPublisher('/tf', TFMessage)
+        Subscriber('odom', Odometry, self._on_odometry, 'odometry')
+        Subscriber('base_pose_ground_truth', Odometry, self._on_ground_truth, 'ground truth')
 
     def _on_odometry(self, message):
         self._odometry = message
@@ -43,28 +36,18 @@ class WorldFrame:
     def _on_ground_truth(self, ground_truth):
         if self._odometry is None:
             return
-        try:
-            self._publish(ground_truth)
-        except rospy.ROSException:
-            # At shutdown rospy may close the topic while messages still come.
-            if not self._stopping:
-                raise
-
-    def _publish(self, ground_truth):
-        frame = concatenate_matrices(_matrix(ground_truth), inverse_matrix(_matrix(self._odometry)))
-        self._broadcaster.sendTransform(
-            translation_from_matrix(frame), quaternion_from_matrix(frame), ground_truth.header.stamp,
-            self._odometry.header.frame_id, ground_truth.header.frame_id)
-
-    def _stop(self):
-        self._stopping = True
+        frame = _matrix(ground_truth) @ transformations.inverse_matrix(_matrix(self._odometry))
+        transform = Transform(Vector3(*transformations.translation_from_matrix(frame)),
+                              Quaternion(*transformations.quaternion_from_matrix(frame)))
+        self._publisher.publish(TFMessage([TransformStamped(
+            ground_truth.header, self._odometry.header.frame_id, transform)]))
 
 
 def _matrix(message):
     position, orientation = message.pose.pose.position, message.pose.pose.orientation
-    return concatenate_matrices(
-        translation_matrix([position.x, position.y, position.z]),
-        quaternion_matrix([orientation.x, orientation.y, orientation.z, orientation.w]))
+    translation = transformations.translation_matrix([position.x, position.y, position.z])
+    return translation @ transformations.quaternion_matrix(
+        [orientation.x, orientation.y, orientation.z, orientation.w])
 
 
 def main():

@@ -1,5 +1,6 @@
 """A tutorial's nodes and their ROS master, as roslaunch starts them."""
 
+import contextlib
 import os
 import subprocess
 import threading
@@ -78,9 +79,11 @@ class Graph:
         holds = threading.Event()
 
         def look():
-            while not _holds(condition):
+            while not holds.is_set():
+                with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
+                    if condition():
+                        holds.set()
                 time.sleep(LOOK_PERIOD)
-            holds.set()
 
         threading.Thread(target=look, daemon=True).start()
         end = time.monotonic() + START_TIMEOUT
@@ -89,11 +92,3 @@ class Graph:
             if time.monotonic() > end:
                 raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
                                 f'{self._log.reason()}')
-
-
-def _holds(condition):
-    """Return whether a condition holds; False while the master does not answer."""
-    try:
-        return condition()
-    except (OSError, rosgraph.MasterException):
-        return False

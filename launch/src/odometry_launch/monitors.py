@@ -20,7 +20,7 @@ REST_ANGULAR_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
 
 
 class ProgressMonitor:
-    """Follows the robot's true motion from the world's origin; subclasses know the tutorial."""
+    """Follows the robot's true motion from the world's origin; subclasses have arrived()."""
 
     def __init__(self):
         """Listen to the simulator."""
@@ -39,10 +39,6 @@ class ProgressMonitor:
     def duration(self):
         """Simulated seconds from the first message until the robot had arrived."""
         return (self.end - self.start.header.stamp).to_sec()
-
-    def arrived(self):
-        """Return whether the robot has done what it was told, and stands."""
-        raise NotImplementedError
 
     def _on_ground_truth(self, message):
         self.ground_truth = message

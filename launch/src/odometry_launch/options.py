@@ -35,12 +35,12 @@ def make_parser():
     parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
                         help='drive two metres, or turn to a heading (default: %(default)s)')
     parser.add_argument('--distance', type=_number(0.01, 1000), metavar='M',
-                        help=f'move: where to stop (m; default: {_default("distance")})')
+                        help=f'move: where to stop (m; default: {BELONGING["distance"][1]})')
     parser.add_argument('--speed', type=_speed, metavar='M/S',
                         help='move: how fast (m/s; negative drives backwards; '
-                             f'default: {_default("speed")})')
+                             f'default: {BELONGING["speed"][1]})')
     parser.add_argument('--target', type=_number(-1e6, 1e6), metavar='DEGREES',
-                        help=f'rotate: heading to turn to (default: {_default("target")})')
+                        help=f'rotate: heading to turn to (default: {BELONGING["target"][1]})')
     parser.add_argument('--real-time-factor', type=_factor, default=1.0, metavar='N',
                         help='simulated seconds per second; 0: as fast as possible. At '
                              'each but 1 the robot waits for its controller, so that it goes '
@@ -51,10 +51,6 @@ def make_parser():
                              'next port that is free; on a terminal the page stays after the run, '
                              'and its pad drives the robot, until Ctrl-C')
     return parser
-
-
-def _default(name):
-    return BELONGING[name][1]
 
 
 def _with_numbers_joined(arguments):
@@ -77,15 +73,11 @@ def nodes_that_end(options):
     """Return the names of the nodes that end when they have done what they were told."""
     # Beside a page the tutorial's node does so, or it would go on to command zero, against the
     # page's pad.
-    return {'move': ['test_movement'], 'rotate': ['rotate_robot']}[options.tutorial] \
-        if options.view else []
+    return ['test_movement', 'rotate_robot'] if options.view else []
 
 
 def launch_arguments(options, page_port=None):
-    """Return the launch file and its arguments for these options.
-
-    :param page_port: where the page is, if there is one
-    """
+    """Return the launch file and its arguments for these options, and for the page if any."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor,
                  'lockstep': _flag(in_lockstep(options))}

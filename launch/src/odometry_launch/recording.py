@@ -40,10 +40,10 @@ class Recording:
                 return None
             self._bag = None
         # matplotlib takes a second to import, which the start of the demo need not wait for.
-        from odometry_launch.run_plot import BagError, draw, read_run
+        from odometry_launch.run_plot import BagError, make_figure, read_run
         picture = self.folder / 'run.png'
         try:
-            draw(read_run(self.folder / 'run.bag'), picture)
+            make_figure(read_run(self.folder / 'run.bag')).savefig(str(picture))
         except (OSError, BagError) as error:
             complain(f'no picture: {error}')
             return None

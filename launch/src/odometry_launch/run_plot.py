@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy
 import rosbag
 from geometry_msgs.msg import Quaternion
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from moved_distance.distance_counter import DistanceCounter
 from odometry_common.geometry import PlanarPose, yaw_from_orientation
@@ -64,8 +63,7 @@ class Run(NamedTuple):
                 f'top speed   {numpy.abs(track.speed).max():.3f} m/s')
 
 
-def read_run(path, odometry_topic='/odom', ground_truth_topic='/base_pose_ground_truth',
-             command_topic='/cmd_vel'):
+def read_run(path, odometry_topic='/odom'):
     """Return the Run in a bag.
 
     :raises BagError: if it is not a bag, or has no odometry with finite numbers on that topic
@@ -74,7 +72,7 @@ def read_run(path, odometry_topic='/odom', ground_truth_topic='/base_pose_ground
         with rosbag.Bag(str(path)) as bag:
             odometry, ground_truth, commands = (
                 list(bag.read_messages(topic))
-                for topic in (odometry_topic, ground_truth_topic, command_topic))
+                for topic in (odometry_topic, '/base_pose_ground_truth', '/cmd_vel'))
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
     if not odometry:
@@ -89,67 +87,40 @@ def read_run(path, odometry_topic='/odom', ground_truth_topic='/base_pose_ground
                true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
 
 
-def draw(run, path):
-    """Draw a Run into a PNG file."""
-    make_figure(run).savefig(str(path))
-
-
 def make_figure(run):
     """Return a figure of path, distance, speed and heading of a Run."""
     figure = Figure(FIGURE_SIZE, dpi=RESOLUTION, layout='constrained')
-    FigureCanvasAgg(figure)
     figure.suptitle(run.name)
-    (path_axes, distance_axes), (speed_axes, heading_axes) = figure.subplots(2, 2)
-    tracks = [(run.odometry, 'odometry', '-')]
+    path, distance, speed, heading = figure.subplots(2, 2).flat
+    if len(run.commands):
+        time, linear, _ = run.commands.T
+        speed.step(time, linear, where='post', color='grey', label='commanded')
+    _draw_track(figure.axes, run.odometry, '-', 'odometry')
     if run.ground_truth is not None:
-        tracks.append((run.ground_truth, 'truth', '--'))
-    _draw_path(path_axes, tracks)
-    _draw_distance(distance_axes, tracks)
-    _draw_speed(speed_axes, tracks, run.commands)
-    _draw_heading(heading_axes, tracks)
+        _draw_track(figure.axes, run.ground_truth, '--', 'truth')
+    path.plot(run.odometry.x[0], run.odometry.y[0], 'o', label='start')
+    path.plot(run.odometry.x[-1], run.odometry.y[-1], 's', label='end')
+    path.set_aspect('equal', adjustable='datalim')
+    if TWO_METRES / 2 <= run.odometry.distance[-1] <= TWO_METRES * 2:
+        distance.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
+    middle, span = numpy.mean(heading.get_ylim()), numpy.ptp(heading.get_ylim())
+    heading.set_ylim(middle - max(span, SMALLEST_SPAN) / 2, middle + max(span, SMALLEST_SPAN) / 2)
+    path.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
+    distance.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
+    speed.set(title='speed', xlabel='time (s)', ylabel='speed (m/s)')
+    heading.set(title='heading', xlabel='time (s)', ylabel='heading (degrees)')
+    for axes in figure.axes:
+        axes.legend()
+        axes.grid(True)
     return figure
 
 
-def _draw_path(axes, tracks):
-    for track, label, style in tracks:
-        axes.plot(track.x, track.y, style, label=label)
-    first = tracks[0][0]
-    axes.plot(first.x[0], first.y[0], 'o', label='start')
-    axes.plot(first.x[-1], first.y[-1], 's', label='end')
-    axes.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
-    axes.set_aspect('equal', adjustable='datalim')
-    axes.legend()
-    axes.grid(True)
-
-
-def _draw_distance(axes, tracks):
-    for track, label, style in tracks:
-        axes.plot(track.time, track.distance, style, label=label)
-    if TWO_METRES / 2 <= tracks[0][0].distance[-1] <= TWO_METRES * 2:
-        axes.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
-    axes.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
-    axes.legend()
-    axes.grid(True)
-
-
-def _draw_speed(axes, tracks, commands):
-    if len(commands):
-        axes.step(commands[:, 0], commands[:, 1], where='post', color='grey', label='commanded')
-    for track, label, style in tracks:
-        axes.plot(track.time, track.speed, style, label=label)
-    axes.set(title='speed', xlabel='time (s)', ylabel='speed (m/s)')
-    axes.legend()
-    axes.grid(True)
-
-
-def _draw_heading(axes, tracks):
-    for track, label, style in tracks:
-        axes.plot(track.time, numpy.degrees(track.yaw), style, label=label)
-    axes.set(title='heading', xlabel='time (s)', ylabel='heading (degrees)')
-    middle, span = numpy.mean(axes.get_ylim()), numpy.ptp(axes.get_ylim())
-    axes.set_ylim(middle - max(span, SMALLEST_SPAN) / 2, middle + max(span, SMALLEST_SPAN) / 2)
-    axes.legend()
-    axes.grid(True)
+def _draw_track(all_axes, track, style, label):
+    path, distance, speed, heading = all_axes
+    path.plot(track.x, track.y, style, label=label)
+    distance.plot(track.time, track.distance, style, label=label)
+    speed.plot(track.time, track.speed, style, label=label)
+    heading.plot(track.time, numpy.degrees(track.yaw), style, label=label)
 
 
 def _track(rows, start):

@@ -26,12 +26,9 @@ class DistanceCounter:
         self._steps.restart()
 
     def add(self, x, y, stamp, arrival):
-        """Take the robot's next position.
+        """Take the robot's next position; parameters and errors are those of Steps.to().
 
-        :param x, y: position (m)
-        :param stamp, arrival: when it was measured and when it arrived (s)
         :return: None, or why this step was not counted
-        :raises ValueError: if x or y is not finite; nothing has changed then
         """
         dx, dy, jump = self._steps.to(x, y, stamp, arrival)
         self._total += math.hypot(dx, dy)

@@ -26,24 +26,16 @@ class PlanarPose(NamedTuple):
 
     def inverse(self):
         """Return where the origin is, seen from this pose."""
-        cosine, sine = math.cos(self.yaw), math.sin(self.yaw)
-        return PlanarPose(
-            -cosine * self.x - sine * self.y, sine * self.x - cosine * self.y, -self.yaw)
+        return PlanarPose(0.0, 0.0, -self.yaw).then(PlanarPose(-self.x, -self.y, 0.0))
 
 
 def planar_pose(pose):
-    """Return the PlanarPose of a geometry_msgs/Pose.
-
-    :raises ValueError: if its orientation is not finite or has no length
-    """
+    """Return the PlanarPose of a geometry_msgs/Pose; errors as euler_from_orientation()'s."""
     return PlanarPose(pose.position.x, pose.position.y, yaw_from_orientation(pose.orientation))
 
 
 def yaw_from_orientation(orientation):
-    """Return the yaw (rad, from -pi to pi) of a geometry_msgs/Quaternion of any length.
-
-    :raises ValueError: if it is not finite or has no length
-    """
+    """Return the yaw (rad, from -pi to pi); the rest is as in euler_from_orientation()."""
     return euler_from_orientation(orientation)[2]
 
 

@@ -48,27 +48,31 @@ def as_number(value):
     return float(value) if is_number or is_written_as_one else None
 
 
+def get_whole(name, default, lowest, highest):
+    """Read a whole number; raise ParameterError if the value is another one, or out of range."""
+    return int(get_number(name, default, lambda v: v == int(v) and lowest <= v <= highest,
+                          f'a whole number from {lowest} to {highest}'))
+
+
 def get_flag(name, default):
     """Read a boolean; raise ParameterError if the value is of another type."""
-    value = rospy.get_param(name, default)
-    if not isinstance(value, bool):
-        raise ParameterError(name, value, 'true or false')
-    return value
+    return _get(name, default, lambda value: isinstance(value, bool), 'true or false')
 
 
 def get_choice(name, default, choices):
     """Read one of a few strings; raise ParameterError if the value is another one."""
-    value = rospy.get_param(name, default)
-    if value not in choices:
-        raise ParameterError(name, value, ' or '.join(choices))
-    return value
+    return _get(name, default, lambda value: value in choices, ' or '.join(choices))
 
 
 def get_text(name, default):
     """Read a string; raise ParameterError if the value is of another type."""
+    return _get(name, default, lambda value: isinstance(value, str), 'a text')
+
+
+def _get(name, default, accepts, allowed):
     value = rospy.get_param(name, default)
-    if not isinstance(value, str):
-        raise ParameterError(name, value, 'a text')
+    if not accepts(value):
+        raise ParameterError(name, value, allowed)
     return value
 
 
@@ -91,7 +95,7 @@ def check_command_line(arguments=None):
 
 
 def forget_argument(name):
-    """Take a parameter (such as ~speed) that the command line has set back, or the next run gets it.
+    """Take back a parameter (such as ~speed) that the command line set, or the next run gets it.
 
     What `_name:=value` once set stays on the parameter server.
     """

@@ -19,10 +19,7 @@ class SenderWatch:
         self._noticed = False
 
     def rivals(self, sender):
-        """Take the sender's name of the next message; return the names of two rivals, but only once.
-
-        :return: None as long as there is nothing new to say
-        """
+        """Take the next message's sender; return the names of two rivals, once, or else None."""
         if self._noticed or sender == self._current:
             return None
         self._noticed = sender in self._earlier

@@ -36,6 +36,5 @@ class Subscriber:
                 self._callback(message)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'{self._what} ignored: {error}')
-            return
-        if not self._heard.is_set():
+        else:
             self._heard.set()

@@ -1,4 +1,4 @@
-"""An XML-RPC server for rospy that comes to an end, and tells of connections that it cannot take."""
+"""An XML-RPC server for rospy that comes to an end, and tells of connections it cannot take."""
 
 import rosgraph.xmlrpc
 
@@ -13,7 +13,7 @@ class ClosableServer(rosgraph.xmlrpc.ThreadingXMLRPCServer):
     on_failure = None  # is called with the OSError of a connection that is not taken
 
     def get_request(self):
-        """Take a connection; Python's own would keep it waiting, and try again at once, for ever."""
+        """Take a connection; Python's own would keep it waiting and try again at once, for ever."""
         try:
             return super().get_request()
         except OSError as error:

@@ -4,7 +4,7 @@ import errno
 import socket
 from typing import NamedTuple
 
-from odometry_common.parameters import ParameterError, get_number, get_text
+from odometry_common.parameters import ParameterError, get_text, get_whole
 from odometry_common.ports import bind
 
 from robot_view.hosts import OwnHosts, parse_hosts
@@ -23,8 +23,7 @@ class Address(NamedTuple):
 
 def read_address():
     """Return the Address; raise ParameterError if it is impossible to listen there."""
-    port = int(get_number('~port', 8080, lambda v: v == int(v) and 1 <= v <= 65535,
-                          'a whole number from 1 to 65535'))
+    port = get_whole('~port', 8080, 1, 65535)
     host = get_text('~host', 'localhost')
     own_hosts = OwnHosts(host, _read_allowed_hosts())
     return Address(host, _find_ip(host, port), port, own_hosts)
@@ -35,8 +34,8 @@ def _read_allowed_hosts():
     try:
         return parse_hosts(text)
     except ValueError:
-        raise ParameterError('~allowed_hosts', text, 'host names or addresses, each with or without '
-                             'a port, separated by commas or spaces') from None
+        raise ParameterError('~allowed_hosts', text, 'host names or addresses, each with or '
+                             'without a port, separated by commas or spaces') from None
 
 
 def _find_ip(host, port):
@@ -49,11 +48,8 @@ def _find_ip(host, port):
     try:
         bind(address, family).close()
     except OSError as error:
-        raise _refusal(error, host, port) from None
+        if error.errno == errno.EADDRNOTAVAIL:
+            raise ParameterError('~host', host, ADDRESSES) from None
+        allowed = f'a port that can be listened on ({error.strerror})'
+        raise ParameterError('~port', port, allowed) from None
     return address[0]
-
-
-def _refusal(error, host, port):
-    if error.errno == errno.EADDRNOTAVAIL:
-        return ParameterError('~host', host, ADDRESSES)
-    return ParameterError('~port', port, f'a port that can be listened on ({error.strerror})')

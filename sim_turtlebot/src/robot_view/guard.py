@@ -18,8 +18,6 @@ from websockets.asyncio import server
 MAX_MESSAGE = 65536  # bytes; a page says less than a kilobyte at a time
 LOG_PERIOD = 10.0  # s, between two lines of a kind
 LOG_LENGTH = 250  # characters; they may come from a stranger
-# In an invisible frame of another page, clicks meant for that page would drive.
-FRAMING = 'Content-Security-Policy', "frame-ancestors 'self'"
 
 
 class GuardedConnection(server.ServerConnection):
@@ -77,8 +75,8 @@ def _let_in(hosts, process_request, connection, request):
 
 
 def _forbid_framing(_, __, response):
-    name, value = FRAMING
-    response.headers[name] = value
+    # In an invisible frame of another page, clicks meant for that page would drive.
+    response.headers['Content-Security-Policy'] = "frame-ancestors 'self'"
 
 
 def _printable(words):

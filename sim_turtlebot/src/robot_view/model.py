@@ -22,9 +22,9 @@ class Link(NamedTuple):
     path: str  # names of the links from the root down to this one
     position: numpy.ndarray  # in the parent link (m)
     rotation: SO3
-    joint: str  # '' if it is fixed
-    axis: numpy.ndarray  # of the joint; None if it is fixed
     meshes: dict  # trimesh.Trimesh by colour: red, green, blue (0 to 255)
+    joint: str = ''  # that moves it, if one does
+    axis: numpy.ndarray = None  # of that joint
 
 
 def load_links(path):
@@ -45,12 +45,11 @@ def load_links(path):
 
 
 def _link(path, joint, meshes):
-    if joint is None:
-        return Link(path, numpy.zeros(3), SO3.identity(), '', None, meshes)
-    origin = _origin(joint)
-    is_fixed = joint.get('type') == 'fixed'
-    return Link(path, origin.translation(), origin.rotation(), '' if is_fixed else joint.get('name'),
-                None if is_fixed else _numbers(joint.find('axis').get('xyz')), meshes)
+    origin = SE3.identity() if joint is None else _origin(joint)
+    link = Link(path, origin.translation(), origin.rotation(), meshes)
+    if joint is None or joint.get('type') == 'fixed':
+        return link
+    return link._replace(joint=joint.get('name'), axis=_numbers(joint.find('axis').get('xyz')))
 
 
 def _meshes(link, colours):

@@ -86,10 +86,7 @@ class Viewer:
 
 def view(address):
     """Serve the page at an Address until shutdown."""
-    viewer = Viewer(Page(address, load_links(_urdf())))
+    package = rospkg.RosPack().get_path('sim_turtlebot')
+    viewer = Viewer(Page(address, load_links(f'{package}/urdf/turtlebot2.urdf')))
     print(f'view: http://{address.host}:{address.port}')
     viewer.run()
-
-
-def _urdf():
-    return f'{rospkg.RosPack().get_path("sim_turtlebot")}/urdf/turtlebot2.urdf'

@@ -26,20 +26,19 @@ class Pad:
 
     def choose(self, namespace):
         """Drive the robot in this namespace from now on."""
-        with self._lock:
-            self._steering.choose(namespace)
-        self._changed.set()
+        self._tell(self._steering.choose, namespace)
 
     def hold(self, client, button):
         """Do what the button says for a short while."""
-        with self._lock:
-            self._steering.hold(client, button, time.monotonic())
-        self._changed.set()
+        self._tell(self._steering.hold, client, button, time.monotonic())
 
     def release(self, client, button=None):
         """Release a button, or all of them."""
+        self._tell(self._steering.release, client, button)
+
+    def _tell(self, what, *arguments):
         with self._lock:
-            self._steering.release(client, button)
+            what(*arguments)
         self._changed.set()
 
     def _drive(self):

@@ -29,11 +29,7 @@ class Page:
     """What every browser shows: they all show the same."""
 
     def __init__(self, address, links):
-        """Serve the page until the process ends.
-
-        :param address: an Address that is free
-        :param links: of the robot, from model.load_links()
-        """
+        """Serve the page at a free Address until the process ends; take the robot's model.Links."""
         self._links = links
         self._figures = {}
         self._framed = set()

@@ -44,11 +44,7 @@ class SimulationButtons:
         self._buttons.on_click(self._call)
 
     def update(self, services, complaint=''):
-        """Offer the services that there are, and say what is wrong.
-
-        :param services: full names
-        :param complaint: what is wrong, if anything
-        """
+        """Offer the services (full names) that there are, and say what is wrong, if anything is."""
         names = {rospy.resolve_name(name) for name in SERVICES.values()}
         self._buttons.visible = names <= services
         if not complaint and not self._buttons.visible:

@@ -35,16 +35,13 @@ class _Plot:
     """A plot of those of its series of which something is known."""
 
     def __init__(self, gui, place, order, title, least_range, series):
-        self._gui = gui
-        self._place = place
-        self._order = order
-        self._title = title
+        self._gui, self._place, self._series = gui, place, series
         lowest, highest = least_range
-        self._y_range = {'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
-                         'max': {'pad': MARGIN, 'soft': highest, 'mode': 1}}
-        self._series = series
-        self._shown = None
-        self._plot = None
+        y_range = {'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
+                   'max': {'pad': MARGIN, 'soft': highest, 'mode': 1}}
+        self._options = {'order': order, 'title': title, 'height': HEIGHT, 'padding': PADDING,
+                         'scales': {'x': {'time': False}, 'y': {'range': y_range}}}
+        self._shown = self._plot = None
 
     def draw(self, time, columns):
         """Draw a column of values for each series; NaN where a value is unknown."""
@@ -60,8 +57,7 @@ class _Plot:
         with self._place:
             self._plot = self._gui.add_uplot(
                 data, ({'label': 'time (s)'}, *(self._series[index] for index in shown)),
-                title=self._title, height=HEIGHT, padding=PADDING, order=self._order,
-                scales={'x': {'time': False}, 'y': {'range': self._y_range}})
+                **self._options)
 
 
 def _fill(time, values):

@@ -37,16 +37,15 @@ class RobotFigure:
     """One robot in the scene."""
 
     def __init__(self, scene, name, links, labelled):
-        """Put it there.
+        """Put it into viser's scene.
 
-        :param scene: of viser
         :param name: of the scene node, without slashes
-        :param links: what model.load_links() returned
+        :param links: the robot's model.Links
         :param labelled: whether the name is shown beside the robot
         """
         self._scene = scene
         self._root = f'/robots/{name}'
-        self._nodes = [scene.add_frame(self._root, show_axes=False)]
+        self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
         # The marks and the ghost are drawn in the odometry's frame.
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
@@ -58,12 +57,13 @@ class RobotFigure:
         if labelled:
             scene.add_label(f'{self._root}/body/label', name, position=(0.0, 0.0, 0.55))
         self._add_marks()
-        self._trail = None
+        self._trail = scene.add_line_segments(
+            f'{self._root}/trail', numpy.zeros((1, 2, 3)), TRAIL_COLOUR, thickness=3.0,
+            thickness_units='screen')
 
     def remove(self):
         """Remove it from the scene, with all its parts."""
-        for node in self._nodes:
-            node.remove()
+        self._node.remove()
 
     def move(self, state):
         """Draw it as in a robots.RobotState."""
@@ -86,11 +86,7 @@ class RobotFigure:
             points = numpy.zeros((2, 2))
         line = numpy.column_stack([points, numpy.full(len(points), TRAIL_HEIGHT)])
         segments = numpy.stack([line[:-1], line[1:]], axis=1)
-        if self._trail is None:
-            self._trail = self._scene.add_line_segments(
-                f'{self._root}/trail', segments, TRAIL_COLOUR, thickness=3.0,
-                thickness_units='screen')
-        elif not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
+        if not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
             self._trail.points = segments
 
     def _add_link(self, link):

@@ -41,15 +41,15 @@ class HeldButtons:
         return tuple(map(sum, zip(*directions))) if directions else None
 
 
-class Steering:
-    """Decides what is commanded to which robot; times in seconds.
+class Steering(HeldButtons):
+    """Decides what the held buttons command to which robot; times in seconds.
 
     A robot that has not been driven is sent no commands.
     """
 
     def __init__(self):
         """Start without a robot."""
-        self._buttons = HeldButtons()
+        super().__init__()
         self._chosen = None
         self._driven = None
 
@@ -61,23 +61,15 @@ class Steering:
     def choose(self, robot):
         """Drive this robot from now on."""
         if robot != self._chosen:
-            self._buttons.clear()
+            self.clear()
         self._chosen = robot
 
-    def hold(self, client, button, now):
-        """Do what the button says for a short while."""
-        self._buttons.hold(client, button, now)
-
-    def release(self, client, button=None):
-        """Release a button, or all of them."""
-        self._buttons.release(client, button)
-
     def commands(self, now):
-        """Return what to command: pairs of a robot and its shares of speed forwards and to the left.
+        """Return what to command: pairs of a robot and its shares of speed forwards and leftwards.
 
         While a robot is driven, ask again every COMMAND_PERIOD.
         """
-        shares = self._buttons.command(now)
+        shares = self.command(now)
         wanted = None if shares is None else self._chosen
         stopped = [(self._driven, STANDSTILL)] if self._driven not in (None, wanted) else []
         self._driven = wanted

@@ -17,8 +17,7 @@ class Lockstep:
 
     def restart(self):
         """Begin again at time zero."""
-        self._wait_at(0)
-        self._awaited = set(self._controllers)
+        self._wait_at(0, self._controllers)
 
     @property
     def started(self):
@@ -36,8 +35,7 @@ class Lockstep:
             return False
         if self._awaited:
             return True
-        self._wait_at(self._multiple + 1)
-        self._awaited = set(self._in_step)
+        self._wait_at(self._multiple + 1, self._in_step)
         return False
 
     def give_up(self):
@@ -47,8 +45,9 @@ class Lockstep:
         self._awaited.clear()
         return lost
 
-    def _wait_at(self, multiple):
+    def _wait_at(self, multiple, controllers):
         self._multiple = multiple
+        self._awaited = set(controllers)
         # The last step that may be reached without asking must_wait() again. The small term keeps
         # a multiple that falls on a step from being rounded off it.
         self.last_step = int(multiple * self._steps_between + 1e-6)

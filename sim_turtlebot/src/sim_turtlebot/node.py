@@ -1,6 +1,6 @@
 """The ROS node: it builds the simulation that its parameters ask for, and runs it."""
 
-from odometry_common.node import leave, run_node
+from odometry_common.node import leave
 from odometry_common.parameters import ParameterError
 
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
@@ -24,7 +24,8 @@ def _new_odometry(settings, index):
                            settings.gyro_noise, seed=settings.seed + index)
 
 
-def _simulate():
+def simulate():
+    """Simulate until shutdown, as the parameters say."""
     settings = read_settings()
     try:
         simulator = Simulator(_new_simulation(settings), settings)
@@ -35,9 +36,3 @@ def _simulate():
     simulator.run()
     if settings.gui:
         leave()  # PyBullet would wait for its window's thread, which may not end
-
-
-def main(documentation):
-    """Run the node, of which its script has the documentation."""
-    # disable_rostime: the clock is ours, so there is none to subscribe to and wait for.
-    run_node('sim_turtlebot', _simulate, documentation, disable_rostime=True)

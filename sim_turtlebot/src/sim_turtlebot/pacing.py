@@ -26,7 +26,7 @@ class Pacer:
         """Measure from here on; `now` is simulated time (ns)."""
         wall = time.monotonic()
         self._slowness.interrupt(wall)
-        self._begin(now, wall)
+        self._start, self._wall_start = now, wall
 
     def lead(self, now):
         """Return how far (s of wall time) the simulation is ahead; 0 or less: go on."""
@@ -39,14 +39,10 @@ class Pacer:
             reached = self._slowness.slip(now, wall)
             if reached is not None:
                 self._on_pace(reached)
-            self._begin(now, wall)
+            self._start, self._wall_start = now, wall
         elif self._slowness.is_over(wall):
             self._on_pace(None)
         return lead
-
-    def _begin(self, now, wall):
-        self._wall_start = wall
-        self._start = now
 
 
 class Slowness:

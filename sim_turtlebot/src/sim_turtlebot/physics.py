@@ -44,18 +44,20 @@ class World:
         self._step_rate = step_rate
         self._robots = []
         self._world_file = world_file
-        self._client = _connect(gui)
+        with screen() if gui else contextlib.nullcontext(), suppress_native_output():
+            self._client = BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
         self.step = self._client.stepSimulation
         # With a mouse, or with things that fall, more than the robots may move.
         self.only_robots_move = not gui and not world_file
         self._configure()
-        self._window = None
+        self.window = Window() if gui else None
         if gui:
-            self._window = Window()
             self._client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
         self._add_floor()
         if world_file:
-            self._load(world_file)
+            check_world_file(world_file)
+            with suppress_native_output():
+                load(self._client, world_file)
 
     def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
         """Put a TurtleBot on the floor (m, rad) and return it."""
@@ -78,11 +80,6 @@ class World:
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
         self._client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
-
-    @property
-    def window_closed(self):
-        """Whether there was a window and it has been closed."""
-        return self._window is not None and self._window.closed
 
     def _configure(self):
         client = self._client
@@ -107,13 +104,8 @@ class World:
             if overlap > LARGEST_OVERLAP:
                 name = f'robot_{number}' if len(self._robots) > 1 else 'the robot'
                 x, y, _ = robot.pose()[0]
-                raise WorldFileError('a world that leaves room for the robot at its start '
-                                     f'({name}, at x {x:g}, y {y:g}, is {overlap:.3f} m deep in it)')
-
-    def _load(self, world_file):
-        check_world_file(world_file)
-        with suppress_native_output():
-            load(self._client, world_file)
+                raise WorldFileError('a world that leaves room for the robot at its start ('
+                                     f'{name}, at x {x:g}, y {y:g}, is {overlap:.3f} m deep in it)')
 
 
 class TurtleBot:
@@ -131,9 +123,6 @@ class TurtleBot:
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
         self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
-        # Bound once: what is asked at each odometry is asked millions of times.
-        self._get_pose = client.getBasePositionAndOrientation
-        self._get_velocity = client.getBaseVelocity
         self._settled_height = 0.0
         self.drive(0.0, 0.0)
 
@@ -148,11 +137,11 @@ class TurtleBot:
 
     def pose(self):
         """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
-        return self._get_pose(self._body)
+        return self._client.getBasePositionAndOrientation(self._body)
 
     def velocity(self):
         """Return linear (m/s) and angular (rad/s) velocity in the world frame, three of each."""
-        return self._get_velocity(self._body)
+        return self._client.getBaseVelocity(self._body)
 
     def wheels(self):
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
@@ -183,8 +172,3 @@ class TurtleBot:
         """Keep the height at which the robot has settled, at its exact start."""
         self._settled_height = self.pose()[0][2]
         self.place_at_start()
-
-
-def _connect(gui):
-    with screen() if gui else contextlib.nullcontext(), suppress_native_output():
-        return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)

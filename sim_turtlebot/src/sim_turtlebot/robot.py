@@ -3,7 +3,7 @@
 import math
 
 from odometry_common import kobuki
-from sim_turtlebot.odometry import STILL, Motion, true_motion
+from sim_turtlebot.odometry import STILL, true_motion
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
@@ -30,12 +30,8 @@ class Robot:
         self._timeout = _whole_steps(cmd_vel_timeout, step_rate) if cmd_vel_timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._odometry = odometry
+        self.covariance = odometry.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
         self._begin()
-
-    @property
-    def covariance(self):
-        """Variances of the odometry's x, y, z (m^2), roll, pitch, yaw (rad^2)."""
-        return self._odometry.covariance
 
     @property
     def resting(self):
@@ -78,7 +74,7 @@ class Robot:
             self._hold(duration)
         elif self._commanded == self._driven == (0.0, 0.0):
             self._settle(now)
-        self.odometry = self._odometry.update(self.ground_truth, self._wheel_angles, duration)
+        self.odometry = self._odometry.update(self.ground_truth, lambda: self.wheels[0], duration)
 
     def reset_odometry(self):
         """Let the odometry start from zero at the last known place."""
@@ -96,7 +92,7 @@ class Robot:
         self._slow_since = None
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()
-        self.odometry = self._odometry.reset(self.ground_truth, self._wheel_angles())
+        self.odometry = self._odometry.reset(self.ground_truth, self.wheels[0])
 
     def _obey(self, linear, angular):
         if (linear, angular) != self._commanded:
@@ -127,11 +123,8 @@ class Robot:
 
     def _standing(self):
         angles, _, torques = self.body.wheels()
-        self.ground_truth = Motion(self.ground_truth.position, self.ground_truth.orientation, STILL, STILL)
+        self.ground_truth = self.ground_truth._replace(linear=STILL, angular=STILL)
         return self.ground_truth, (angles, (0.0, 0.0), torques)
-
-    def _wheel_angles(self):
-        return self.wheels[0]
 
     def _hold(self, duration):
         """Undo the creep of idle motors, as static friction would; let go when pushed."""

@@ -1,46 +1,30 @@
 """The node's parameters, read and checked."""
 
 import math
-from typing import NamedTuple
+from types import SimpleNamespace
 
 from odometry_common.kobuki import CMD_VEL_TIMEOUT
-from odometry_common.parameters import ParameterError, get_choice, get_flag, get_number, get_text
-
-
-class Settings(NamedTuple):
-    """Every parameter of the node; the names and units are those of the parameters."""
-
-    gui: bool
-    world: str
-    robots: int
-    x: float
-    y: float
-    yaw: float
-    seed: int
-    odom_rate: float
-    odometry_source: str
-    gyro: bool
-    wheel_slip: float
-    wheel_noise: float
-    gyro_noise: float
-    cmd_vel_timeout: float
-    real_time_factor: float
-    lockstep_rate: float
-    lockstep_patience: float
-    use_sim_time: bool
+from odometry_common.parameters import (
+    ParameterError,
+    get_choice,
+    get_flag,
+    get_number,
+    get_text,
+    get_whole,
+)
 
 
 def read_settings():
-    """Return the Settings; raise ParameterError for the first one that is unusable."""
+    """Return all parameters by their names; raise ParameterError for the first unusable one."""
     odom_rate = get_number('~odom_rate', 20.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
-    settings = Settings(
+    settings = SimpleNamespace(
         gui=get_flag('~gui', False),
         world=get_text('~world', ''),
-        robots=_get_whole('~robots', 1, 1, 1000),
+        robots=get_whole('~robots', 1, 1, 1000),
         x=_get_coordinate('~x'),
         y=_get_coordinate('~y'),
         yaw=get_number('~yaw', 0.0, lambda v: abs(v) <= 2 * math.pi, 'from -2 pi to 2 pi rad'),
-        seed=_get_whole('~seed', 0, -2**31, 2**31 - 1),
+        seed=get_whole('~seed', 0, -2**31, 2**31 - 1),
         odom_rate=odom_rate,
         odometry_source=get_choice('~odometry_source', 'world', ['world', 'encoder']),
         gyro=get_flag('~gyro', False),
@@ -60,12 +44,6 @@ def read_settings():
         use_sim_time=get_flag('/use_sim_time', False))
     _check_wall_time(settings)
     return settings
-
-
-def _get_whole(name, default, lowest, highest):
-    allowed = f'a whole number from {lowest} to {highest}'
-    return int(get_number(
-        name, default, lambda v: v == int(v) and lowest <= v <= highest, allowed))
 
 
 def _get_coordinate(name):

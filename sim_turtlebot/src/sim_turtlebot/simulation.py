@@ -40,10 +40,7 @@ class Simulation:
         return self.world.only_robots_move and all(robot.resting for robot in self.robots)
 
     def command(self, linear, angular, robot=0):
-        """Command a robot (an index) to move at `linear` m/s and `angular` rad/s.
-
-        :raises ValueError: if one of them is not finite; the robot stops then
-        """
+        """Command a robot (an index), as Robot.command() does."""
         self.robots[robot].command(linear, angular, self.timeline.steps)
 
     def advance(self, last_step=math.inf):

@@ -1,5 +1,7 @@
 """The topics of a simulation: the clock, the transforms, a warning, and those of each robot."""
 
+from functools import partial
+
 import rospy
 from odometry_common.publishing import advertise
 from rosgraph_msgs.msg import Clock
@@ -32,9 +34,7 @@ class SimulationTopics:
     def subscribe(self, on_velocity, on_reset_odometry):
         """Listen for on_velocity(robot, linear, angular), an index, m/s, rad/s, and for resets."""
         for index, topics in enumerate(self._robots):
-            topics.subscribe(
-                lambda linear, angular, index=index: on_velocity(index, linear, angular),
-                lambda index=index: on_reset_odometry(index))
+            topics.subscribe(partial(on_velocity, index), partial(on_reset_odometry, index))
 
     def publish_clock(self):
         """Publish the simulated time, if it rules."""

@@ -110,7 +110,7 @@ class Simulator:
         self._topics.publish_robots()
 
     def _update_window(self):
-        if self._simulation.world.window_closed:
+        if self._simulation.world.window.closed:
             rospy.loginfo('the window has been closed')
             self._stopping = True
         else:

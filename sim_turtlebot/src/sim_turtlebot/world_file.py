@@ -12,8 +12,7 @@ from pathlib import Path
 
 SUFFIXES = '.urdf', '.sdf', '.world'
 REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
-# PyBullet names the link in a remark of its own.
-NO_INERTIA = re.compile(r'No inertial data for link,.*')
+NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in a remark of its own
 LONGEST_REASON = 300  # characters
 
 
@@ -45,12 +44,9 @@ def load(client, path):
 
 def _reason(trial):
     """Return in one line what PyBullet printed about a file before it gave up."""
-    _, *remarks = REMARK.split(trial.stdout)
-    told, is_link = [], False
-    for remark in remarks:
-        if not is_link and not NO_INERTIA.match(remark):
-            told.append(remark)
-        is_link = bool(NO_INERTIA.match(remark))
+    remarks = REMARK.split(trial.stdout)
+    told = [remark for before, remark in zip(remarks, remarks[1:])
+            if not before.startswith(NO_INERTIA) and not remark.startswith(NO_INERTIA)]
     if trial.returncode < 0:
         told.insert(0, f'PyBullet ends by {signal.Signals(-trial.returncode).name};')
     told = told or trial.stderr.splitlines()[-1:]
