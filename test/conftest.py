@@ -3,6 +3,7 @@
 import pytest
 import rospy
 from odometry_tests.processes import Master
+from odometry_tests.tutorial import forget_parameters
 
 
 @pytest.fixture(scope='session')
@@ -13,3 +14,10 @@ def master():
             rospy.init_node('system_test', anonymous=True, disable_signals=True,
                             disable_rostime=True)
         yield process
+
+
+@pytest.fixture
+def simulated_time(master):
+    """Let the nodes follow the simulator's clock, with the parameters of this test only."""
+    forget_parameters()
+    rospy.set_param('/use_sim_time', True)

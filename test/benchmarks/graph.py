@@ -3,14 +3,14 @@
 import contextlib
 import threading
 import time
-import xmlrpc.client
 from typing import NamedTuple
 
 import psutil
 import rosgraph
 import rospy
+from odometry_tests.links import links
 from odometry_tests.pausing import call
-from odometry_tests.processes import rosrun
+from odometry_tests.tutorial import detector, forget_parameters, mover, simulator
 from odometry_tests.waiting import wait_until
 from rosgraph_msgs.msg import Clock
 
@@ -38,13 +38,12 @@ class Graph:
         """
         forget_parameters()
         self._stack = contextlib.ExitStack()
-        self._processes = [self._start('sim_turtlebot', 'sim_turtlebot_node.py', *arguments)]
+        self._processes = [self._stack.enter_context(simulator(*arguments))]
         # Nothing may pass before it is measured.
         call('pause_physics')
         if movers:
-            self._processes += [
-                self._start('odom_movement_detector', 'odom_movement_detector.py'),
-                self._start('test_movement', 'test_movement.py', f'_distance:={distance}')]
+            self._processes += [self._stack.enter_context(detector()),
+                                self._stack.enter_context(mover(f'_distance:={distance}'))]
             for topic in ('/odom', '/moved_distance', '/cmd_vel'):
                 wait_until(lambda topic=topic: _has_listener(topic), TIMEOUT,
                            f'a subscriber of {topic}')
@@ -83,34 +82,16 @@ class Graph:
         return sum(psutil.Process(process.pid).memory_info().rss
                    for process in self._processes) / MEGABYTE
 
-    def _start(self, *command):
-        return self._stack.enter_context(rosrun(*command))
-
     def _sample(self):
         simulated = _now()
         return Sample(time.perf_counter(), simulated,
                       sum(_cpu_time(process.pid) for process in self._processes))
 
 
-def forget_parameters():
-    """Delete the parameters that an earlier process got on its command line."""
-    master = rosgraph.Master('/bench')
-    for node in ('/sim_turtlebot', '/test_movement'):
-        if master.hasParam(node):
-            master.deleteParam(node)
-
-
 def _has_listener(topic):
     """Return whether the topic's publisher is connected to a subscriber."""
-    master = rosgraph.Master('/bench')
-    publishers = dict(master.getSystemState()[0]).get(topic, [])
-    return any(_is_connected(master.lookupNode(node), topic) for node in publishers)
-
-
-def _is_connected(node_uri, topic):
-    _, _, connections = xmlrpc.client.ServerProxy(node_uri).getBusInfo('/bench')
-    return any(direction == 'o' and name == topic
-               for _, _, direction, _, name, *_ in connections)
+    publishers = dict(rosgraph.Master('/bench').getSystemState()[0]).get(topic, [])
+    return any(link.topic == topic for node in publishers for link in links(node))
 
 
 def _now():

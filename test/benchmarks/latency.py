@@ -5,12 +5,12 @@ from pathlib import Path
 from statistics import median, quantiles
 
 import rospy
-from graph import forget_parameters
 from measuring import Target, compare, in_turns
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from odometry_tests.messages import odometry
-from odometry_tests.processes import Process, rosrun
+from odometry_tests.processes import Process
+from odometry_tests.tutorial import detector, forget_parameters
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
 
@@ -29,11 +29,10 @@ def detector_latency(options):
 def _latency(options, rate):
     forget_parameters()
     count = min(options.messages, rate * options.longest)
-    with rosrun('odom_movement_detector', 'odom_movement_detector.py'), \
-            Process('python3', RELAY, '/relayed/odom', '/relayed/answer'):
-        detector = Answers('/odom', '/moved_distance', Float64)
+    with detector(), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'):
+        answers = Answers('/odom', '/moved_distance', Float64)
         relay = Answers('/relayed/odom', '/relayed/answer', Odometry)
-        pairs = in_turns(options.runs, lambda: detector.times(rate, count),
+        pairs = in_turns(options.runs, lambda: answers.times(rate, count),
                          lambda: relay.times(rate, count))
     yield compare(f'latency at {rate} Hz, median', 'ms',
                   [(median(value), median(limit)) for value, limit in pairs],

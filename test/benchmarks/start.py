@@ -5,10 +5,10 @@ import time
 from pathlib import Path
 
 import rospkg
-from graph import forget_parameters
 from measuring import Target, compare, in_turns
 from nav_msgs.msg import Odometry
 from odometry_tests.processes import Process
+from odometry_tests.tutorial import forget_parameters
 from odometry_tests.waiting import Recorder
 
 TIMEOUT = 60.0  # s

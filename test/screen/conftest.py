@@ -2,7 +2,7 @@
 
 import pytest
 import rospy
-from odometry_tests.processes import rosrun
+from odometry_tests.tutorial import detector, simulator
 from odometry_tests.viewing import Motion, View
 
 # What draws without a graphics card leaves little for the robot.
@@ -33,8 +33,7 @@ def view(master, request):
 def robot(master):
     """Start a robot that nothing but a command stops, with a detector."""
     rospy.set_param('/use_sim_time', True)
-    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_cmd_vel_timeout:=0'), \
-            rosrun('odom_movement_detector', 'odom_movement_detector.py'):
+    with simulator('_cmd_vel_timeout:=0'), detector():
         yield Motion()
 
 

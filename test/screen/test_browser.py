@@ -7,15 +7,10 @@ from odometry_tests.viewing import ROBOT_PIXELS, dark_pixels, wait_for_robot
 from odometry_tests.waiting import TIMEOUT, wait_until
 
 
-def subscribers(topic):
-    """Return the nodes that subscribe to a topic."""
-    _, subscriptions, _ = rosgraph.Master('/test').getSystemState()
-    return next((nodes for name, nodes in subscriptions if name == topic), [])
-
-
 def viewers(topic='/odom'):
     """Return the viewers that subscribe to a topic."""
-    return [node for node in subscribers(topic) if node.startswith('/view')]
+    _, subscriptions, _ = rosgraph.Master('/test').getSystemState()
+    return [node for node in dict(subscriptions).get(topic, []) if node.startswith('/view')]
 
 
 def test_a_page_without_a_robot_says_what_it_waits_for(page):

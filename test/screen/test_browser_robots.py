@@ -8,12 +8,7 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
-from odometry_tests.viewing import (
-    ROBOT_PIXELS,
-    Motion,
-    View,
-    wait_for_robot,
-)
+from odometry_tests.viewing import ROBOT_PIXELS, Motion, View, wait_for_robot
 from odometry_tests.waiting import TIMEOUT, wait_until
 
 

@@ -1,5 +1,6 @@
 """The ROS master and the nodes of the soak, and what connects them with it."""
 
+import contextlib
 import os
 import queue
 
@@ -146,7 +147,6 @@ class Nodes:
         """Start a detector and return once it hears and is heard."""
         stale = links(SIMULATOR)
         self._detector = detector(f'__name:={DETECTOR[1:]}')
-        wait_until(lambda: _is_online(DETECTOR), START_TIMEOUT, 'a detector')
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
         self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale)
 
@@ -179,14 +179,8 @@ class Nodes:
     @staticmethod
     def _wait_for_links(node, wanted, stale=frozenset()):
         """Return once a node sends to others, by (topic, node), over links that are not stale."""
-        wait_until(lambda: wanted <= {link[:2] for link in links(node) - stale}, START_TIMEOUT,
-                   lambda: f'{wanted} from {node}; there is {links(node)}')
+        def are_there():
+            with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
+                return wanted <= {link[:2] for link in links(node) - stale}
 
-
-def _is_online(node):
-    """Return whether a node has registered and answers."""
-    try:
-        links(node)
-    except (rosgraph.MasterError, OSError):
-        return False
-    return True
+        wait_until(are_there, START_TIMEOUT, f'{wanted} from {node}')

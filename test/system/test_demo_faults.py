@@ -3,10 +3,10 @@
 import os
 import re
 import signal
-from xmlrpc.client import ServerProxy
 
 import pytest
-import rosgraph
+from odometry_tests.forms import number_after
+from odometry_tests.links import pid_of
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 
@@ -21,12 +21,6 @@ def run(line, **env):
     return process
 
 
-def pid_of(node, port):
-    """Return the process id of a node, from itself."""
-    master = rosgraph.Master('/test', f'http://localhost:{port}')
-    return ServerProxy(master.lookupNode(node)).getPid('/test')[2]
-
-
 @pytest.mark.parametrize('command, node, signum, how', [
     ('move --distance 100', 'test_movement', signal.SIGKILL, ' by SIGKILL'),
     ('move --distance 100', 'movement_detector_node', signal.SIGTERM, ''),
@@ -37,25 +31,29 @@ def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
             ROOT / 'ws', 'demo', *command.split(), '--real-time-factor', '0.5',
             env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as demo:
         demo.wait_for_output(' s\n', 60.0)
-        os.kill(pid_of(f'/{node}', port), signum)
+        os.kill(pid_of(f'/{node}', f'http://localhost:{port}'), signum)
         assert demo.wait(30.0) == 1, demo.output
     assert demo.stderr == f'demo: {node} has ended{how}', demo.output
 
 
-def test_it_runs_in_an_odd_environment():
+def test_it_turns_to_a_heading_in_an_odd_environment():
     """Settings that make no sense are not used; logs go where they can be written."""
-    demo = run(f'./ws demo {SHORT}', HOME='/dev/null', ROS_NAMESPACE='elsewhere',
-               ROS_MASTER_URI='http://localhost:none')
+    demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
+               ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none')
     assert demo.wait() == 0, demo.output
     assert re.fullmatch(r'demo: logs are in \S+: .*', demo.stderr), demo.output
+    assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
 
 
-def test_it_drives_on_when_the_disk_is_full():
-    """Without a recording and a picture."""
-    demo = run(f'ulimit -f {KILOBYTES}; ./ws demo {SHORT} --distance 1')
+def test_it_drives_as_it_is_told_when_the_disk_is_full():
+    """So far and so fast, backwards and however it is written; without a recording and a picture."""
+    demo = run(f'ulimit -f {KILOBYTES}; ./ws demo --distance 1 --speed -2e-1 --real-time-factor 0')
     assert demo.wait() == 0, demo.output
     assert re.fullmatch('demo: the recording ends: .*File too large', demo.stderr), demo.output
-    assert 'true distance' in demo.stdout and 'picture' not in demo.stdout
+    # In lockstep the machine's pace is not in the distance.
+    assert number_after('moved distance', demo.stdout) == 1.011
+    assert number_after('true distance', demo.stdout) == 1.011
+    assert 'picture' not in demo.stdout
 
 
 @pytest.mark.parametrize('output, status', [('>&-', 0), ('| head -n 1', 128 + signal.SIGPIPE)])

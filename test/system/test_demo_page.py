@@ -3,21 +3,19 @@
 import contextlib
 import errno
 import os
-import pty
 import re
-import signal
 import socket
-import subprocess
 import urllib.request
 
 import pytest
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
+from odometry_tests.terminal import Terminal
+from odometry_tests.waiting import PATIENCE, TIMEOUT
 
 USUAL_PORT = 8080
-ADDRESS = re.compile(r'^view            (http://localhost:(\d+))\r?$', re.MULTILINE)
+ADDRESS = re.compile(r'^view            (http://localhost:(\d+))$', re.MULTILINE)
 STAYS = 'The page stays'
 
 pytest.importorskip('viser', reason='viser is not installed')
@@ -29,64 +27,21 @@ def assert_the_page_is_served(url):
         assert b'viser' in answer.read().lower()
 
 
-class Terminal:
-    """A demo on a terminal, as a user sees it."""
-
-    def __init__(self, *arguments):
-        """Start it."""
-        self._reader, terminal = pty.openpty()
-        self._process = subprocess.Popen([ROOT / 'ws', 'demo', *arguments], stdin=terminal,
-                                         stdout=terminal, stderr=terminal)
-        os.close(terminal)
-        os.set_blocking(self._reader, False)
-        self._bytes = b''
-
-    def __enter__(self):
-        """Use it as a context, at whose end it has ended."""
-        return self
-
-    def __exit__(self, *_):
-        """End it."""
-        if self._process.poll() is None:
-            self.interrupt()
-        os.close(self._reader)
-
-    @property
-    def pid(self):
-        """Process id of the demo itself."""
-        return self._process.pid
-
-    @property
-    def output(self):
-        """What it has printed so far."""
-        try:
-            while chunk := os.read(self._reader, 4096):
-                self._bytes += chunk
-        except OSError:
-            pass  # nothing more for now, or for ever
-        return self._bytes.decode()
-
-    def wait_for(self, text, timeout):
-        """Return once a text has been printed."""
-        wait_until(lambda: text in self.output, timeout, lambda: f'{text!r} in:\n{self.output}')
-
-    def interrupt(self):
-        """Press Ctrl-C and return the exit status."""
-        self._process.send_signal(signal.SIGINT)
-        return self._process.wait(TIMEOUT * PATIENCE)
-
-
-def test_on_a_terminal_the_page_stays_after_the_run():
-    """Until Ctrl-C, which then is no failure."""
-    with Terminal('--view', '--distance', '0.3', '--speed', '0.3') as demo:
-        demo.wait_for(STAYS, 60.0)
-        url, port = ADDRESS.search(demo.output).groups()
+def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run():
+    """The line is rewritten in place up to a full bar; Ctrl-C at the page is no failure."""
+    with hold_port() as master_port, Terminal(
+            ROOT, {**os.environ, 'ROS_MASTER_URI': f'http://localhost:{master_port}'}) as terminal:
+        terminal.type('./ws demo --view --distance 0.15 --speed 0.05 --real-time-factor 3')
+        terminal.wait_for_output(STAYS, 60.0)
+        url, port = ADDRESS.search(terminal.output).groups()
         assert USUAL_PORT <= int(port) < USUAL_PORT + 100
         assert_the_page_is_served(url)
-        assert_loopback_only(demo.pid)
-        assert demo.interrupt() == 0, demo.output
-    assert 'moved distance' in demo.output
-    assert 'Traceback' not in demo.output
+        assert_loopback_only(terminal.pid)
+        terminal.press_ctrl_c()
+        assert terminal.wait_for_prompt() == 0, terminal.output
+    assert re.search(r'\r\x1b\[K\[={30}\] 0\.15 of 0\.15 m, [^\r]*\r\n', terminal.text), terminal.text
+    assert 'moved distance' in terminal.output
+    assert 'Traceback' not in terminal.output
     with socket.socket() as connection:
         assert connection.connect_ex(('localhost', int(port))) == errno.ECONNREFUSED
 

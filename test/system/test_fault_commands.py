@@ -4,7 +4,6 @@ import itertools
 import math
 
 import pytest
-import rosgraph
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import STRANGE
@@ -16,11 +15,7 @@ from odometry_tests.waiting import wait_until
 TOP_SPEED, TOP_TURN = 0.7, math.pi  # m/s, rad/s, of a TurtleBot 2
 STEADY = 5  # messages in a row at the same speed
 
-
-@pytest.fixture(autouse=True)
-def simulated_time(master):
-    """Let the robot keep its own time."""
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
+pytestmark = pytest.mark.usefixtures('simulated_time')
 
 
 @pytest.fixture

@@ -67,7 +67,6 @@ def test_the_detector_counts_on_through_strange_odometry(ns):
     assert all(math.isfinite(distance) for distance in distances)
     assert distances == sorted(distances)
     assert distances[-1] < 0.191
-    assert 'Traceback' not in node.output
 
 
 def test_strange_odometry_does_not_end_main(ns):
@@ -78,7 +77,6 @@ def test_strange_odometry_does_not_end_main(ns):
         talk.say(*strange_odometry(), odometry(yaw=0.26000001, stamp=20000))
         node.wait_for_output('0.26')
         assert node.end() == 0, node.output
-    assert 'Traceback' not in node.output
 
 
 def test_strange_odometry_does_not_end_rotate(ns):
@@ -90,42 +88,21 @@ def test_strange_odometry_does_not_end_rotate(ns):
         talk.answers.wait_for(lambda m: m.angular.z == pytest.approx(
             0.5 * (math.pi / 2 - 0.26000001)), what='the turn from the last heading')
         assert node.end() == 0, node.output
-    assert 'Traceback' not in node.output
     assert all(abs(message.angular.z) <= 3.14 for message in talk.answers.messages)
 
 
-def test_strange_distances_stop_the_mover(ns):
-    """NaN and infinities command zero; the next healthy distance decides anew."""
-    talk = Partner(f'{ns}moved_distance', Float64, f'{ns}cmd_vel', Twist)
-    with mover('_timeout:=0') as node:
-        talk.say_until(lambda: Float64(3.0), lambda m: m == Twist(), 'a stop')
-        talk.say(Float64(0.0))
-        talk.answers.wait_for(lambda m: m.linear.x == 0.1, what='a start')
-        answers = talk.ask(*map(Float64, STRANGE))
-        assert node.end() == 0, node.output
-    assert [m.linear.x for m in answers] == [0.0, 0.0, 0.0, 0.0, 0.1, 0.1, 0.1]
-
-
-@pytest.mark.parametrize('rate', [1, 1000])
-def test_no_distance_is_lost_at_slow_and_at_fast_odometry(ns, rate):
-    """Once a second and a thousand times a second, every step of 3000 counts."""
-    with detector():
-        talk = meet_detector(ns)
-        distances = talk.ask(*(odometry(x=0.01 + 0.001 * step, stamp=1 + step / rate)
-                               for step in range(1, 3001)))
-    assert [m.data for m in distances] == pytest.approx(
-        [0.01 + 0.001 * step for step in range(1, 3001)], abs=1e-9)
-
-
-def test_a_burst_after_a_gap_is_counted_whole(ns):
-    """Ten seconds of odometry, held up on the way, arrive at once; none of them is a jump."""
+@pytest.mark.parametrize('step, start, period, count', [
+    (0.001, 2, 1, 3000), (0.001, 1.001, 0.001, 3000), (0.005, 11, 0.05, 200)],
+    ids=['slow', 'fast', 'in a burst'])
+def test_no_distance_is_lost_at_slow_and_at_fast_odometry(ns, step, start, period, count):
+    """Once or a thousand times a second; and ten seconds of it, held up on the way, at once."""
+    path = [0.01 + step * number for number in range(1, count + 1)]
     with detector() as node:
         talk = meet_detector(ns)
-        distances = talk.ask(*(odometry(x=0.01 + 0.005 * step, stamp=11 + 0.05 * step)
-                               for step in range(200)))
+        distances = talk.ask(*(odometry(x=x, stamp=start + period * number)
+                               for number, x in enumerate(path)))
         assert node.end() == 0, node.output
-    assert [m.data for m in distances] == pytest.approx(
-        [0.01 + 0.005 * step for step in range(200)], abs=1e-9)
+    assert [m.data for m in distances] == pytest.approx(path, abs=1e-9)
     assert 'not counted' not in node.output
 
 

@@ -1,15 +1,13 @@
 """Time that stops, goes back, crawls, races and jumps."""
 
-import signal
 import subprocess
 from pathlib import Path
 
 import pytest
-import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_tests.pausing import call, moves_on, pause
+from odometry_tests.pausing import call, pause
 from odometry_tests.processes import rosrun
 from odometry_tests.tutorial import (
     LONGEST_STEP,
@@ -17,7 +15,6 @@ from odometry_tests.tutorial import (
     Distance,
     Truth,
     detector,
-    forget_parameters,
     heading,
     mover,
     rotator,
@@ -28,15 +25,9 @@ from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Empty
 
-BRAKING = 0.15  # s, from the last odometry before a zero on
 TURNED = 9.2  # s, for all but a degree of 90
 
-
-@pytest.fixture(autouse=True)
-def simulated_time(master):
-    """Let the nodes follow the simulator's clock, with the parameters of this test only."""
-    forget_parameters()
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
+pytestmark = pytest.mark.usefixtures('simulated_time')
 
 
 def x(recorder):
@@ -63,42 +54,25 @@ def test_the_robot_arrives_when_time_runs_away_from_its_controllers(master):
         moved.wait_until_arrived(1.0)
 
 
-def test_a_pause_stops_time_and_nothing_is_lost(master):
-    """Paused in mid-drive, everything stands; afterwards the robot drives on to its goal."""
+def test_neither_a_pause_nor_a_reset_is_movement_and_every_node_survives_them(master):
+    """In mid-drive all stands; odometry starts from zero; time and robot go back to zero."""
     moved, truth, clock = Distance(), Truth(), Recorder('/clock', Clock)
-    with simulator_in_step('_real_time_factor:=10'), detector(), mover('_distance:=1') as driver:
-        moved.wait_for(lambda m: m.data > 0.3, what='0.3 m')
-        pause(moved, truth, clock)
-        call('unpause_physics')
-        assert moved.wait_until_arrived(1.0) < 1.0 + OVERSHOOT
-        assert driver.running
-    assert max(moved.steps) < LONGEST_STEP, 'the pause shows in the distance'
-
-
-@pytest.mark.parametrize('start', [mover, rotator])
-@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
-def test_a_node_ends_while_time_stands_still(master, start, signum):
-    """No sleep on a paused clock keeps it; the robot gets its zero before time goes on."""
-    truth, commands = Truth(), Recorder('cmd_vel', Twist)
-    with simulator('_real_time_factor:=5', '_cmd_vel_timeout:=0'), detector(), start() as node:
-        truth.wait_until_moving()
-
-        def end():
-            assert node.end(signum) == 0, node.output
-            wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
-
-        assert moves_on(truth, end) <= BRAKING
-    assert 'Traceback' not in node.output
-
-
-def test_a_reset_is_no_movement_and_every_node_survives_it(master):
-    """Time and robot go back to zero in mid-drive; the mover drives the rest."""
-    moved, truth = Distance(), Truth()
+    odometry = Recorder('odom', Odometry)
+    reset = rospy.Publisher('mobile_base/commands/reset_odometry', Empty, queue_size=1)
     with simulator_in_step('_real_time_factor:=10'), detector() as counter, \
             mover('_distance:=1') as driver, rosrun('rotate_robot', 'main.py') as printer:
-        moved.wait_for(lambda m: m.data > 0.5, what='0.5 m')
+        wait_for_subscribers(reset)
+        moved.wait_for(lambda m: m.data > 0.4, what='0.4 m')
+        pause(moved, truth, clock)
+        odometry.clear()
+        reset.publish(Empty())
+        call('unpause_physics')
+        odometry.wait_for(lambda m: m.pose.pose.position.x < 0.1, what='odometry near zero')
+        counter.wait_for_output('not counted')
+        moved.wait_for(lambda m: m.data > 0.7, what='0.7 m')
         pause(moved, truth)
         before = moved.last.data
+        assert x(truth) == pytest.approx(before, abs=LONGEST_STEP)
         call('reset_simulation')
         call('unpause_physics')
         arrived = moved.wait_until_arrived(1.0)
@@ -119,23 +93,7 @@ def test_rotate_turns_to_its_target_after_a_reset(master):
         call('unpause_physics')
         turned = truth.wait_for(lambda m: heading(m) > 89, what='nearly 90 degrees')
         assert turned.header.stamp.to_sec() < TURNED
-        assert controller.running
-    assert 'Traceback' not in controller.output
-
-
-def test_a_reset_of_the_odometry_is_no_movement(master):
-    """The robot stays where it is, odom begins at zero, and the detector does not count it."""
-    moved, truth, odometry = Distance(), Truth(), Recorder('odom', Odometry)
-    reset = rospy.Publisher('mobile_base/commands/reset_odometry', Empty, queue_size=1)
-    with simulator_in_step('_real_time_factor:=10'), detector() as counter, mover('_distance:=1'):
-        wait_for_subscribers(reset)
-        moved.wait_for(lambda m: m.data > 0.5, what='0.5 m')
-        odometry.clear()
-        reset.publish(Empty())
-        odometry.wait_for(lambda m: m.pose.pose.position.x < 0.1, what='odometry near zero')
-        arrived = moved.wait_until_arrived(1.0)
-        assert x(truth) == pytest.approx(arrived, abs=LONGEST_STEP)
-        counter.wait_for_output('not counted')
+        assert controller.end() == 0, controller.output
 
 
 @pytest.fixture

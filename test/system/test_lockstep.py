@@ -7,45 +7,38 @@ import signal
 
 import numpy
 import pytest
-import rosgraph
+import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.processes import rosrun
+from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
 
 COMPARED = 24  # s of simulated time; two metres take 20
 RUN_TIME = 60.0  # s
 PATIENCE = 10.0  # s of wall time for a controller that the machine lets wait
-DETECTOR = 'odom_movement_detector', 'odom_movement_detector.py'
-MOVER = 'test_movement', 'test_movement.py'
-ROTATOR = 'rotate_robot', 'rotate.py'
+UNPACED = '_real_time_factor:=0'
 
 
-@pytest.fixture(autouse=True)
-def simulated_time(master):
+@pytest.fixture(scope='module', autouse=True)
+def simulated_clock(master):
     """Let the nodes follow the simulator's clock."""
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
+    rospy.set_param('/use_sim_time', True)
 
 
-def simulator(rate=20, patience=PATIENCE):
-    """Start a simulator in lockstep, as fast as the machine can."""
-    return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '_real_time_factor:=0',
-                  f'_lockstep_rate:={rate}', f'_lockstep_patience:={patience}')
-
-
-def record(rate, nodes, topics):
+def record(rate, starts, topics):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
+    :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic; repetitions of the first one do
         not count
     """
     with contextlib.ExitStack() as stack:
-        stack.enter_context(simulator(rate))
+        stack.enter_context(simulator_in_step(UNPACED, rate=rate, patience=PATIENCE))
         call('pause_physics')  # until everybody listens
-        for node in nodes:
-            stack.enter_context(rosrun(*node))
+        for start in starts:
+            stack.enter_context(start())
         recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in topics.items()}
         for recorder in recorders.values():
             recorder.wait_for_publisher()
@@ -74,55 +67,54 @@ def bytes_of(message):
     return buffer.getvalue()
 
 
-MOVE = 20, [DETECTOR, MOVER], {
+MOVE = 20, [detector, mover], {
     '/odom': (Odometry, 20 * COMPARED), '/moved_distance': (Float64, 20 * COMPARED),
     # The mover's commands are all the same until it arrives, so that most are repetitions.
     '/cmd_vel': (Twist, 80)}
-ROTATE = 10, [ROTATOR], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
+ROTATE = 10, [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
+
+
+@pytest.fixture(scope='module')
+def two_metres():
+    """Record a drive of two metres."""
+    return record(*MOVE)
 
 
 @pytest.mark.parametrize('tutorial', [MOVE, ROTATE], ids=['move', 'rotate'])
-def test_two_runs_are_the_same_bytes(master, tutorial):
+def test_two_runs_are_the_same_bytes(two_metres, tutorial):
     """Each message on each topic, from the first to the last."""
-    first, second = record(*tutorial), record(*tutorial)
+    first = two_metres if tutorial is MOVE else record(*tutorial)
+    second = record(*tutorial)
     for topic, messages in first.items():
         different = [index for index, pair in enumerate(zip(messages, second[topic]))
                      if bytes_of(pair[0]) != bytes_of(pair[1])]
         assert not different, f'{topic}: message {different[0]} is the first that differs'
 
 
-@pytest.fixture(scope='module')
-def drive(master):
-    """Record a drive of two metres; return its odometry and its distances."""
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
-    messages = record(*MOVE)
-    return messages['/odom'], [message.data for message in messages['/moved_distance']]
-
-
-def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(drive):
+def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(two_metres):
     """No control delay: the robot brakes from the very odometry on that has seen two metres."""
-    odometry, distances = drive
+    odometry = two_metres['/odom']
     arrived = next(m for m in odometry if m.pose.pose.position.x >= 2.0)
     following = next(m for m in odometry if m.header.seq == arrived.header.seq + 1)
     assert following.twist.twist.linear.x < 0.05, 'still driving one period later'
-    assert 2.0 <= distances[-1] <= 2.006
+    assert 2.0 <= two_metres['/moved_distance'][-1].data <= 2.006
 
 
-def test_the_distance_is_the_sum_of_the_recorded_steps(drive):
+def test_the_distance_is_the_sum_of_the_recorded_steps(two_metres):
     """Added up once more with numpy."""
-    odometry, distances = drive
-    positions = [message.pose.pose.position for message in odometry]
-    ways = numpy.diff([(position.x, position.y) for position in positions], axis=0)
-    assert distances[-1] == pytest.approx(numpy.hypot(*ways.T).sum(), rel=1e-12)
+    positions = [message.pose.pose.position for message in two_metres['/odom']]
+    steps = numpy.diff([(position.x, position.y) for position in positions], axis=0)
+    assert two_metres['/moved_distance'][-1].data == pytest.approx(
+        numpy.hypot(*steps.T).sum(), rel=1e-12)
 
 
-def test_a_controller_that_falls_silent_does_not_stop_the_time(master):
+def test_a_controller_that_falls_silent_does_not_stop_the_time():
     """After its patience the simulation goes on, and says so once."""
-    with simulator(patience=5.0) as simulation, rosrun(*DETECTOR), rosrun(*MOVER) as mover:
+    with simulator_in_step(UNPACED, patience=5) as simulation, detector(), mover() as driver:
         odometry = Recorder('odom', Odometry)
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > 1, 20.0, 'a running simulation')
-        mover.send(signal.SIGKILL)
-        mover.wait()
+        driver.send(signal.SIGKILL)
+        driver.wait()
         silent_from = odometry.last.header.stamp.to_sec()
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > silent_from + 10, 20.0,
                           'ten seconds more')
@@ -131,9 +123,9 @@ def test_a_controller_that_falls_silent_does_not_stop_the_time(master):
     assert simulation.output.count('lockstep: no command for') == 1
 
 
-def test_simulated_time_stands_still_until_the_first_command(master):
+def test_simulated_time_stands_still_until_the_first_command():
     """The odometry is repeated meanwhile, the same message again."""
-    with simulator():
+    with simulator_in_step(UNPACED):
         seen = Recorder('odom', Odometry).wait_for_count(4, 20.0)
     assert seen[0].header.stamp.to_sec() == 0
     assert all(message == seen[0] for message in seen)

@@ -21,8 +21,7 @@ NETWORK = 'export ROS_HOSTNAME=0.0.0.0\n'
 
 def in_clean_environment(*command):
     """Start a command without what the ./ws that runs this test has set."""
-    settings = [f'{name}={value}' for name, value in os.environ.items() if name not in SET_BY_WS]
-    return Process('env', '-i', *settings, *command)
+    return Process('env', *(f'--unset={name}' for name in SET_BY_WS), *command)
 
 
 def test_a_launch_listens_on_loopback_only():
@@ -38,19 +37,15 @@ def test_a_launch_listens_on_loopback_only():
 def test_roscore_in_a_shell_listens_on_loopback_only(preset, tmp_path):
     """Even if ~/.bashrc, which the shell reads, wishes otherwise."""
     environment = {'HOME': str(tmp_path), 'PATH': os.environ['PATH'], 'TERM': 'xterm'}
-    terminal = Terminal(ROOT, environment)
-    try:
+    with hold_port() as port, Terminal(ROOT, environment) as terminal:
         (tmp_path / '.bashrc').write_text(NETWORK)
-        with hold_port() as port:
-            terminal.type(f'{preset} ./ws shell')
-            terminal.wait_for_prompt()
-            terminal.type(f'roscore -p {port}')
-            terminal.wait_for_output('started core service')
-            assert_loopback_only(terminal.pid)
-            terminal.press_ctrl_c()
-            terminal.wait_for_prompt()
-    finally:
-        terminal.close()
+        terminal.type(f'{preset} ./ws shell')
+        terminal.wait_for_prompt()
+        terminal.type(f'roscore -p {port}')
+        terminal.wait_for_output('started core service')
+        assert_loopback_only(terminal.pid)
+        terminal.press_ctrl_c()
+        terminal.wait_for_prompt()
 
 
 @pytest.mark.parametrize('settings', [

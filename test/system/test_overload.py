@@ -6,7 +6,6 @@ import resource
 import socket
 from urllib.parse import urlsplit
 
-import pytest
 import rosgraph
 from nav_msgs.msg import Odometry
 from odometry_tests.tutorial import mover, simulator
@@ -15,14 +14,6 @@ from std_msgs.msg import String
 
 HANDLES = 64
 ROBOTS = 12  # need more than that
-
-
-@pytest.fixture
-def simulated_time(master):
-    """Have the simulator rule the clock."""
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
-    yield
-    rosgraph.Master('/test').setParam('/use_sim_time', False)
 
 
 def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):

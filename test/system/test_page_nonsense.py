@@ -83,7 +83,7 @@ def test_while_no_robot_is_listed_none_is_driven(master):
                 pass
             wait_until(lambda: not any(p.get_num_connections() for p in publishers), TIMEOUT,
                        'a viewer without a page, that listens to nobody')
-        with raw_page.RawPage(raw_page.port(view)) as page:
+        with raw_page.RawPage(view.port) as page:
             page.show()
             for _ in range(10):
                 page.hold('forward')
@@ -126,7 +126,7 @@ MESSAGES = {
 def test_what_is_no_message_of_a_page_leaves_the_others_theirs(view, commands, data):
     """The server goes on, and so does the pad."""
     with honest_page(view) as page:
-        with raw_page.RawPage(raw_page.port(view)) as stranger:
+        with raw_page.RawPage(view.port) as stranger:
             stranger.show()
             stranger.send_raw(data)
         assert drive(page, commands['robot_1'])

@@ -1,12 +1,12 @@
 """The picture of a recorded run, and the figures that are printed with it."""
 
 import math
-import re
 
 import pytest
 import rosbag
 import rospy
 from odometry_launch.run_plot import make_figure, read_run
+from odometry_tests.forms import number_after
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
 
@@ -36,22 +36,15 @@ def plot(*arguments):
     return Process('rosrun', 'sim_turtlebot', 'plot_run.py', *arguments)
 
 
-def number(text, output):
-    """Return the number after a text in the summary."""
-    found = re.search(rf'{text} +(-?[0-9.]+)', output)
-    assert found, f'no {text!r} in:\n{output}'
-    return float(found.group(1))
-
-
 def test_it_draws_any_bag_with_odometry(tmp_path):
     """A real robot's bag has neither truth nor commands."""
     picture = tmp_path / 'real.png'
     run = plot(record(tmp_path / 'real.bag', metre()), '-o', picture)
     assert run.wait(30.0) == 0, run.output
-    assert number('distance', run.stdout) == 1.0
-    assert number('duration', run.stdout) == 10.0
-    assert number('mean speed', run.stdout) == 0.1
-    assert number('top speed', run.stdout) == 0.1
+    assert number_after('distance', run.stdout) == 1.0
+    assert number_after('duration', run.stdout) == 10.0
+    assert number_after('mean speed', run.stdout) == 0.1
+    assert number_after('top speed', run.stdout) == 0.1
     assert picture.read_bytes().startswith(PNG)
 
 
@@ -64,9 +57,9 @@ def test_what_is_not_finite_is_left_out(tmp_path):
     messages[50].pose.pose.orientation.w = math.nan
     run = plot(record(tmp_path / 'odd.bag', messages), '-o', tmp_path / 'odd.png')
     assert run.wait(30.0) == 0, run.output
-    assert number('distance', run.stdout) == 0.99
-    assert number('duration', run.stdout) == 9.9
-    assert number('top speed', run.stdout) == 0.1
+    assert number_after('distance', run.stdout) == 0.99
+    assert number_after('duration', run.stdout) == 9.9
+    assert number_after('top speed', run.stdout) == 0.1
 
 
 def test_a_jump_is_no_distance(tmp_path):

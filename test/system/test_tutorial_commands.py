@@ -12,31 +12,12 @@ def command(line):
     return Process(*line.split())
 
 
-@pytest.fixture
+@pytest.fixture(scope='module')
 def robot(master):
     """Start a simulated robot as the README says."""
     with command('rosrun sim_turtlebot sim_turtlebot_node.py') as process:
         Recorder('odom', Odometry).wait_for(timeout=20.0)
         yield process
-
-
-def test_the_robot_drives_two_metres_and_rostopic_shows_it(robot):
-    """The first tutorial: detector, mover and a look at the moved distance, 20 s long."""
-    with command('rosrun odom_movement_detector odom_movement_detector.py'), \
-            command('rostopic echo /moved_distance') as echo, \
-            command('rosrun test_movement test_movement.py'):
-        def distances():
-            return [float(line.split()[1]) for line in echo.stdout.splitlines()
-                    if line.startswith('data:')]
-        def stands_at_the_goal():
-            # How far beyond it the robot rolls is seen in lockstep: here the machine reacts too.
-            last = distances()[-20:]
-            return last[-1:] >= [2.0] and len(last) == 20 and len(set(last)) == 1
-
-        wait_until(stands_at_the_goal, 60.0,
-                   lambda: f'a second at the goal; it printed {distances()[-20:]}')
-        seen = distances()
-    assert seen == sorted(seen), 'the distance went back'
 
 
 def test_odometry_has_the_fields_of_the_tutorial(robot):
@@ -65,6 +46,25 @@ def test_the_heading_printer_prints_yaws_and_quaternions(robot):
     quaternions = [line.strip('[]').split() for line in lines if line.startswith('[')]
     assert yaws and all(abs(yaw) < 1e-3 for yaw in yaws)
     assert [len(numbers) for numbers in quaternions] == [4] * len(quaternions)
+
+
+def test_the_robot_drives_two_metres_and_rostopic_shows_it(robot):
+    """The first tutorial: detector, mover and a look at the moved distance, 20 s long."""
+    with command('rosrun odom_movement_detector odom_movement_detector.py'), \
+            command('rostopic echo /moved_distance') as echo, \
+            command('rosrun test_movement test_movement.py'):
+        def distances():
+            return [float(line.split()[1]) for line in echo.stdout.splitlines()
+                    if line.startswith('data:')]
+        def stands_at_the_goal():
+            # How far beyond it the robot rolls is seen in lockstep: here the machine reacts too.
+            last = distances()[-20:]
+            return last[-1:] >= [2.0] and len(last) == 20 and len(set(last)) == 1
+
+        wait_until(stands_at_the_goal, 60.0,
+                   lambda: f'a second at the goal; it printed {distances()[-20:]}')
+        seen = distances()
+    assert seen == sorted(seen), 'the distance went back'
 
 
 def test_the_robot_turns_to_ninety_degrees(robot):

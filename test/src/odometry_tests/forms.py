@@ -17,6 +17,13 @@ def plain_lines(output):
     return [line.rstrip() for line in re.split(r'[\r\n]+', ESCAPE.sub('', output))]
 
 
+def number_after(text, output):
+    """Return the number behind a text."""
+    found = re.search(rf'{text} +(-?[0-9.]+)', output)
+    assert found, f'no {text!r} in:\n{output}'
+    return float(found[1])
+
+
 def form(line):
     """Return a line with a sign in place of each number."""
     for pattern, replacement in FORMS:

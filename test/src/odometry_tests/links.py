@@ -7,6 +7,7 @@ import rosgraph
 
 SENDS, HEARS = 'o', 'i'
 CALLER = '/links'
+ANSWERED = 2  # what a node says for itself stands there in its answers
 
 
 class Link(NamedTuple):
@@ -22,7 +23,15 @@ def links(node, direction=SENDS):
 
     :raises rosgraph.MasterError, OSError: if there is no such node
     """
-    uri = rosgraph.Master(CALLER).lookupNode(node)
-    _, _, connections = xmlrpc.client.ServerProxy(uri).getBusInfo(CALLER)
+    connections = _node(node).getBusInfo(CALLER)[ANSWERED]
     return {Link(topic, peer, number) for number, peer, way, _, topic, *_ in connections
             if way == direction}
+
+
+def pid_of(node, master_uri=None):
+    """Return the process id of a node (its full name), from itself."""
+    return _node(node, master_uri).getPid(CALLER)[ANSWERED]
+
+
+def _node(name, master_uri=None):
+    return xmlrpc.client.ServerProxy(rosgraph.Master(CALLER, master_uri).lookupNode(name))

@@ -1,6 +1,7 @@
 """What tests ask the system of other processes."""
 
 import contextlib
+import uuid
 
 import psutil
 
@@ -9,11 +10,13 @@ from odometry_tests.waiting import wait_until
 LOOK_PERIOD = 0.2  # s; each look goes through all processes there are
 
 
-def marked(mark):
-    """Return the ids of the processes that have a variable in their environment.
+def new_mark():
+    """Return a variable for the environment of processes, by which they are found, as a dictionary."""
+    return {'ODOMETRY_UNDER_TEST': str(uuid.uuid4())}
 
-    :param mark: a dictionary of its name and its value
-    """
+
+def marked(mark):
+    """Return the ids of the processes that have the mark in their environment."""
     (name, value), = mark.items()
     return [process.pid for process in psutil.process_iter(['environ'])
             if (process.info['environ'] or {}).get(name) == value]

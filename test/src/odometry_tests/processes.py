@@ -62,7 +62,10 @@ class Process:
         self._kept.send_signal(signum)
 
     def wait(self, timeout=TIMEOUT):
-        """Return the exit status once the command has ended and all its output is read."""
+        """Return the exit status once the command has ended and all its output is read.
+
+        No traceback is ever a user's error message: one fails the test.
+        """
         try:
             status = self._kept.wait(timeout * PATIENCE)
         except subprocess.TimeoutExpired:
@@ -70,6 +73,7 @@ class Process:
                                  f'it printed:\n{self.output}') from None
         for reader in self._readers:
             reader.join(TIMEOUT * PATIENCE)
+        assert 'Traceback' not in self.output, self.output
         return status
 
     def end(self, signum=signal.SIGINT, timeout=TIMEOUT):

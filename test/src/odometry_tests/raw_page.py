@@ -104,15 +104,10 @@ def _decode(data):
     return msgspec.msgpack.decode(packed)
 
 
-def port(view):
-    """Return where the page is."""
-    return int(view.url.rpartition(':')[2])
-
-
 @contextlib.contextmanager
 def honest_page(view):
     """Open a page that shows both robots."""
-    with RawPage(port(view), origin=view.url) as page:
+    with RawPage(view.port, origin=view.url) as page:
         page.show()
         page.find('robot')
         yield page

@@ -37,7 +37,7 @@ class Reader:
         terminals = [*self._idle, *(terminal for _, terminal in self._running)]
         with contextlib.ExitStack() as stack:
             for terminal in terminals:
-                stack.callback(terminal.close)
+                stack.push(terminal)
             for running in list(self._running):
                 stack.callback(self._interrupt, running)
 

@@ -42,6 +42,18 @@ class Terminal:
         self._reader.start()
         self.wait_for_prompt()
 
+    def __enter__(self):
+        """Use it as a context."""
+        return self
+
+    def __exit__(self, *_):
+        """Close the window; what ran in it gets SIGHUP."""
+        if self._bash.poll() is None:
+            self._bash.send_signal(signal.SIGHUP)
+        self._bash.wait()
+        self._reader.join(1.0)
+        os.close(self._screen)
+
     @property
     def pid(self):
         """Process id of the shell."""
@@ -50,13 +62,13 @@ class Terminal:
     @property
     def status(self):
         """The exit status of what was typed last, or None while it runs."""
-        found = PROMPT.search(self._text)
+        found = PROMPT.search(self.text)
         return int(found[1]) if found else None
 
     @property
     def lines(self):
         """What was printed since the last command was typed, up to the next prompt."""
-        lines = plain_lines(PROMPT.split(self._text)[0])
+        lines = plain_lines(PROMPT.split(self.text)[0])
         # The terminal echoes what is typed, and the shell once more if it was not ready for it.
         while self._line and lines and lines[0].endswith(self._line):
             lines.pop(0)
@@ -87,16 +99,9 @@ class Terminal:
         """Interrupt what runs."""
         os.write(self._screen, CTRL_C)
 
-    def close(self):
-        """Close the window; what ran in it gets SIGHUP."""
-        if self._bash.poll() is None:
-            self._bash.send_signal(signal.SIGHUP)
-        self._bash.wait()
-        self._reader.join(1.0)
-        os.close(self._screen)
-
     @property
-    def _text(self):
+    def text(self):
+        """All that was printed since the last command was typed, with its control characters."""
         return self._bytes[self._typed:].decode(errors='replace')
 
     def _read(self):

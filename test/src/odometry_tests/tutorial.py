@@ -22,13 +22,15 @@ def simulator(*arguments, **options):
     return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
 
 
-def simulator_in_step(*arguments, rate=20, **options):
+def simulator_in_step(*arguments, rate=20, patience=PATIENCE, **options):
     """Start the simulated robot in lockstep with a controller at `rate` (Hz).
 
     Whatever the pace, no message is lost then and no command is late: what the robot does is the
     same on every machine.
+
+    :param patience: s of wall time for a controller that is silent
     """
-    return simulator(f'_lockstep_rate:={rate}', f'_lockstep_patience:={PATIENCE}', *arguments,
+    return simulator(f'_lockstep_rate:={rate}', f'_lockstep_patience:={patience}', *arguments,
                      **options)
 
 

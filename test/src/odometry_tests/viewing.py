@@ -39,15 +39,15 @@ class View:
         :param patient: whether a button is held until it is released, even by a page that hangs
         """
         pytest.importorskip('viser', reason='viser is not installed')
-        self._port = contextlib.ExitStack()
-        port = self._port.enter_context(hold_port())
-        arguments = f'_port:={port}', *arguments
+        self._stack = contextlib.ExitStack()
+        self.port = self._stack.enter_context(hold_port())
+        arguments = f'_port:={self.port}', *arguments
         if patient:
             script = ROOT / 'sim_turtlebot' / 'script' / 'view.py'
             self.process = Process(sys.executable, '-c', PATIENT_VIEWER, script, *arguments)
         else:
             self.process = rosrun('sim_turtlebot', 'view.py', *arguments)
-        self.url = f'http://localhost:{port}'
+        self.url = f'http://localhost:{self.port}'
 
     def __enter__(self):
         """Return once it says where the page is."""
@@ -61,7 +61,7 @@ class View:
     def __exit__(self, *_):
         """End it."""
         self.process.__exit__()
-        self._port.close()
+        self._stack.close()
 
 
 class Motion(Truth):
