@@ -32,28 +32,28 @@ def course(seed):
 
 
 def _velocities(seed):
-    dice = random.Random(f'velocities {seed}')
+    rng = random.Random(f'velocities {seed}')
     while True:
-        yield from itertools.repeat(_velocity(dice), _steps(dice, LEGS))
+        yield from itertools.repeat(_velocity(rng), _steps(rng, LEGS))
 
 
-def _velocity(dice):
+def _velocity(rng):
     """Draw what to do next; sometimes more than the robot can, or what it has to refuse."""
-    speed, turn = dice.uniform(-0.7, 0.7), dice.uniform(-math.pi, math.pi)
+    speed, turn = rng.uniform(-0.7, 0.7), rng.uniform(-math.pi, math.pi)
     legs = {(0.0, 0.0): 2, (speed, 0.0): 3, (0.0, turn): 2, (speed, turn): 3,
             (100 * speed, 100 * turn): 1, (math.nan, turn): 0.2, (speed, math.inf): 0.2}
-    return dice.choices(list(legs), legs.values())[0]
+    return rng.choices(list(legs), legs.values())[0]
 
 
 def _events(seed):
-    dice = random.Random(f'events {seed}')
-    for event in dice.sample(list(EVENTS), len(EVENTS)):
-        yield from itertools.repeat(None, _steps(dice, FIRST_GAPS))
+    rng = random.Random(f'events {seed}')
+    for event in rng.sample(list(EVENTS), len(EVENTS)):
+        yield from itertools.repeat(None, _steps(rng, FIRST_GAPS))
         yield event
     while True:
-        yield from itertools.repeat(None, _steps(dice, GAPS))
-        yield dice.choices(list(EVENTS), EVENTS.values())[0]
+        yield from itertools.repeat(None, _steps(rng, GAPS))
+        yield rng.choices(list(EVENTS), EVENTS.values())[0]
 
 
-def _steps(dice, seconds):
-    return round(dice.uniform(*seconds) * RATE)
+def _steps(rng, seconds):
+    return round(rng.uniform(*seconds) * RATE)

@@ -36,6 +36,6 @@ def test_a_leak_is_found(monkeypatch, leak):
 
 def test_what_an_allocator_keeps_is_no_leak(monkeypatch):
     """Two large steps for good, and what comes and goes."""
-    dice = random.Random(1)
-    measure(monkeypatch, lambda k: 50 + 20 * (k > 100) + 30 * (k > 250) + dice.uniform(0, 9),
-            lambda k: 8 + dice.randrange(6), lambda k: 20 + dice.randrange(12))
+    rng = random.Random(1)
+    measure(monkeypatch, lambda k: 50 + 20 * (k > 100) + 30 * (k > 250) + rng.uniform(0, 9),
+            lambda k: 8 + rng.randrange(6), lambda k: 20 + rng.randrange(12))
