@@ -1,7 +1,7 @@
 """The pad of the browser window, in a real browser: it drives, no other page does.
 
 How long a page that says no more goes on driving is tested with a stepped clock, in
-unit/test_viewer.py.
+unit/test_steering.py.
 """
 
 import contextlib

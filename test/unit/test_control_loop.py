@@ -19,6 +19,7 @@ class Controller:
         self.now, self.real, self.done = START, START, []
         monkeypatch.setattr('odometry_common.control_loop.rospy', SimpleNamespace(
             Timer=Mock(), Duration=Mock(), get_time=lambda: self.now,
+            signal_shutdown=self.done.append,
             rostime=SimpleNamespace(is_wallclock=lambda: wallclock)))
         monkeypatch.setattr(
             'odometry_common.timing.time', SimpleNamespace(monotonic=lambda: self.real))
@@ -134,3 +135,15 @@ def test_time_that_goes_back_begins_a_new_silence(start):
     controller.hear('a')
     assert controller.look_on(-90.0, 0.9) == []
     assert controller.look_on(0.2) == ['stop']
+
+
+@pytest.mark.parametrize('action, silence', [('_control', 0.3), ('_stop', 2.0)])
+def test_an_error_between_inputs_ends_the_node(start, action, silence):
+    """Its timer has ended, and would notice no silence any more; at its end the node says zero."""
+    controller = start()
+    controller.hear('a')
+    setattr(controller.loop, action, Mock(side_effect=OSError))
+    controller.now, controller.real = START + silence, START + silence
+    with pytest.raises(OSError):
+        controller.loop._look(None)
+    assert controller.done == ['a', 'the controller has failed']

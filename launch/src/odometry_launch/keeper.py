@@ -5,8 +5,8 @@ usage: python3 -I -S keeper.py COMMAND [ARGUMENT...]
 Standard input is a socket to the requester. The process id of the command is written to it. When
 it is closed at the other end, for whatever reason, or on SIGTERM, everything is asked to end,
 from the top: the command first, then what it leaves behind. What has not ended by then is asked
-regardless of order, and finally killed. The exit status is the
-command's; the same signal ends this process that has ended the command.
+regardless of order, and finally killed. The exit status is the command's; the same signal ends this
+process that has ended the command.
 
 It starts in a few hundredths of a second, since it imports little: no psutil either.
 """
@@ -54,8 +54,8 @@ def main(command):
 def _wake_on_signals(told):
     """Have signals make a descriptor readable, and return it; SIGTERM is put into `told`.
 
-    Signals of the terminal are not meant for this process. They are handled rather than ignored, since
-    the command would inherit that.
+    Signals of the terminal are not meant for this process. They are handled rather than ignored,
+    since the command would inherit that.
     """
     woken, waker = os.pipe()
     os.set_blocking(woken, False)

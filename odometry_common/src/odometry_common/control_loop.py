@@ -1,5 +1,7 @@
 """When a controller acts: as its input arrives, and at its own period where that is slow."""
 
+import contextlib
+
 import rospy
 
 from odometry_common.subscribing import one_at_a_time
@@ -42,12 +44,15 @@ class ControlLoop:
             self._control(value, now)
 
     def _look(self, _event):
-        with one_at_a_time:
+        with one_at_a_time, contextlib.ExitStack() as failure:
+            # An error ends the timer, and nobody would notice silence any more.
+            failure.callback(rospy.signal_shutdown, 'the controller has failed')
             now = self._now()
             if self._silent.expired(now):
                 self._stop()
             elif self._slow.expired(now):
                 self._control(self._input, now)
+            failure.pop_all()
 
     def _now(self):
         """Return ROS time (s).

@@ -18,9 +18,9 @@ class Subscriber:
 
         :param callback: takes a message; one over which it raises ValueError is ignored, with a
             throttled warning
-        :param what: the messages in words, for the user
+        :param what: the messages in words, for the user; None: the topic's name
         """
-        self._topic, self._callback, self._what = topic, callback, what
+        self._topic, self._callback, self._what = topic, callback, what or topic
         self._heard = threading.Event()
         rospy.on_shutdown(self._heard.set)
         rospy.Subscriber(topic, message_class, self._on_message, tcp_nodelay=True)
