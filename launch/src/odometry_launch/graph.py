@@ -51,9 +51,8 @@ class Graph:
         return self
 
     def __exit__(self, *_):
-        """End everything."""
+        """Let everything end, which a busy machine may take long for: ./ws waits for it."""
         self._roslaunch.let_go()
-        self._roslaunch.wait()
         self._port.close()
 
     @property
