@@ -11,6 +11,10 @@ refuse() {
     exit 2
 }
 
+announce() {
+    echo "./ws: $1" >&2
+}
+
 # end_by_signals: end by Ctrl-C and Ctrl-\ also when the command that bash waits for does not: bash
 # would forget them.
 end_by_signals() {

@@ -37,7 +37,9 @@ make_python() {
 
 # add_python READY FILE: install the Python parts in a file, and leave another that says so.
 add_python() {
-    "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check -r "$2"
+    local kept=()
+    [ -z "${WHEELS:-}" ] || kept=(--find-links "$WHEELS")
+    "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check "${kept[@]}" -r "$2"
     list_python >"$VENV/made"
     fingerprint "$2" >"$1"
 }

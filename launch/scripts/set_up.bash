@@ -1,16 +1,20 @@
 # What ./ws does before a command: find ROS, install what is missing, build.
 . "$CHECKOUT/launch/scripts/install.bash"
 . "$CHECKOUT/launch/scripts/make.bash"
+. "$CHECKOUT/launch/scripts/compile.bash"
 
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
 PYTHON_PARTS=(python3-venv)
 DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
     python3-roslaunch python3-rosnode python3-rospy python3-rosservice python3-rostest python3-rostopic
     python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
-    librostest-dev rosbash rosout)
+    librostest-dev ros-environment rosbash rosout)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(ros-robot-state-publisher rviz)
+# What outlives a clone is in the first of these that can be written.
+CACHES=("${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/turtlebot2-odometry-$EUID"
+    "/var/tmp/turtlebot2-odometry-$EUID")
 
 # set_up COMMAND ARGUMENT...: make everything ready for a command in the workspace.
 set_up() {
@@ -53,6 +57,7 @@ is_ready() {
     (
         install_parts() { exit 1; }
         run_step() { exit 1; }
+        need_pybullet() { exit 1; }
         make_ready "$@"
     ) &
     wait $!
@@ -72,9 +77,14 @@ make_ready_alone() {
 
 make_ready() {
     need_parts "${PARTS[@]}"
-    python_is_ready || run_step 'installing PyBullet' make_python
+    python_is_ready || need_base_python
     build_is_ready || run_step 'building the packages' build
     set_up_extras "$@"
+}
+
+need_base_python() {
+    need_pybullet
+    run_step 'installing PyBullet' make_python
 }
 
 # set_up_extras COMMAND ARGUMENT...: what only some commands need; below is the table of both.
@@ -109,11 +119,9 @@ find_root() {
     # Whoever comes later, with another home, has to find the same name, or all would be built anew.
     local chosen=$CHECKOUT/.ws/root folder
     ROOT=$(cat "$chosen" 2>/dev/null) && [ "$(readlink "$ROOT")" = "$CHECKOUT" ] && return
-    for folder in "${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}" /var/tmp; do
-        [[ $folder == /* ]] || continue
-        folder=$folder/turtlebot2-odometry-$(id -u)
+    for folder in "${CACHES[@]}"; do
         ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
-        if ! has_odd_characters "$ROOT" && link_root "$folder"; then
+        if ! has_odd_characters "$ROOT" && is_ours "$folder" && link_root; then
             mkdir -p "$CHECKOUT/.ws"
             echo "$ROOT" >"$chosen"
             return
@@ -127,9 +135,20 @@ has_odd_characters() {
     [[ $1 == *[!A-Za-z0-9/._+@~-]* ]]
 }
 
-# link_root FOLDER: have ROOT, in a folder that nobody else writes to, lead here.
+# is_ours FOLDER: make it, if need be, and return whether it is a place that nobody else writes to.
+is_ours() {
+    [[ $1 == /* ]] && mkdir -p -m 700 "$1" 2>/dev/null && [ -O "$1" ] && [ -w "$1" ]
+}
+
+# find_cache: name a place for what outlives this workspace.
+find_cache() {
+    for CACHE in "${CACHES[@]}" "$WORKSPACE"; do
+        ! is_ours "$CACHE" || return 0
+    done
+}
+
+# link_root: have ROOT lead here.
 link_root() {
-    mkdir -p -m 700 "$1" 2>/dev/null && [ -O "$1" ] || return
     [ "$(readlink "$ROOT")" = "$CHECKOUT" ] || ln -sfnT "$CHECKOUT" "$ROOT" 2>/dev/null
 }
 
