@@ -93,7 +93,7 @@ set_up_extras() {
     for word in "$@"; do
         case "$1 $word" in
             'test test' | *screenshots.py | 'bench view') need_for_tests ;;
-            *' pytest' | *' ruff') need_python tests "$ROOT/test/requirements.txt" ;;
+            *' pytest' | *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
             *' catkin_lint') need_parts catkin-lint ;;
             'bench bench' | *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
             *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) need_parts "${WINDOW_PARTS[@]}" ;;

@@ -1,7 +1,5 @@
 """How fast test_movement drives after which distance."""
 
-import math
-
 import pytest
 from straight_drive.drive import Drive
 
