@@ -9,36 +9,38 @@ has_pybullet_wheel() {
 }
 
 python_version() {
-    /usr/bin/python3 -c 'import sys; print("%d.%d" % sys.version_info[:2])'
-}
-
-# need_pybullet: where pip would not find a wheel of it, have one in the folder WHEELS.
-need_pybullet() {
-    local tag
-    ! has_pybullet_wheel || return 0
-    find_cache
-    WHEELS=$CACHE/wheels
-    tag=cp$(python_version | tr -d .)
-    ! compgen -G "$WHEELS/$(pybullet | sed s/==/-/)-$tag-*_$(uname -m).whl" >/dev/null || return 0
-    need_parts python3-dev
-    announce "PyPI has no PyBullet for Python $(python_version) on $(uname -m). Compiling it takes \
-about 5 minutes on two processors, this once: it is kept in $WHEELS"
-    run_step 'compiling PyBullet' compile_pybullet "$WHEELS"
-}
-
-# compile_pybullet FOLDER: make a wheel of it there.
-compile_pybullet() {
-    local made_in=$WORKSPACE/compile
-    rm -rf "$made_in"
-    /usr/bin/python3 -m venv "$made_in/python"
-    # Debugging symbols would double the time. /tmp may be small; an interruption ends all compilers.
-    CFLAGS="${CFLAGS:-} -g0" TMPDIR=$made_in setsid "$made_in/python/bin/python3" -m pip wheel \
-        --disable-pip-version-check --no-deps --wheel-dir "$1" "$(pybullet)" &
-    trap "kill -- -$!" TERM
-    wait $!
-    rm -rf "$made_in"
+    "$PYTHON" -c 'import sys; print("%d.%d" % sys.version_info[:2])'
 }
 
 pybullet() {
     grep -o '^pybullet==[0-9.]*' "$ROOT/requirements.txt"
+}
+
+# is_kept: whether there is one in the folder WHEELS, which this names.
+is_kept() {
+    find_cache
+    WHEELS=$CACHE/wheels
+    compgen -G "$WHEELS/$(pybullet | sed s/==/-/)-cp$(python_version | tr -d .)-*_$(uname -m).whl" \
+        >/dev/null
+}
+
+# need_pybullet: where pip would not find a wheel of it, have one in the folder WHEELS.
+need_pybullet() {
+    ! has_pybullet_wheel && ! is_kept || return 0
+    [ "$ROS" != /usr ] || need_parts python3-dev
+    announce "PyPI has no PyBullet for Python $(python_version) on $(uname -m). Compiling it takes \
+about 5 minutes on two processors, this once: it is kept in $WHEELS"
+    run_step 'compiling PyBullet' compile_pybullet
+}
+
+compile_pybullet() {
+    local made_in=$WORKSPACE/compile
+    rm -rf "$made_in"
+    "$PYTHON" -m venv "$made_in/python"
+    # Without debugging symbols it takes less. /tmp may be small. An interruption ends all compilers.
+    CFLAGS="${CFLAGS:-} -g0" TMPDIR=$made_in setsid "$made_in/python/bin/python3" -m pip wheel \
+        --disable-pip-version-check --no-cache-dir --no-deps --wheel-dir "$WHEELS" "$(pybullet)" &
+    trap "kill -- -$!" TERM
+    wait $!
+    rm -rf "$made_in"
 }

@@ -1,7 +1,8 @@
 # What ./ws does before a command: find ROS, install what is missing, build.
-. "$CHECKOUT/launch/scripts/install.bash"
-. "$CHECKOUT/launch/scripts/make.bash"
-. "$CHECKOUT/launch/scripts/compile.bash"
+for file in place find_ros install make compile; do
+    . "$CHECKOUT/launch/scripts/$file.bash"
+done
+unset file
 
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
 PYTHON_PARTS=(python3-venv)
@@ -12,23 +13,31 @@ DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-ros
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(ros-robot-state-publisher rviz)
-# What outlives a clone is in the first of these that can be written.
-CACHES=("${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/turtlebot2-odometry-$EUID"
-    "/var/tmp/turtlebot2-odometry-$EUID")
 
 # set_up COMMAND ARGUMENT...: make everything ready for a command in the workspace.
 set_up() {
+    ASKED=("$@")
     find_root
     VENV=$ROOT/.venv
     WORKSPACE=$ROOT/.ws
     LOG=$WORKSPACE/setup.log
     cd "$ROOT"
     find_ros
+    choose_parts
     if asks_for_help "$@"; then
         is_ready || help_without_base "$1"
         return
     fi
     is_ready "$@" || make_ready_alone "$@"
+}
+
+choose_parts() {
+    PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
+    case $ROS in
+        /usr) ;;
+        "$OPT"/*) PARTS=() RVIZ_PARTS=("ros-${ROS##*/}-"{robot-state-publisher,rviz}) ;;
+        *) PARTS=() RVIZ_PARTS=() ;;
+    esac
 }
 
 # asks_for_help COMMAND ARGUMENT...: whether a command of our own is only to say how it is used.
@@ -57,7 +66,7 @@ is_ready() {
     (
         install_parts() { exit 1; }
         run_step() { exit 1; }
-        need_pybullet() { exit 1; }
+        check_ros() { exit 1; }
         make_ready "$@"
     ) &
     wait $!
@@ -65,6 +74,7 @@ is_ready() {
 
 # make_ready_alone COMMAND ARGUMENT...: do what is to be done, one call of ./ws at a time.
 make_ready_alone() {
+    can_write
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
     if ! flock -n 9; then
@@ -83,7 +93,9 @@ make_ready() {
 }
 
 need_base_python() {
+    check_ros
     need_pybullet
+    need_space "$ROOT" 500 'the virtual environment'
     run_step 'installing PyBullet' make_python
 }
 
@@ -110,54 +122,4 @@ need_for_tests() {
 
 need_for_view() {
     need_python view "$ROOT/sim_turtlebot/requirements-view.txt"
-}
-
-# find_root: name this folder by a path that may stand in a #! line and in catkin's commands.
-find_root() {
-    ROOT=$CHECKOUT
-    has_odd_characters "$CHECKOUT" || return 0
-    # Whoever comes later, with another home, has to find the same name, or all would be built anew.
-    local chosen=$CHECKOUT/.ws/root folder
-    ROOT=$(cat "$chosen" 2>/dev/null) && [ "$(readlink "$ROOT")" = "$CHECKOUT" ] && return
-    for folder in "${CACHES[@]}"; do
-        ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
-        if ! has_odd_characters "$ROOT" && is_ours "$folder" && link_root; then
-            mkdir -p "$CHECKOUT/.ws"
-            echo "$ROOT" >"$chosen"
-            return
-        fi
-    done
-    fail "the path $CHECKOUT has characters that ROS cannot bear, and there is no place for a link \
-to it in ~/.cache or /var/tmp"
-}
-
-has_odd_characters() {
-    [[ $1 == *[!A-Za-z0-9/._+@~-]* ]]
-}
-
-# is_ours FOLDER: make it, if need be, and return whether it is a place that nobody else writes to.
-is_ours() {
-    [[ $1 == /* ]] && mkdir -p -m 700 "$1" 2>/dev/null && [ -O "$1" ] && [ -w "$1" ]
-}
-
-# find_cache: name a place for what outlives this workspace.
-find_cache() {
-    for CACHE in "${CACHES[@]}" "$WORKSPACE"; do
-        ! is_ours "$CACHE" || return 0
-    done
-}
-
-# link_root: have ROOT lead here.
-link_root() {
-    [ "$(readlink "$ROOT")" = "$CHECKOUT" ] || ln -sfnT "$CHECKOUT" "$ROOT" 2>/dev/null
-}
-
-find_ros() {
-    command -v dpkg-query >/dev/null ||
-        fail "this needs Debian 12, an Ubuntu with Debian's ROS 1 packages, or /opt/ros/noetic"
-    if [ -f /opt/ros/noetic/setup.bash ]; then
-        PARTS=("${PYTHON_PARTS[@]}")
-    else
-        PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
-    fi
 }
