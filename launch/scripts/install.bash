@@ -38,7 +38,7 @@ run_step() {
     before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
     [ -t 2 ] || echo "./ws: $text ..." >&2
     (
-        stands_on_what_is_sourced || unset "${SOURCED[@]}"
+        has_no_file || unset "${SOURCED[@]}"
         "$@"
     ) >>"$LOG" 2>&1 &
     pid=$!
@@ -89,7 +89,7 @@ need_parts() {
 install_parts() {
     local text="installing $# system packages and what they need" missing
     [ $# != 1 ] || text="installing $1 and what it needs"
-    [ "$ROS" = /usr ] || fail "this needs more of the system: $(apt_line "$@")"
+    is_debians || fail "this needs more of the system: $(apt_line "$@")"
     if [ "$(id -u)" != 0 ] && ! sudo -v 2>/dev/null; then
         mapfile -t missing < <(missing_parts)
         fail "this needs root or sudo, or somebody who has it and types: $(apt_line "${missing[@]}")"

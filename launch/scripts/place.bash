@@ -11,7 +11,7 @@ find_root() {
     # Whoever comes later, with another home, has to find the same name, or all would be built anew.
     local chosen=$CHECKOUT/.ws/root folder
     ROOT=$(cat "$chosen" 2>/dev/null) && [ "$(readlink "$ROOT")" = "$CHECKOUT" ] && return
-    can_write
+    need_write
     for folder in "${CACHES[@]}"; do
         ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
         if ! has_odd_characters "$ROOT" && is_ours "$folder" && link_root; then
@@ -45,18 +45,32 @@ find_cache() {
     done
 }
 
-# can_write: end with one line if a set-up here would end with `permission denied`.
-can_write() {
+# need_write: end with one line if the set-up would end with `permission denied`.
+need_write() {
     local thing
-    for thing in "$CHECKOUT" "$CHECKOUT"/.ws "$CHECKOUT"/.ws/{lock,setup.log,src} "$CHECKOUT"/.venv; do
-        [ ! -e "$thing" ] || [ -w "$thing" ] || fail "you cannot write to $thing, which belongs to \
-$(stat -c %U "$thing"): clone into a folder of your own"
+    for thing in "$CHECKOUT" "$CHECKOUT"/.ws{,/src,/lock,/setup.log} "$CHECKOUT/.venv"; do
+        [ ! -e "$thing" ] || [ -w "$thing" ] ||
+            fail "you cannot write to $thing, which belongs to $(stat -c %U "$thing"): clone the \
+project into a folder of your own"
     done
 }
 
-# need_space FOLDER MB TEXT: end with one line if there is less free where the folder is.
+# need_space: end with one line if the first set-up would fill the disk.
 need_space() {
+    local system=0 here=0
+    has_parts "${PARTS[@]}" || system=1100
+    python_is_ready || here=500
+    if [ "$(stat -c %d "$USR")" = "$(stat -c %d "$CHECKOUT")" ]; then
+        need_free "$CHECKOUT" $((system + here))
+    else
+        need_free "$USR" $system
+        need_free "$CHECKOUT" $here
+    fi
+}
+
+# need_free FOLDER MEGABYTES
+need_free() {
     local free
     free=$(df -Pm "$1" | awk 'NR == 2 { print $4 }')
-    [ "$free" -ge "$2" ] || fail "$3 needs $2 MB where $1 is, and $free MB are free"
+    [ "$free" -ge "$2" ] || fail "this needs $2 MB on the disk of $1, where $free MB are free"
 }

@@ -1,5 +1,5 @@
 # What ./ws does before a command: find ROS, install what is missing, build.
-for file in place find_ros install make compile; do
+for file in install place find_ros check_ros compile make; do
     . "$CHECKOUT/launch/scripts/$file.bash"
 done
 unset file
@@ -34,7 +34,7 @@ set_up() {
 choose_parts() {
     PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
     case $ROS in
-        /usr) ;;
+        "$USR") ;;
         "$OPT"/*) PARTS=() RVIZ_PARTS=("ros-${ROS##*/}-"{robot-state-publisher,rviz}) ;;
         *) PARTS=() RVIZ_PARTS=() ;;
     esac
@@ -74,7 +74,8 @@ is_ready() {
 
 # make_ready_alone COMMAND ARGUMENT...: do what is to be done, one call of ./ws at a time.
 make_ready_alone() {
-    can_write
+    need_write
+    need_space
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
     if ! flock -n 9; then
@@ -95,7 +96,6 @@ make_ready() {
 need_base_python() {
     check_ros
     need_pybullet
-    need_space "$ROOT" 500 'the virtual environment'
     run_step 'installing PyBullet' make_python
 }
 
