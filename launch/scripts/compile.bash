@@ -27,7 +27,7 @@ is_kept() {
 # need_pybullet: where pip would not find a wheel of it, have one in the folder WHEELS.
 need_pybullet() {
     ! has_pybullet_wheel && ! is_kept || return 0
-    ! is_debians || need_parts python3-dev
+    ! is_debians || need_parts "${COMPILER_PARTS[@]}"
     need_free "$WORKSPACE" 1000
     announce "PyPI has no PyBullet for Python $(python_version) on $(uname -m). Compiling it takes \
 about 5 minutes on two processors, this once: it is kept in $WHEELS"

@@ -2,6 +2,8 @@
 # leaves as it is.
 USR=/usr
 OPT=/opt/ros
+ROS=$USR
+PYTHON=$USR/bin/python3
 
 # find_ros: name the folder ROS that it is in, and its PYTHON.
 # What was made with one is not made anew because a terminal has sourced another.

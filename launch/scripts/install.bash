@@ -114,7 +114,7 @@ missing_parts() {
     need_python() { true; }
     need_parts "${PARTS[@]}"
     python_is_ready || { [ -x "$PYTHON" ] && { has_pybullet_wheel || is_kept; }; } ||
-        need_parts python3-dev
+        need_parts "${COMPILER_PARTS[@]}"
     set_up_extras "${ASKED[@]}"
 }
 

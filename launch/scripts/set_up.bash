@@ -10,6 +10,7 @@ DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-ros
     python3-roslaunch python3-rosnode python3-rospy python3-rosservice python3-rostest python3-rostopic
     python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
     librostest-dev ros-environment rosbash rosout)
+COMPILER_PARTS=(python3-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(ros-robot-state-publisher rviz)

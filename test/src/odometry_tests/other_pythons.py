@@ -4,9 +4,9 @@ import sys
 
 from odometry_tests.scripts import ROOT
 
-# The numpy of the system that has it: Ubuntu 20.04, none, Ubuntu 22.04, Debian 12, Ubuntu 24.04,
-# Debian 13.
-SYSTEM_NUMPY = {'3.8': '1.17.4', '3.9': None, '3.10': '1.21.5', '3.11': '1.24.2', '3.12': '1.26.4',
+# The numpy of the system that has it, if it serves: Ubuntu 20.04, none, Ubuntu 22.04, Debian 12,
+# Ubuntu 24.04, Debian 13.
+SYSTEM_NUMPY = {'3.8': None, '3.9': None, '3.10': '1.21.5', '3.11': '1.24.2', '3.12': '1.26.4',
                 '3.13': '2.2.4'}
 PYTHONS = list(SYSTEM_NUMPY)
 REQUIREMENTS = [ROOT / 'requirements.txt', ROOT / 'sim_turtlebot' / 'requirements-view.txt',
