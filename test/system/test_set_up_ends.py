@@ -70,7 +70,7 @@ def last_words(folder, commands, **variables):
 
 
 def test_another_kind_of_system(tmp_path):
-    """macOS has an older bash and another readlink: nothing else is called there."""
+    """On macOS there is an older bash and another readlink: nothing else is called there."""
     (tmp_path / 'bash').symlink_to(shutil.which('bash'))
     (tmp_path / 'uname').write_text('#!/bin/sh\necho Darwin\n')
     (tmp_path / 'uname').chmod(0o755)

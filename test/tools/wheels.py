@@ -1,7 +1,7 @@
 """Write test/unit/wheels.jsonl anew: ./ws python3 test/tools/wheels.py.
 
 It lists, for each version of Python, the wheels that pip chooses from PyPI for the requirements,
-so that test_requirements can have pip choose again without a network.
+so that test_requirements can have pip choose again without a network. This needs Python 3.11.
 """
 
 import argparse
@@ -41,8 +41,9 @@ def without_pybullet():
 
 def chosen(python, *requirements):
     """Return the wheels that pip chooses, by their files; none if there is no such wheel."""
-    run = subprocess.run(pip_for(python, *requirements), check=False,
-                         capture_output=True, text=True)
+    choose = pip_for(python, 'install', '--dry-run', '--ignore-installed', '--target', '/nowhere',
+                     '--report', '-', *requirements)
+    run = subprocess.run(choose, check=False, capture_output=True, text=True)
     if run.returncode:
         print(f'{python}: {run.stderr.strip().splitlines()[-1]}')
         return {}

@@ -3,6 +3,7 @@
 import ast
 import importlib.util
 import re
+import sys
 import sysconfig
 from xml.etree import ElementTree
 
@@ -50,7 +51,7 @@ def is_of_python(module):
     """Return whether a module is of Python's own library."""
     spec = importlib.util.find_spec(module)
     origin = spec.origin or '' if spec else ''
-    return origin in ('built-in', 'frozen') or (
+    return module in sys.builtin_module_names or origin == 'frozen' or (
         origin.startswith(sysconfig.get_path('stdlib')) and 'site-packages' not in origin)
 
 

@@ -24,11 +24,8 @@ sys.exit(main())
 """
 
 
-def pip_for(python, *arguments):
-    """Return the command that has pip choose wheels for a version of Python, such as '3.8'.
-
-    What is installed here does not count, and nothing is installed.
-    """
-    return [sys.executable, '-c', PIP, python, 'install', '--disable-pip-version-check', '--dry-run',
-            '--ignore-installed', '--no-cache-dir', '--quiet', '--only-binary', ':all:', '--target', '/nowhere',
-            '--python-version', python, '--report', '-', *map(str, arguments)]
+def pip_for(python, command, *arguments):
+    """Return the command that has pip choose wheels for a version of Python, such as '3.8'."""
+    return [sys.executable, '-c', PIP, python, command, '--disable-pip-version-check', '--quiet',
+            '--no-cache-dir', '--only-binary', ':all:', '--python-version', python,
+            *map(str, arguments)]
