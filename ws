@@ -2,6 +2,12 @@
 # The front door: sets up what is missing, then runs a command in the workspace.
 set -euo pipefail
 
+IFS= read -r system < <(uname)
+if [ "$system" != Linux ]; then  # nor is there what the next lines need
+    echo "./ws: this needs Linux. On $system the container runs: docs/container.md" >&2
+    exit 1
+fi
+
 # Not by $(...): bash may forget a Ctrl-C while it waits for that.
 IFS= read -rd '' CHECKOUT < <(readlink -fz "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}

@@ -1,5 +1,8 @@
 # What ./ws and its shell do before a command: they enter the workspace in ODOMETRY_ROOT. catkin
 # looks at arguments, so that a function without any has to source this.
+# ROS 2 has modules and variables of the same names.
+[ "${ROS_VERSION:-}" != 2 ] ||
+    unset PYTHONPATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
 . "$ODOMETRY_ROOT/.ws/devel/setup.bash"
 export PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
 

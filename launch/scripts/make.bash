@@ -2,9 +2,9 @@
 # `made` names what must not be gone, and `ready`, which is written last, is the fingerprint of what
 # it was made of.
 
-# fingerprint FILE...: what the files contain and where they are, and which Python is the system's.
+# fingerprint FILE...: what the files contain and where they are, and of which ROS and Python.
 fingerprint() {
-    { echo "$ROOT"; readlink -f /usr/bin/python3; cat "$@"; } | cksum
+    { echo "$ROOT"; echo "$ROS"; readlink -f "$PYTHON"; cat "$@"; } | cksum
 }
 
 # is_done FILE FINGERPRINT: whether a step is done, according to the file that it leaves at its end.
@@ -30,14 +30,17 @@ make_python() {
     # Half a virtual environment cannot be told from a whole one: begin again.
     rm -f "$VENV/ready"
     rm -rf "$VENV"
-    # Debian's ROS modules belong to /usr/bin/python3, whatever python3 is first on PATH.
-    /usr/bin/python3 -m venv --system-site-packages "$VENV"
+    # ROS's modules belong to this one, whatever python3 is first on PATH.
+    "$PYTHON" -m venv --system-site-packages "$VENV"
+    printf '%s\n' "$ROS" "$PYTHON" >"$VENV/ros"
     add_python "$VENV/ready" "$ROOT/requirements.txt"
 }
 
 # add_python READY FILE: install the Python parts in a file, and leave another that says so.
 add_python() {
-    "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check -r "$2"
+    local kept=()
+    [ -z "${WHEELS:-}" ] || kept=(--find-links "$WHEELS")
+    "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check "${kept[@]}" -r "$2"
     list_python >"$VENV/made"
     fingerprint "$2" >"$1"
 }
@@ -89,12 +92,4 @@ build() {
 list_build() {
     find -L "$WORKSPACE/src" -maxdepth 2 -name package.xml
     find "$WORKSPACE/devel" ! -type d -size +0 ! -name '*.pyc'
-}
-
-load_ros() {
-    if [ -f /opt/ros/noetic/setup.bash ]; then
-        set +u
-        . /opt/ros/noetic/setup.bash
-        set -u
-    fi
 }

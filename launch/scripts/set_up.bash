@@ -1,30 +1,44 @@
 # What ./ws does before a command: find ROS, install what is missing, build.
-. "$CHECKOUT/launch/scripts/install.bash"
-. "$CHECKOUT/launch/scripts/make.bash"
+for file in install place find_ros check_ros compile make; do
+    . "$CHECKOUT/launch/scripts/$file.bash"
+done
+unset file
 
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
 PYTHON_PARTS=(python3-venv)
 DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
     python3-roslaunch python3-rosnode python3-rospy python3-rosservice python3-rostest python3-rostopic
     python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
-    librostest-dev rosbash rosout)
+    librostest-dev ros-environment rosbash rosout)
+COMPILER_PARTS=(python3-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(ros-robot-state-publisher rviz)
 
 # set_up COMMAND ARGUMENT...: make everything ready for a command in the workspace.
 set_up() {
+    ASKED=("$@")
     find_root
     VENV=$ROOT/.venv
     WORKSPACE=$ROOT/.ws
     LOG=$WORKSPACE/setup.log
     cd "$ROOT"
     find_ros
+    choose_parts
     if asks_for_help "$@"; then
         is_ready || help_without_base "$1"
         return
     fi
     is_ready "$@" || make_ready_alone "$@"
+}
+
+choose_parts() {
+    PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
+    case $ROS in
+        "$USR") ;;
+        "$OPT"/*) PARTS=() RVIZ_PARTS=("ros-${ROS##*/}-"{robot-state-publisher,rviz}) ;;
+        *) PARTS=() RVIZ_PARTS=() ;;
+    esac
 }
 
 # asks_for_help COMMAND ARGUMENT...: whether a command of our own is only to say how it is used.
@@ -53,6 +67,7 @@ is_ready() {
     (
         install_parts() { exit 1; }
         run_step() { exit 1; }
+        check_ros() { exit 1; }
         make_ready "$@"
     ) &
     wait $!
@@ -60,6 +75,8 @@ is_ready() {
 
 # make_ready_alone COMMAND ARGUMENT...: do what is to be done, one call of ./ws at a time.
 make_ready_alone() {
+    need_write
+    need_space
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
     if ! flock -n 9; then
@@ -72,9 +89,15 @@ make_ready_alone() {
 
 make_ready() {
     need_parts "${PARTS[@]}"
-    python_is_ready || run_step 'installing PyBullet' make_python
+    python_is_ready || need_base_python
     build_is_ready || run_step 'building the packages' build
     set_up_extras "$@"
+}
+
+need_base_python() {
+    check_ros
+    need_pybullet
+    run_step 'installing PyBullet' make_python
 }
 
 # set_up_extras COMMAND ARGUMENT...: what only some commands need; below is the table of both.
@@ -83,7 +106,7 @@ set_up_extras() {
     for word in "$@"; do
         case "$1 $word" in
             'test test' | *screenshots.py | 'bench view') need_for_tests ;;
-            *' pytest' | *' ruff') need_python tests "$ROOT/test/requirements.txt" ;;
+            *' pytest' | *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
             *' catkin_lint') need_parts catkin-lint ;;
             'bench bench' | *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
             *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) need_parts "${WINDOW_PARTS[@]}" ;;
@@ -100,45 +123,4 @@ need_for_tests() {
 
 need_for_view() {
     need_python view "$ROOT/sim_turtlebot/requirements-view.txt"
-}
-
-# find_root: name this folder by a path that may stand in a #! line and in catkin's commands.
-find_root() {
-    ROOT=$CHECKOUT
-    has_odd_characters "$CHECKOUT" || return 0
-    # Whoever comes later, with another home, has to find the same name, or all would be built anew.
-    local chosen=$CHECKOUT/.ws/root folder
-    ROOT=$(cat "$chosen" 2>/dev/null) && [ "$(readlink "$ROOT")" = "$CHECKOUT" ] && return
-    for folder in "${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}" /var/tmp; do
-        [[ $folder == /* ]] || continue
-        folder=$folder/turtlebot2-odometry-$(id -u)
-        ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
-        if ! has_odd_characters "$ROOT" && link_root "$folder"; then
-            mkdir -p "$CHECKOUT/.ws"
-            echo "$ROOT" >"$chosen"
-            return
-        fi
-    done
-    fail "the path $CHECKOUT has characters that ROS cannot bear, and there is no place for a link \
-to it in ~/.cache or /var/tmp"
-}
-
-has_odd_characters() {
-    [[ $1 == *[!A-Za-z0-9/._+@~-]* ]]
-}
-
-# link_root FOLDER: have ROOT, in a folder that nobody else writes to, lead here.
-link_root() {
-    mkdir -p -m 700 "$1" 2>/dev/null && [ -O "$1" ] || return
-    [ "$(readlink "$ROOT")" = "$CHECKOUT" ] || ln -sfnT "$CHECKOUT" "$ROOT" 2>/dev/null
-}
-
-find_ros() {
-    command -v dpkg-query >/dev/null ||
-        fail "this needs Debian 12, an Ubuntu with Debian's ROS 1 packages, or /opt/ros/noetic"
-    if [ -f /opt/ros/noetic/setup.bash ]; then
-        PARTS=("${PYTHON_PARTS[@]}")
-    else
-        PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
-    fi
 }

@@ -92,5 +92,7 @@ def _linters():
     checks = {f'roslaunch-check-{name}': [
         str(check), '-o', str(RESULTS / f'{name}.xml'), str(ROOT / 'launch' / name)]
         for name in LAUNCH_FILES}
-    return {'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
+    # What a newer Python brings, such as itertools.pairwise, is not there on Ubuntu 20.04.
+    vermin = ['vermin', '--quiet', '--no-tips', '--violations', '--target=3.8-', str(ROOT)]
+    return {'ruff': ['ruff', 'check', '--quiet', str(ROOT)], 'vermin': vermin,
             'catkin_lint': ['catkin_lint', '--quiet', '--strict', str(ROOT)], **checks}

@@ -1,7 +1,6 @@
 """How far the detector believes the robot has moved."""
 
 import math
-from itertools import pairwise
 
 import pytest
 from hypothesis import example, given
@@ -40,7 +39,7 @@ def count(counter, positions):
 def length(positions):
     """Return the tutorial's sum: one hypot after the other."""
     total = 0.0
-    for (x, y), (next_x, next_y) in pairwise(positions):
+    for (x, y), (next_x, next_y) in zip(positions, positions[1:]):
         total += math.hypot(next_x - x, next_y - y)
     return total
 

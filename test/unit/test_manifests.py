@@ -1,8 +1,10 @@
 """Each package.xml names what the package uses: rosdep installs just that for a catkin workspace."""
 
 import ast
+import importlib.util
 import re
 import sys
+import sysconfig
 from xml.etree import ElementTree
 
 import pytest
@@ -45,6 +47,14 @@ def imports(tree):
             yield node.module.partition('.')[0]
 
 
+def is_of_python(module):
+    """Return whether a module is of Python's own library."""
+    spec = importlib.util.find_spec(module)
+    origin = spec.origin or '' if spec else ''
+    return module in sys.builtin_module_names or origin == 'frozen' or (
+        origin.startswith(sysconfig.get_path('stdlib')) and 'site-packages' not in origin)
+
+
 def commands(tree):
     """Return the first words of the strings in a syntax tree."""
     for node in ast.walk(tree):
@@ -58,8 +68,8 @@ def needs(folder):
     sources = [path for path in folder.rglob('*.py') if path.name != 'setup.py']
     trees = [ast.parse(source.read_text()) for source in sources]
     modules = {name for tree in trees for name in imports(tree)}
-    modules -= {source.stem for source in sources} | set(sys.stdlib_module_names) | FROM_PYPI
-    keys = {KEYS.get(module, module) for module in modules}
+    modules -= {source.stem for source in sources} | FROM_PYPI
+    keys = {KEYS.get(module, module) for module in modules if not is_of_python(module)}
     keys |= {COMMANDS[word] for tree in trees for word in commands(tree) if word in COMMANDS}
     for path in [*folder.rglob('*.launch'), *folder.rglob('*.test')]:
         keys |= set(re.findall(r'(?:pkg="|\$\(find )(\w+)', path.read_text()))

@@ -1,7 +1,6 @@
 """How the robot in PyBullet moves, against what it was commanded."""
 
 import math
-from itertools import pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -26,7 +25,7 @@ def distance_between(a, b):
 def total_turn(motions):
     """Return the angle (rad) turned in a row of Motions, over all its circles."""
     yaws = [yaw_of(motion.orientation) for motion in motions]
-    return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in pairwise(yaws))
+    return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in zip(yaws, yaws[1:]))
 
 
 @pytest.mark.parametrize('speed', [0.1, 0.5, -0.5])

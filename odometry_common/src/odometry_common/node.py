@@ -28,6 +28,7 @@ SHUTDOWN_THREAD = 'shutdown'
 MASTER_RETRY_PERIOD = 0.5  # s
 
 _failures = []  # why this process cannot go on
+_pythons_excepthook = threading.excepthook  # which it names __excepthook__ since 3.10 only
 
 
 def run_node(name, main, documentation, **init_node_options):
@@ -86,7 +87,7 @@ def _report_thread(failure):
     connections ends when there is no file handle for one: then nobody reaches the node any more.
     """
     if not rospy.is_shutdown() and not _report(failure.exc_value):
-        threading.__excepthook__(failure)
+        _pythons_excepthook(failure)
 
 
 def _report(error):

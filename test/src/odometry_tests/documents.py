@@ -79,7 +79,8 @@ class _Parser:
         output = not prompted and not is_command(lines[0])
         for number, line in enumerate(lines, start=start):
             if line.startswith(PROMPT) or not (prompted or output):
-                self._add(line.removeprefix(PROMPT), number, inline=False)
+                command = line[len(PROMPT):] if line.startswith(PROMPT) else line
+                self._add(command, number, inline=False)
             elif line != MORE:
                 assert self._commands, f'{self._document}:{number}: this output is of no command'
                 self._commands[-1].shown.append(line)
