@@ -31,15 +31,13 @@ commands() {
 # follow HEADING: type its commands one after the other, and say yes to apt.
 follow() {
     say "$1"
-    commands "$1" | tee /dev/stderr >"$OUTPUT/typed"
+    commands "$1" >"$OUTPUT/typed"
     [ -s "$OUTPUT/typed" ] || fail "the page has no commands under '$1'"
-    bash -euc "$(without_sudo); . '$OUTPUT/typed'" < <(yes) >"$OUTPUT/printed" 2>&1 && return
+    cat "$OUTPUT/typed" >&2
+    command -v sudo >/dev/null || sed -i 's/^sudo //' "$OUTPUT/typed"
+    bash -eu "$OUTPUT/typed" < <(yes) >"$OUTPUT/printed" 2>&1 && return
     tail -n 20 "$OUTPUT/printed" >&2
     fail "a command under '$1' has failed"
-}
-
-without_sudo() {
-    command -v sudo >/dev/null || echo 'sudo() { "$@"; }'
 }
 
 # in_terminal COMMAND: run it in a terminal of its own, which reads ~/.bashrc.
