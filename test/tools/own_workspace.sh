@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Follow docs/workspace.md literally: test/tools/own_workspace.sh REPOSITORY
+# Follow docs/workspace.md literally: bash test/tools/own_workspace.sh REPOSITORY
 #
 # For a system with nothing on it, such as a new container: the page's commands install packages and
 # write into the home. REPOSITORY is what the page has git clone.
