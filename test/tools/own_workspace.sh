@@ -35,7 +35,7 @@ follow() {
     [ -s "$OUTPUT/typed" ] || fail "the page has no commands under '$1'"
     cat "$OUTPUT/typed" >&2
     command -v sudo >/dev/null || sed -i 's/^sudo //' "$OUTPUT/typed"
-    bash -eu "$OUTPUT/typed" < <(yes) >"$OUTPUT/printed" 2>&1 && return
+    bash -e "$OUTPUT/typed" < <(yes) >"$OUTPUT/printed" 2>&1 && return
     tail -n 20 "$OUTPUT/printed" >&2
     fail "a command under '$1' has failed"
 }
@@ -59,7 +59,7 @@ leave_running() {
 
 # number FIELD: print what the next message has in it, or nothing.
 number() {
-    (in_terminal "timeout 10 rostopic echo -n1 $1") | grep -xE -- '-?[0-9.e-]+' || true
+    (in_terminal "timeout 10 rostopic echo -n1 $1") | grep -xE -- '-?[0-9][0-9.e-]*' || true
 }
 
 is_at_least() {
