@@ -75,7 +75,7 @@ build() {
     # catkin's crawl skips hidden folders, so that these links make no loop.
     local package
     for package in "${PACKAGES[@]}"; do
-        ln -sfnT "../../$package" "$WORKSPACE/src/${package##*/}"
+        ln -sfnT "../../$package" "$WORKSPACE/src/$package"
     done
     # CMake believes PWD where it is a name of its folder, and else takes the one without links.
     cd "$WORKSPACE/build"

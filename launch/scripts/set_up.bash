@@ -2,8 +2,7 @@
 . "$CHECKOUT/launch/scripts/install.bash"
 . "$CHECKOUT/launch/scripts/make.bash"
 
-PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test
-    docs/example)
+PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
 PYTHON_PARTS=(python3-venv)
 DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
     python3-roslaunch python3-rosnode python3-rospy python3-rosservice python3-rostest python3-rostopic

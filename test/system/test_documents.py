@@ -23,16 +23,22 @@ from odometry_tests.scripts import ROOT
 
 NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
 # What is done already when a reader comes to a heading.
-BEFORE = {'What the packages need': NOETIC}
+BEFORE = {'What the packages need': NOETIC,
+          'Two machines': ['roscore', 'rosrun sim_turtlebot sim_turtlebot_node.py']}
 TUTORIALS, LAUNCHES = 'README.md: The tutorials', 'README.md: All at once'
 SIMULATIONS = 'docs/simulator.md: Many robots, any world'
 WORKSPACE = 'docs/workspace.md: What the packages need'
+REAL_ROBOT = 'docs/real_robot.md: Two machines'
 # Where a reader goes on with what is running, by heading or by single command.
 GOES_ON = {
     'Has the robot moved one metre?': TUTORIALS,
     'Rotate the robot to a heading': TUTORIALS,
     'rosrun sim_turtlebot view.py': TUTORIALS,
-    'On a real TurtleBot 2': TUTORIALS,
+    'Drive the robot': REAL_ROBOT,
+    'Two metres by the tape': REAL_ROBOT,
+    'Ten turns': REAL_ROBOT,
+    'The picture of a run': REAL_ROBOT,
+    'What to expect': REAL_ROBOT,
     'Troubleshooting': LAUNCHES,
     'How to remove it': LAUNCHES,
     'Reference': LAUNCHES,
@@ -53,6 +59,7 @@ IN_PLACE = [
     (r'view\.py$', r'\g<0> _port:=$PAGE_PORT', 'the usual port may be taken'),
     (r'^git clone .* && cd .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}',
      'is set up already'),
+    (r'^ROS_MASTER_URI=\S+ ', '', 'the robot is played here'),
     (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
@@ -66,6 +73,8 @@ IN_PLACE = [
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
 ]
 NOT_HERE = {
+    r'turtlebot_bringup|turtlebot_teleop|cmd_vel_mux': 'is on the robot',
+    r'^\./ws rostest one_metre ': 'is for test_example',
     r'^ssh\b': 'there is no other machine',
     r'^rosnode kill$': 'names a command, not a node',
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',

@@ -102,6 +102,7 @@ main() {
     follow 'What the packages need'
     follow 'Clone and build'
     say "ready to drive after $SECONDS s"
+    ! { : </dev/tcp/localhost/11311; } 2>/dev/null || fail 'a ROS master runs here already'
     leave_running 'Drive in that workspace'
     await_arrival
     say "moved $moved m, is at x $place m, after $SECONDS s"
