@@ -94,4 +94,5 @@ def _linters():
         str(check), '-o', str(RESULTS / f'{name}.xml'), str(ROOT / 'launch' / name)]
         for name in LAUNCH_FILES}
     return {'ruff': ['ruff', 'check', '--quiet', str(ROOT)],
-            'catkin_lint': ['catkin_lint', '--quiet', '--strict', str(ROOT), str(EXAMPLE)], **checks}
+            'catkin_lint': ['catkin_lint', '--quiet', '--strict', str(ROOT), str(EXAMPLE)],
+            **checks}

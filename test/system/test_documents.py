@@ -68,7 +68,8 @@ IN_PLACE = [
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
     (r'^CFLAGS=\S+ pip install .*',
-     rf'ls -d {OUR_PACKAGES} >"$(echo ~/ros_python/lib/*/site-packages)/ours.pth"', 'needs the network'),
+     rf'ls -d {OUR_PACKAGES} >"$(echo ~/ros_python/lib/*/site-packages)/ours.pth"',
+     'needs the network'),
     (r'^sudo apt-mark', 'apt-mark --simulate', 'is in the way of others'),
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
 ]

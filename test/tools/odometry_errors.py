@@ -48,8 +48,8 @@ def main():
     for case in CASES:
         errors = [(*count(straight, case, seed), count(turning, case, seed)[1])
                   for seed in range(SEEDS)]
-        parameters = ' '.join(f'_{name}:={value}' for name, value in case.items())
-        print('|', ' | '.join([f'`{parameters}`' if case else '', *map(in_words, zip(*errors))]), '|')
+        parameters = ' '.join(f'`_{name}:={value}`' for name, value in case.items())
+        print('|', ' | '.join([parameters, *map(in_words, zip(*errors))]), '|')
 
 
 def in_words(errors):

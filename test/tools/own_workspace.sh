@@ -74,7 +74,8 @@ await_arrival() {
     done
     moved=$(number /moved_distance/data)
     place=$(number /base_pose_ground_truth/pose/pose/position/x)
-    is_at_least "$place" $GOAL || fail "the detector counts $moved m, but the robot is at '$place' m"
+    is_at_least "$place" $GOAL ||
+        fail "the detector counts $moved m, but the robot is at '$place' m"
 }
 
 show_terminals() {
@@ -96,7 +97,8 @@ main() {
     [ $# = 1 ] || { sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2; }
     REPOSITORY=$1
     for folder in ~/catkin_ws ~/ros_python; do
-        [ ! -e "$folder" ] || fail "$folder is there already: this is for a system with nothing on it"
+        [ ! -e "$folder" ] ||
+            fail "$folder is there already: this is for a system with nothing on it"
     done
     trap end_all EXIT
     follow 'What the packages need'
