@@ -12,6 +12,7 @@ import rospkg
 ROOT = Path(os.environ['ODOMETRY_ROOT'])
 TESTS = ROOT / 'test'
 RESULTS = ROOT / '.ws' / 'test_results'
+EXAMPLE = ROOT / 'docs' / 'example'  # which catkin does not find by itself
 LAUNCH_FILES = ['sim.launch', 'move_two_meters.launch', 'rotate.launch']
 # They begin first, so that no processor idles at the end.
 LONGEST = ['test_documents', 'unit', 'test_demo_endings', 'test_demo_faults',
@@ -95,4 +96,5 @@ def _linters():
     # What a newer Python brings, such as itertools.pairwise, is not there on Ubuntu 20.04.
     vermin = ['vermin', '--quiet', '--no-tips', '--violations', '--target=3.8-', str(ROOT)]
     return {'ruff': ['ruff', 'check', '--quiet', str(ROOT)], 'vermin': vermin,
-            'catkin_lint': ['catkin_lint', '--quiet', '--strict', str(ROOT)], **checks}
+            'catkin_lint': ['catkin_lint', '--quiet', '--strict', str(ROOT), str(EXAMPLE)],
+            **checks}

@@ -23,31 +23,43 @@ from odometry_tests.scripts import ROOT
 
 NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
 # What is done already when a reader comes to a heading.
-BEFORE = {'In a catkin workspace of your own': NOETIC}
+BEFORE = {'What the packages need': NOETIC,
+          'Two machines': ['roscore', 'rosrun sim_turtlebot sim_turtlebot_node.py']}
 TUTORIALS, LAUNCHES = 'README.md: The tutorials', 'README.md: All at once'
 SIMULATIONS = 'docs/simulator.md: Many robots, any world'
+WORKSPACE = 'docs/workspace.md: What the packages need'
+REAL_ROBOT = 'docs/real_robot.md: Two machines'
 # Where a reader goes on with what is running, by heading or by single command.
 GOES_ON = {
     'Has the robot moved one metre?': TUTORIALS,
     'Rotate the robot to a heading': TUTORIALS,
     'rosrun sim_turtlebot view.py': TUTORIALS,
-    'On a real TurtleBot 2': TUTORIALS,
+    'Drive the robot': REAL_ROBOT,
+    'Two metres by the tape': REAL_ROBOT,
+    'Ten turns': REAL_ROBOT,
+    'The picture of a run': REAL_ROBOT,
+    'What to expect': REAL_ROBOT,
     'Troubleshooting': LAUNCHES,
     'How to remove it': LAUNCHES,
     'Reference': LAUNCHES,
     'On a network': LAUNCHES,
     'Lockstep': SIMULATIONS,
+    'Clone and build': WORKSPACE,
+    'Drive in that workspace': WORKSPACE,
 }
-OUTSIDE_THE_SHELL = ['In a catkin workspace of your own']
+OUTSIDE_THE_SHELL = ['What the packages need']
 # Words that a reader replaces by his own.
 PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
                 'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
+OUR_PACKAGES = shlex.quote(str(ROOT)) + '/.venv/lib/*/site-packages'
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
     (r'^roscore$', r'\g<0> -p "${ROS_MASTER_URI##*:}"', 'the usual port may be taken'),
     (r' view:=true\b', r'\g<0> view_port:=$PAGE_PORT', 'the usual port may be taken'),
     (r'view\.py$', r'\g<0> _port:=$PAGE_PORT', 'the usual port may be taken'),
-    (r'^git clone .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}', 'is set up already'),
+    (r'^git clone .* && cd .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}',
+     'is set up already'),
+    (r'^ROS_MASTER_URI=\S+ ', '', 'the robot is played here'),
     (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
@@ -55,18 +67,23 @@ IN_PLACE = [
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
+    (r'^CFLAGS=\S+ pip install .*',
+     rf'ls -d {OUR_PACKAGES} >"$(echo ~/ros_python/lib/*/site-packages)/ours.pth"',
+     'needs the network'),
     (r'^sudo apt-mark', 'apt-mark --simulate', 'is in the way of others'),
     (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
 ]
 NOT_HERE = {
+    r'turtlebot_bringup|turtlebot_teleop|cmd_vel_mux': 'is on the robot',
+    r'^\./ws rostest one_metre ': 'is for test_example',
     r'^ssh\b': 'there is no other machine',
     r'^rosnode kill$': 'names a command, not a node',
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
-    r'^(sudo )?rosdep ': 'needs the network',
-    r'^pip install ': 'needs the network',
+    r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
 }
-if not (ROOT / '.git').exists() or not shutil.which('git'):
-    NOT_HERE['git clone '] = 'this is no clone'
+IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')
+if not IS_CLONE:
+    NOT_HERE['^git clone '] = 'this is no clone'
 # Of the parts of the bench that are left out.
 NOT_PRINTED = re.compile('latency at |robot without ROS|graph in lockstep')
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
@@ -115,6 +132,8 @@ def read(key, home):
     text = '\n'.join(command.text for command in commands)
     if NEEDS_SCREEN.search(text) and 'DISPLAY' not in os.environ:
         return 'Xvfb is not installed'
+    if key == WORKSPACE and not IS_CLONE:
+        return 'this is no clone'
     make_home(home)
     in_shell = commands[0].heading not in OUTSIDE_THE_SHELL
     with hold_port() as port, hold_port() as page_port, \
@@ -148,8 +167,7 @@ def typed(text):
 
 
 def make_home(home):
-    """Make what a reader has: a catkin workspace, and a bag of a robot's."""
-    (home / 'catkin_ws' / 'src').mkdir(parents=True)
+    """Make what a reader has: a bag of a robot's."""
     with rosbag.Bag(str(home / 'run.bag'), 'w') as bag:
         for step in range(50):
             bag.write('/odom', odometry(x=0.01 * step, stamp=100 + 0.1 * step),

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 from odometry_tests.scripts import ROOT
 
-MANIFESTS = sorted(ROOT.glob('*/package.xml'))
+MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
 # Imported, but under a name that rosdep does not know: the requirements files list them, or what
 # brings them.
 FROM_PYPI = {'hypothesis', 'msgspec', 'pybullet', 'pybullet_utils', 'rich', 'selenium', 'trimesh',

@@ -59,11 +59,13 @@ class _Parser:
 
     def read(self, lines):
         """Go through the blocks between blank lines, fences, table rows and headings."""
-        block, start, fenced = [], 1, False
+        block, start, fenced, language = [], 1, False, ''
         for number, line in enumerate([*lines, ''], start=1):
             if line.startswith(FENCE):
-                (self._read_code if fenced else self._read_prose)(block, start)
+                if not language:  # a file, not commands
+                    (self._read_code if fenced else self._read_prose)(block, start)
                 block, start, fenced = [], number + 1, not fenced
+                language = line.removeprefix(FENCE)
             elif fenced or (line and line[0] not in '#|'):
                 block.append(line)
             else:

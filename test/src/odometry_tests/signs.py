@@ -72,6 +72,10 @@ def lacks(words, terminal, graph, nodes_before):
         return _lacks_partner(launched, graph)
     if words[:2] == ['rostopic', 'echo']:
         return None if '---' in terminal.lines else 'a message'
+    if words[:2] == ['rostopic', 'pub'] and words[2].startswith('-r'):
+        return None if words[3] in graph.publications() else f'a publisher of {words[3]}'
+    if words[:2] == ['rosbag', 'record']:
+        return None if 'Recording to' in terminal.output else 'that it records'
     if words[:2] == ['./ws', 'demo']:
         return None if re.search(r'\[=* *\] ', terminal.output) else 'a line of progress'
     return 'its end'

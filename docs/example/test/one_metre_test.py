@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""Where the robot is after ten seconds of its own time."""
+
+import sys
+import threading
+import unittest
+
+import rospy
+import rostest
+from nav_msgs.msg import Odometry
+
+LOOK_AT = 10.0  # s of the robot's time; a metre takes five
+PATIENCE = 60.0  # s of real time, after which nobody drives
+
+
+class OneMetreTest(unittest.TestCase):
+    """Given the robot, the node drives it one metre."""
+
+    def setUp(self):
+        """Listen to where the robot really is."""
+        self.last = None
+        self.time_is_up = threading.Event()
+        rospy.Subscriber('base_pose_ground_truth', Odometry, self.on_odometry)
+
+    def on_odometry(self, message):
+        """Keep the last message, which is the first after the time to look at."""
+        if not self.time_is_up.is_set():
+            self.last = message
+            if message.header.stamp.to_sec() >= LOOK_AT:
+                self.time_is_up.set()
+
+    def test_the_robot_stands_one_metre_ahead(self):
+        """Up to two centimetres more are the way of its brakes."""
+        self.assertTrue(self.time_is_up.wait(PATIENCE), f'nobody drives this robot:\n{self.last}')
+        self.assertAlmostEqual(self.last.pose.pose.position.x, 1.01, delta=0.01)
+        self.assertEqual(self.last.twist.twist.linear.x, 0.0)
+
+
+if __name__ == '__main__':
+    rospy.init_node('one_metre_test')
+    rostest.rosrun('one_metre', 'one_metre', OneMetreTest, sys.argv)

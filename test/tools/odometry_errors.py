@@ -1,0 +1,83 @@
+"""Print what simulated encoder odometry gets wrong: ./ws python3 test/tools/odometry_errors.py.
+
+The table in docs/real_robot.md. Each drive is simulated once, and counted by many robots.
+"""
+
+import argparse
+import math
+import statistics
+
+from odometry_tests.simulation import Simulation
+from sim_turtlebot.odometry import EncoderOdometry
+from sim_turtlebot.rotations import yaw_of
+
+SEEDS = 200
+TWO_METRES = 0.1, 0.0, 20.0  # m/s, rad/s, s
+TEN_TURNS = 0.0, 0.5, 20 * math.pi / 0.5
+REST = 1.0  # s
+# Two degrees a minute: a Kobuki's gyro at its worst, as its maintainer says.
+WORST_GYRO = round(math.radians(2.0) / math.sqrt(60.0), 4)
+CASES = [{}, {'gyro': 'true'}, {'gyro': 'true', 'wheel_slip': 0.01}, {'wheel_noise': 0.005},
+         {'gyro': 'true', 'wheel_noise': 0.005}, {'gyro': 'true', 'gyro_noise': WORST_GYRO}]
+
+
+class Tape:
+    """Odometry that keeps what it is made of."""
+
+    covariance = (0.0,) * 6
+
+    def __init__(self):
+        """Begin with nothing."""
+        self.start, self.rows = None, []
+
+    def reset(self, ground_truth, wheel_angles):
+        """Keep the start."""
+        self.start = ground_truth, wheel_angles
+        return ground_truth
+
+    def update(self, ground_truth, read_angles, duration):
+        """Keep a row."""
+        self.rows.append((ground_truth, read_angles(), duration))
+        return ground_truth
+
+
+def main():
+    """Print a line for each of the cases."""
+    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
+    straight, turning = record(*TWO_METRES), record(*TEN_TURNS)
+    for case in CASES:
+        errors = [(*count(straight, case, seed), count(turning, case, seed)[1])
+                  for seed in range(SEEDS)]
+        parameters = ' '.join(f'`_{name}:={value}`' for name, value in case.items())
+        print('|', ' | '.join([parameters, *map(in_words, zip(*errors))]), '|')
+
+
+def in_words(errors):
+    """Return mean and standard deviation; the latter only if there is one."""
+    spread = statistics.stdev(errors)
+    mean = round(statistics.mean(errors), 1) + 0.0
+    return f'{mean} ± {spread:.1f}' if spread > 0.05 else f'{mean}'
+
+
+def record(linear, angular, duration):
+    """Return the Tape of a drive and the stop after it."""
+    tape = Tape()
+    simulation = Simulation(odometry=lambda: tape)
+    simulation.drive(linear, angular, duration)
+    simulation.drive(0.0, 0.0, REST)
+    return tape
+
+
+def count(tape, case, seed):
+    """Return by how much the odometry has counted too far (mm) and turned too far (degrees)."""
+    odometry = EncoderOdometry(**case, seed=seed)
+    odometry.reset(*tape.start)
+    for true, angles, duration in tape.rows:
+        believed = odometry.update(true, lambda angles=angles: angles, duration)
+    far = math.hypot(*believed.position[:2]) - math.hypot(*true.position[:2])
+    turned = math.remainder(yaw_of(believed.orientation) - yaw_of(true.orientation), 2 * math.pi)
+    return 1e3 * far, math.degrees(turned)
+
+
+if __name__ == '__main__':
+    main()

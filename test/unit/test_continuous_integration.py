@@ -1,0 +1,40 @@
+"""The workflows are well formed, and docs/ci.md shows the files of its example as they are."""
+
+import re
+
+import pytest
+import yaml
+from odometry_tests.scripts import ROOT
+
+EXAMPLE = ROOT / 'docs' / 'example'
+WORKFLOWS = [*ROOT.glob('.github/workflows/*.yml'), *EXAMPLE.glob('.github/workflows/*.yml')]
+SHOWN = re.findall(r'^```\w+\n(.*?)^```$', (ROOT / 'docs' / 'ci.md').read_text(),
+                   re.DOTALL | re.MULTILINE)
+
+
+def test_the_page_shows_files_of_the_example():
+    """Whole, so that they can be copied from there."""
+    files = [path.read_text() for path in EXAMPLE.rglob('*.*') if path.is_file()]
+    assert len(SHOWN) == 4
+    for block in SHOWN:
+        assert block in files, block
+
+
+@pytest.mark.parametrize('path', WORKFLOWS, ids=lambda path: path.name)
+def test_a_workflow_is_one_that_github_accepts(path):
+    """As far as its structure tells; actionlint, which is no package here, tells more."""
+    workflow = yaml.load(path.read_text(), yaml.BaseLoader)  # to YAML itself `on` is true
+    assert {'name', 'on', 'jobs'} <= set(workflow)
+    for name, job in workflow['jobs'].items():
+        assert {'runs-on', 'timeout-minutes', 'steps'} <= set(job), name
+        for step in job['steps']:
+            assert ('run' in step) != ('uses' in step), step
+            assert re.fullmatch(r'[\w-]+/[\w-]+@v\d+', step.get('uses', 'own/step@v1')), step
+
+
+def test_the_workflow_tests_on_both_debians():
+    """By the command that everybody types."""
+    jobs = yaml.safe_load((ROOT / '.github' / 'workflows' / 'test.yml').read_text())['jobs']
+    assert jobs['debian']['strategy']['matrix'] == {'debian': [12, 13]}
+    assert jobs['debian']['container']['image'] == 'debian:${{ matrix.debian }}'
+    assert './ws test' in [step.get('run') for step in jobs['debian']['steps']]
