@@ -64,6 +64,7 @@ NOT_HERE = {
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep ': 'needs the network',
     r'^pip install ': 'needs the network',
+    r'^(docker|podman) ': 'test_container types them',
 }
 if not (ROOT / '.git').exists() or not shutil.which('git'):
     NOT_HERE['git clone '] = 'this is no clone'

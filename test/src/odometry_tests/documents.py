@@ -9,7 +9,7 @@ README = ROOT / 'README.md'
 DOCUMENTS = [README, ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md'))]
 WORDS = {'./ws', 'rosrun', 'roslaunch', 'rostopic', 'rosparam', 'rosnode', 'rosservice', 'rosbag',
          'rosmsg', 'rostest', 'rospack', 'roscore', 'rosdep', 'catkin_make', 'git', 'cd', 'mkdir',
-         'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', '.'}
+         'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', 'docker', 'podman', '.'}
 FENCE = '```'
 PROMPT = '$ '
 MORE = '...'  # what a document has for the rest of an output
