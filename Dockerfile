@@ -26,7 +26,7 @@ RUN PIP_NO_CACHE_DIR=1 ./ws --set-up demo --view && \
     rm -rf /usr/lib/python3/dist-packages/numpy/*/tests .venv/lib/python3*/site-packages/*/tests && \
     .venv/bin/python3 -c 'import matplotlib.font_manager' && \
     .venv/bin/python3 -m compileall -q */src */script* && \
-    mkdir runs && chmod -R a+rwX .ws .venv runs "$HOME"
+    mkdir runs && chmod -R a+rX . && chmod -R a+rwX .ws .venv runs "$HOME"
 
 USER learner
 ENTRYPOINT ["tini", "--", "./ws"]
