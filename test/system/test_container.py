@@ -178,11 +178,12 @@ def test_the_tutorials_are_typed_in_its_shells(podman, terminal, tmp_path, user)
         other.wait_for_output('(ws) ', START_TIMEOUT)
         for line, answer in [('rostopic echo /odom -n1', 'child_frame_id: "base_footprint"'),
                              ('rosrun hello hello.py', 'hello from rospy'),
-                             ('rosrun odom_movement_detector odom_movement_detector.py &', '[INFO]'),
+                             ('rosrun odom_movement_detector odom_movement_detector.py &', '[1] '),
                              ('rostopic echo /moved_distance -n1', 'data: 0.0'),
                              ('git --version', 'git version')]:
             other.type(line)
             other.wait_for_output(answer, START_TIMEOUT)
+    assert outside_loopback(podman) == set()
     terminal.press_ctrl_c()
     terminal.wait_for_output('(ws) ')
     terminal.type('exit')

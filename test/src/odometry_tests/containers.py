@@ -19,11 +19,14 @@ SUITE = 'bookworm'
 OF_THE_MACHINE = ['/etc/pip.conf', '/etc/ssl/certs/ca-certificates.crt', '/usr/local/share/ca-certificates']
 MAKE_TIMEOUT = 300.0  # s
 
-# Files of this machine that podman would write to, and the mixed control groups that crun refuses.
+# Folders of this machine to which podman would write, and mixed control groups, which crun refuses.
 PRIVATE = """
 umount /sys/fs/cgroup/unified 2>/dev/null || true
 mount -t tmpfs none /dev/shm
-mkdir -p /var/lib/containers && mount -t tmpfs none /var/lib/containers
+for folder in /run/netns /var/lib/containers; do
+    mkdir -p $folder
+    mount -t tmpfs none $folder
+done
 ip link set lo up
 echo ready
 exec sleep infinity
