@@ -21,7 +21,8 @@ Calls:
 
 Parameters:
     ~port (int, 8080, from 1 to 65535): port of the page
-    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the whole network in
+    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the whole network in; the
+        environment variable ODOMETRY_VIEW_HOST sets another default
     ~allowed_hosts (str, ''): further names of the page, where a proxy or a forwarded port gives
         it others, such as robots.example, lab:9000: separated by commas or spaces; without a
         port, any will do

@@ -80,6 +80,7 @@ NOT_HERE = {
     r'^rosnode kill$': 'names a command, not a node',
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
+    r'^(docker|podman) ': 'test_container types them',
 }
 IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')
 if not IS_CLONE:

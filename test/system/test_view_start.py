@@ -31,6 +31,24 @@ def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
     assert view.process.output.split('\n') == [f'view: {view.url}', '']
 
 
+@pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])
+def test_the_environment_may_say_where_it_listens(master, arguments, address):
+    """As in a container; the parameter is stronger."""
+    pytest.importorskip('viser', reason='viser is not installed')
+    with hold_port() as port, rosrun('sim_turtlebot', 'view.py', f'_port:={port}', *arguments,
+                                     env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
+        viewer.wait_for_output(f'view: http://{address}:{port}')
+        with socket.create_connection((address, port)):
+            pass
+
+
+def test_nonsense_in_the_environment_is_refused(master):
+    """As in the parameter."""
+    with hold_port() as port, rosrun('sim_turtlebot', 'view.py', f'_port:={port}',
+                                     env={'ODOMETRY_VIEW_HOST': 'not a host'}) as viewer:
+        assert_refused(viewer, "parameter ~host is 'not a host'")
+
+
 def test_a_port_that_is_taken_is_refused(master):
     """It does not look for another one, where nobody would look for the page."""
     pytest.importorskip('viser', reason='viser is not installed')

@@ -5,6 +5,7 @@ import socket
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from robot_view.address import Address
 from robot_view.hosts import Host, OwnHosts, parse_host, parse_hosts
 
 LOOPBACK = OwnHosts('localhost')
@@ -107,6 +108,14 @@ def test_an_objection_names_who_came():
     assert '"evil.example:8080"' in objection(LOOPBACK, 'evil.example:8080', None, HERE)
     assert '"http://evil.example"' in objection(LOOPBACK, 'localhost', 'http://evil.example', HERE)
     assert len(objection(LOOPBACK, 'x' * 8000, 'y' * 8000, HERE)) < 200
+
+
+@pytest.mark.parametrize('host, url', [
+    ('localhost', 'http://localhost:8080'), ('lab-pc', 'http://lab-pc:8080'),
+    ('0.0.0.0', 'http://localhost:8080'), ('::', 'http://localhost:8080')])
+def test_the_page_is_opened_by_a_name_that_browsers_find(host, url):
+    """0.0.0.0 is an address to listen on; not every browser takes it for this machine."""
+    assert Address(host, host, 8080, None).url == url
 
 
 @pytest.mark.parametrize('text, hosts', [

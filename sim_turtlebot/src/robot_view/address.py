@@ -1,14 +1,17 @@
 """Where the page is, read from the parameters; needs no viser."""
 
 import errno
+import os
 import socket
 from typing import NamedTuple
 
 from odometry_common.parameters import ParameterError, get_text, get_whole
 from odometry_common.ports import bind
 
-from robot_view.hosts import OwnHosts, parse_hosts
+from robot_view.hosts import ANY_ADDRESS, OwnHosts, parse_hosts
 
+# In a container it names the container's interface, whose port is published by whoever runs that.
+HOST_VARIABLE = 'ODOMETRY_VIEW_HOST'
 ADDRESSES = 'a name or an address of this machine'
 
 
@@ -20,11 +23,16 @@ class Address(NamedTuple):
     port: int
     own_hosts: OwnHosts
 
+    @property
+    def url(self):
+        """Return where a browser finds the page."""
+        return f'http://{"localhost" if self.host in ANY_ADDRESS else self.host}:{self.port}'
+
 
 def read_address():
     """Return the Address; raise ParameterError if it is impossible to listen there."""
     port = get_whole('~port', 8080, 1, 65535)
-    host = get_text('~host', 'localhost')
+    host = get_text('~host', os.environ.get(HOST_VARIABLE) or 'localhost')
     own_hosts = OwnHosts(host, _read_allowed_hosts())
     return Address(host, _find_ip(host, port), port, own_hosts)
 

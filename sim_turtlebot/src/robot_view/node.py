@@ -88,5 +88,5 @@ def view(address):
     """Serve the page at an Address until shutdown."""
     package = rospkg.RosPack().get_path('sim_turtlebot')
     viewer = Viewer(Page(address, load_links(f'{package}/urdf/turtlebot2.urdf')))
-    print(f'view: http://{address.host}:{address.port}')
+    print(f'view: {address.url}')
     viewer.run()

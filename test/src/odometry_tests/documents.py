@@ -9,7 +9,7 @@ README = ROOT / 'README.md'
 DOCUMENTS = [README, ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md'))]
 WORDS = {'./ws', 'rosrun', 'roslaunch', 'rostopic', 'rosparam', 'rosnode', 'rosservice', 'rosbag',
          'rosmsg', 'rostest', 'rospack', 'roscore', 'rosdep', 'catkin_make', 'git', 'cd', 'mkdir',
-         'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', '.'}
+         'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', 'docker', 'podman', '.'}
 FENCE = '```'
 PROMPT = '$ '
 MORE = '...'  # what a document has for the rest of an output
@@ -65,7 +65,7 @@ class _Parser:
                 if not language:  # a file, not commands
                     (self._read_code if fenced else self._read_prose)(block, start)
                 block, start, fenced = [], number + 1, not fenced
-                language = line.removeprefix(FENCE)
+                language = line[len(FENCE):]
             elif fenced or (line and line[0] not in '#|'):
                 block.append(line)
             else:
