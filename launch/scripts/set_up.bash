@@ -31,7 +31,7 @@ set_up() {
 asks_for_help() {
     local word
     case ${1:-} in
-        demo | test | bench | soak)
+        demo | test | bench | soak | sweep)
             for word in "${@:2}"; do
                 case $word in -h | --help) return ;; esac
             done ;;
@@ -83,6 +83,7 @@ set_up_extras() {
     for word in "$@"; do
         case "$1 $word" in
             'test test' | *screenshots.py | 'bench view') need_for_tests ;;
+            'sweep sweep') need_python sweep "$ROOT/launch/requirements-sweep.txt" ;;
             *' pytest' | *' ruff') need_python tests "$ROOT/test/requirements.txt" ;;
             *' catkin_lint') need_parts catkin-lint ;;
             'bench bench' | *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
@@ -95,6 +96,7 @@ set_up_extras() {
 need_for_tests() {
     need_parts "${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}"
     need_python tests "$ROOT/test/requirements.txt"
+    need_python sweep "$ROOT/launch/requirements-sweep.txt"
     need_for_view
 }
 
