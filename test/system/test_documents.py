@@ -52,6 +52,7 @@ IN_PLACE = [
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
      'test_bench measures two of the parts, and latency takes minutes'),
+    (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),

@@ -1,10 +1,7 @@
 """A bag and a picture of the run."""
 
 import contextlib
-import itertools
 import threading
-import time
-from pathlib import Path
 
 import rosbag
 import rospy
@@ -12,6 +9,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
+from odometry_launch.folders import new_folder
 from odometry_launch.output import complain
 
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
@@ -64,15 +62,3 @@ class Recording:
             with contextlib.suppress(OSError):
                 self._bag.close()
             self._bag = None
-
-
-def new_folder(runs):
-    """Make a folder for this moment; another demo may have begun in the same second."""
-    moment = time.strftime('%Y-%m-%d_%H-%M-%S')
-    for suffix in itertools.chain([''], map('_{}'.format, itertools.count(2))):
-        folder = Path(runs) / f'{moment}{suffix}'
-        try:
-            folder.mkdir(parents=True)
-        except FileExistsError:
-            continue
-        return folder

@@ -1,0 +1,12 @@
+#!/usr/bin/env python3
+"""Run a tutorial many times, over a grid of parameter values and seeds, without ROS."""
+
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+from odometry_sweep.main import main
+
+if __name__ == '__main__':
+    main()
