@@ -80,7 +80,7 @@ class _Parser:
         for number, line in enumerate(lines, start=start):
             if line.startswith(PROMPT) or not (prompted or output):
                 self._add(line.removeprefix(PROMPT), number, inline=False)
-            elif line != MORE:
+            elif line and line != MORE:
                 assert self._commands, f'{self._document}:{number}: this output is of no command'
                 self._commands[-1].shown.append(line)
 
