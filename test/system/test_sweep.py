@@ -10,6 +10,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 
 TIMEOUT = 60.0  # s
+PNG = b'\x89PNG'
 SHORT = ['--set', 'distance=0.1', '--set', 'speed=0.5,0.3']
 NOISE = ['--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
 
@@ -44,6 +45,7 @@ def test_a_sweep_leaves_a_row_for_each_run_and_says_what_came_out(tmp_path):
     assert len({row['moved'] for row in rows}) == 6, 'a noise that is always the same'
     assert re.search(r'^true_error \(m\) +median +5 % +95 % +worst\nspeed 0.5 +-?0\.', first.stdout,
                      re.MULTILINE)
+    assert (folder_of(first.stdout) / 'distributions.png').read_bytes().startswith(PNG)
     assert ' 6 of 6 runs' in first.stdout and first.stderr == ''
     second = sweep('--campaign', str(folder_of(first.stdout) / 'campaign.yaml'), '--jobs', '1')
     assert second.wait() == 0, second.output

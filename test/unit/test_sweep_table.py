@@ -5,6 +5,7 @@ import io
 import pytest
 from odometry_sweep import progress
 from odometry_sweep.limits import broken
+from odometry_sweep.picture import make_figure
 from odometry_sweep.progress import Progress
 from odometry_sweep.summary import Setting
 from odometry_sweep.table import name_of, table
@@ -95,3 +96,13 @@ def test_elsewhere_there_is_a_line_every_few_seconds(shown):
     """Without control characters, and the end."""
     assert [line[33:] for line in shown(False).splitlines()] == [
         '4 of 4 runs, 0.5 a second, 0:00:00 left'] * 2
+
+
+def test_the_picture_has_a_diagram_for_each_figure_and_a_line_for_each_setting():
+    """Also where all runs are the same."""
+    settings = [Setting('kp 1', rows([0.25, 0.25])), Setting('kp 2', rows([0.1, 0.2, 0.3]))]
+    figure = make_figure('move', settings)
+    assert [axes.get_title() for axes in figure.axes] == [*FIGURES]
+    assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == ['kp 1', 'kp 2']
+    medians = [line.get_xdata()[0] for line in figure.axes[0].get_lines() if line.get_color() == 'black']
+    assert medians == [0.25, 0.2]

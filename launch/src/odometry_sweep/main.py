@@ -75,8 +75,18 @@ def _report(campaign, rows, folder):
     if any(setting.all_equal for setting in settings):
         print('Runs that differ in their seed only are equal where nothing is random: it takes '
               'odometry_source=encoder with a wheel_noise or gyro_noise.')
-    print(f'figures         {os.path.relpath(folder / FILE)}', flush=True)
+    print(f'figures         {os.path.relpath(folder / FILE)}\n'
+          f'picture         {os.path.relpath(_draw(campaign, settings, folder))}', flush=True)
     lines = [line for setting in settings for line in broken(campaign.limits, setting)]
     for line in lines:
         complain(line, PROGRAM)
     return EXIT_FAILURE if lines else 0
+
+
+def _draw(campaign, settings, folder):
+    """Draw the distributions and return the path of the picture."""
+    # matplotlib takes half a second to import, for which no run should wait.
+    from odometry_sweep import picture
+    path = folder / picture.FILE
+    picture.make_figure(campaign.tutorial, settings).savefig(path)
+    return path
