@@ -90,7 +90,7 @@ def test_ctrl_c_keeps_what_is_done():
     env = {**os.environ, 'TERM': 'xterm'}
     with Terminal(ROOT, env) as terminal:
         terminal.type('./ws sweep move --seeds 100000 --set distance=0.1')
-        terminal.wait_for_output('2 of 100000 runs', TIMEOUT)
+        terminal.wait_for_output(' of 100000 runs, ', TIMEOUT)
         terminal.press_ctrl_c()
         assert terminal.wait_for_prompt(TIMEOUT) == 130, terminal.output
         found = re.search(r'sweep: interrupted after (\d+) of 100000 runs', terminal.output)
