@@ -25,7 +25,7 @@ The last command the robot receives is zero, however the node ends.
 import math
 
 import rospy
-from heading_control.parameters import read_period, read_turn
+from heading_control.parameters import read_rate, read_turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
 from odometry_common.geometry import yaw_from_orientation
@@ -50,7 +50,7 @@ class RotateRobot:
         self._tolerance = get_number(
             '~tolerance', 0.0, lambda v: 0 <= v < 180, 'from 0 to 180 degrees')
         timeout = get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s')
-        self._loop = ControlLoop(self._control, self._stop, timeout, period=read_period())
+        self._loop = ControlLoop(self._control, self._stop, timeout, period=1 / read_rate())
         self._rest = RestDetector(REST_BAND, REST_DURATION)
         self._velocity = VelocityPublisher('cmd_vel')
         Subscriber('odom', Odometry, self._on_odometry, 'odometry')

@@ -65,6 +65,7 @@ NOT_HERE = {
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep ': 'needs the network',
     r'^pip install ': 'needs the network',
+    r'^\./ws sweep --replay ': 'is of a sweep that is not here; test_sweep_replay replays others',
 }
 if not (ROOT / '.git').exists() or not shutil.which('git'):
     NOT_HERE['git clone '] = 'this is no clone'

@@ -109,6 +109,7 @@ def _options_part(heading):
 
 def _usage(action):
     value = '|'.join(action.choices) if action.choices else action.metavar or ''
+    value = ' '.join(value) if isinstance(value, tuple) else value
     return ' '.join(filter(None, [', '.join(action.option_strings), value]))
 
 

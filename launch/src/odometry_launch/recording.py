@@ -1,5 +1,6 @@
 """A bag and a picture of the run."""
 
+import collections
 import contextlib
 import threading
 
@@ -24,12 +25,21 @@ class Recording:
         self.folder = new_folder(runs)
         self._bag = rosbag.Bag(str(self.folder / 'run.bag'), 'w')
         self._lock = threading.Lock()
-        self._subscribers = [rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
-                             for topic, kind in TOPICS.items()]
+        self._counts = collections.Counter()
+        self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
+                             for topic, kind in TOPICS.items()}
+
+    def hears(self, *topics):
+        """Return whether each of these topics has a publisher that is recorded."""
+        return all(self._subscribers[topic].get_num_connections() for topic in topics)
+
+    def count(self, topic):
+        """Return how many messages of a topic have been recorded."""
+        return self._counts[topic]
 
     def finish(self):
         """Close the bag and draw the picture; return its path, or None if it cannot be."""
-        for subscriber in self._subscribers:
+        for subscriber in self._subscribers.values():
             subscriber.unregister()
         with self._lock:
             if self._bag:
@@ -52,6 +62,7 @@ class Recording:
         with self._lock:
             if self._bag:
                 self._try(lambda: self._bag.write(f'/{topic}', message, now))
+                self._counts[topic] += 1
 
     def _try(self, write):
         """Write, or record no more."""

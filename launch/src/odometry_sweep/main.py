@@ -6,6 +6,7 @@ import sys
 
 from odometry_common.parameters import StartError
 from odometry_launch.folders import RUNS, new_folder
+from odometry_launch.graph import DemoError
 from odometry_launch.output import complain, forget_output
 
 from odometry_sweep.limits import broken
@@ -28,14 +29,20 @@ def main():
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         options = parse(sys.argv[1:])
-        options.campaign.check()
-        status = _sweep(options.campaign, options.jobs)
+        if options.replay:
+            # The nodes' modules take time to import, for which no sweep should wait.
+            from odometry_sweep.replay import replay
+            replay(*options.replay)
+            status = 0
+        else:
+            options.campaign.check()
+            status = _sweep(options.campaign, options.jobs)
     except StartError as error:
         complain(error, PROGRAM)
         status = EXIT_BAD_INPUT
     except BrokenPipeError:
         status = 128 + signal.SIGPIPE
-    except OSError as error:
+    except (DemoError, OSError) as error:
         complain(error, PROGRAM)
         status = EXIT_FAILURE
     except KeyboardInterrupt:

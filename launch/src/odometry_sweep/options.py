@@ -1,6 +1,7 @@
 """The sweep's command line."""
 
 import argparse
+from pathlib import Path
 
 from odometry_sweep.campaign import Campaign, parse_values, read_campaign
 from odometry_sweep.tutorials import TUTORIALS
@@ -10,7 +11,11 @@ def parse(arguments):
     """Return the options, with the campaign among them; exit if they make no sense."""
     parser = make_parser()
     options = parser.parse_args(arguments)
-    if options.campaign:
+    if options.replay:
+        if options.tutorial or options.set or options.seeds or options.campaign:
+            parser.error('argument --replay: the folder says all of tutorial, --seeds and --set')
+        options.replay = Path(options.replay[0]), _number_of_run(parser, options.replay[1])
+    elif options.campaign:
         if options.tutorial or options.set or options.seeds:
             parser.error('argument --campaign: the file says all of tutorial, --seeds and --set')
         options.campaign = read_campaign(options.campaign)
@@ -43,7 +48,17 @@ def make_parser():
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--jobs', type=_whole, metavar='N',
                         help='processes that run side by side (default: one for each processor)')
+    parser.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
+                        help='run one of the runs in the folder of a sweep by the nodes '
+                             'themselves, in lockstep and recorded, and compare to the last bit')
     return parser
+
+
+def _number_of_run(parser, text):
+    try:
+        return _whole(text)
+    except argparse.ArgumentTypeError as error:
+        parser.error(f'argument --replay: {error}')
 
 
 def _whole(text):

@@ -46,7 +46,7 @@ def check_values(tutorial, values):
     """Raise ParameterError if values by their names cannot be run with."""
     part, settings = read(tutorial, values)
     if tutorial == 'rotate':
-        _check_rate(1 / part.period, settings.odom_rate)
+        _check_rate(part.rate, settings.odom_rate)
     if settings.world:
         try:
             new_simulation(settings)

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from heading_control.parameters import read_period, read_turn
+from heading_control.parameters import read_rate, read_turn
 from moved_distance.parameters import read_counter
 from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
@@ -63,8 +63,8 @@ class Rotate:
     def __init__(self):
         """Read the parameters."""
         self._turn = read_turn()
-        self.period = read_period()  # s
-        self._metronome = Metronome(self.period)
+        self.rate = read_rate()  # Hz
+        self._metronome = Metronome(1 / self.rate)
         self._overshoot = 0.0
         self._direction = None
         # At its limit a robot turns; near the target it creeps, the slower the smaller the gain.

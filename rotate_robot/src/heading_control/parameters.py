@@ -14,6 +14,6 @@ def read_turn():
             '~max_angular_speed', 3.14, lambda v: v > 0, 'a speed in rad/s above 0'))
 
 
-def read_period():
-    """Return the seconds between two controls."""
-    return 1 / get_number('~rate', 10.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
+def read_rate():
+    """Return the control rate (Hz)."""
+    return get_number('~rate', 10.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
