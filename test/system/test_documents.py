@@ -66,6 +66,7 @@ NOT_HERE = {
     r'^(sudo )?rosdep ': 'needs the network',
     r'^pip install ': 'needs the network',
     r'^\./ws sweep --replay ': 'is of a sweep that is not here; test_sweep_replay replays others',
+    r'^\./ws (dask|sweep .*--cluster) ': 'needs more machines; test_sweep_cluster makes a cluster',
 }
 if not (ROOT / '.git').exists() or not shutil.which('git'):
     NOT_HERE['git clone '] = 'this is no clone'

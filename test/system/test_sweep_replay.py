@@ -16,7 +16,7 @@ ROTATE = ['rotate', 'target=-100', 'kp=1,1.5', 'rate=10', *NOISE]
 
 def sweep(*arguments):
     """Run ./ws sweep to its end and return its process."""
-    process = Process(ROOT / 'ws', 'sweep', *arguments)
+    process = Process(ROOT / 'ws', 'sweep', *arguments, cwd=ROOT)
     process.wait(TIMEOUT)
     return process
 

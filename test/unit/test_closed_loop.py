@@ -12,7 +12,7 @@ import pytest
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.closed_loop import follow, run
 from odometry_sweep.reading import read
-from odometry_sweep.running import run_all
+from odometry_sweep.running import side_by_side
 from odometry_tests.scripts import ROOT
 from sim_turtlebot.odometry import STILL, Motion
 from sim_turtlebot.rotations import about_z
@@ -102,6 +102,10 @@ def test_two_processes_give_the_rows_that_one_gives():
     """In the same order, to the last bit."""
     campaign = Campaign('move', 3, {**{name: [value] for name, value in {**SHORT, **NOISY}.items()},
                                     'speed': [0.3, 0.5]}, {})
-    one, two = ([*run_all(campaign, jobs)] for jobs in (1, 2))
+    rows = []
+    for jobs in (1, 2):
+        with side_by_side(jobs) as run_all:
+            rows.append([*run_all(campaign)])
+    one, two = rows
     assert one == two and len(one) == 6
     assert len({figures['moved'] for _, figures in one}) == 6

@@ -1,6 +1,7 @@
 """A tutorial's loop in one process: what a graph in lockstep does, to the last bit."""
 
 import functools
+import threading
 from typing import NamedTuple
 
 from sim_turtlebot.building import new_simulation
@@ -14,6 +15,9 @@ ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
 UPWARDS = (0.0, 0.0, 1.0)
 UPRIGHT = 0.5  # height of a standing robot's upper end, over that of one that is not inclined
 
+# A process has one PyBullet and one source of parameters, but a Dask worker several threads.
+_one_at_a_time = threading.Lock()
+
 
 class Tick(NamedTuple):
     """What there is to know at an odometry."""
@@ -25,9 +29,10 @@ class Tick(NamedTuple):
 
 def run(tutorial, parameters):
     """Run a tutorial, with parameter values by their names; return its figures by theirs."""
-    part, settings = read(tutorial, parameters)
-    simulation = new_simulation(settings, _client())
-    return follow(part, _ticks(simulation), simulation.command)
+    with _one_at_a_time:
+        part, settings = read(tutorial, parameters)
+        simulation = new_simulation(settings, _client())
+        return follow(part, _ticks(simulation), simulation.command)
 
 
 def follow(part, ticks, command):

@@ -13,7 +13,7 @@ from odometry_sweep.limits import broken
 from odometry_sweep.options import parse
 from odometry_sweep.progress import Progress
 from odometry_sweep.results import FILE, written_results
-from odometry_sweep.running import run_all
+from odometry_sweep.running import side_by_side
 from odometry_sweep.summary import Setting
 from odometry_sweep.table import name_of, table
 
@@ -36,7 +36,8 @@ def main():
             status = 0
         else:
             options.campaign.check()
-            status = _sweep(options.campaign, options.jobs)
+            with side_by_side(options.jobs, options.cluster) as run_all:
+                status = _sweep(options.campaign, run_all)
     except StartError as error:
         complain(error, PROGRAM)
         status = EXIT_BAD_INPUT
@@ -51,14 +52,14 @@ def main():
     sys.exit(status)
 
 
-def _sweep(campaign, jobs):
-    """Run a campaign and return the exit status."""
+def _sweep(campaign, run_all):
+    """Run a campaign by a function of side_by_side(); return the exit status."""
     folder = new_folder(RUNS, 'sweep-')
     rows, total = [], campaign.count
     try:
         with written_results(folder, campaign) as write:
             progress = Progress(total)
-            for parameters, figures in run_all(campaign, jobs):
+            for parameters, figures in run_all(campaign):
                 write(parameters, figures)
                 rows.append(figures)
                 progress.step()

@@ -11,6 +11,8 @@ def parse(arguments):
     """Return the options, with the campaign among them; exit if they make no sense."""
     parser = make_parser()
     options = parser.parse_args(arguments)
+    if options.cluster and options.jobs:
+        parser.error('argument --jobs: the workers of a --cluster are as many as they are')
     if options.replay:
         if options.tutorial or options.set or options.seeds or options.campaign:
             parser.error('argument --replay: the folder says all of tutorial, --seeds and --set')
@@ -48,6 +50,9 @@ def make_parser():
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--jobs', type=_whole, metavar='N',
                         help='processes that run side by side (default: one for each processor)')
+    parser.add_argument('--cluster', metavar='tcp://HOST:PORT',
+                        help='have the workers of a Dask cluster do the runs, instead of the '
+                             'processors of this machine')
     parser.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
                         help='run one of the runs in the folder of a sweep by the nodes '
                              'themselves, in lockstep and recorded, and compare to the last bit')
