@@ -135,9 +135,10 @@ class TurtleBot:
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
         self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
-        # Looked up once: the client makes such a function anew each time that it is asked for it.
+        # Bound once: the client makes such a function anew each time that it is asked for it.
         self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
         self._get_velocity = partial(client.getBaseVelocity, self._body)
+        self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
         self._settled_height = 0.0
         self.drive(0.0, 0.0)
 
@@ -160,8 +161,8 @@ class TurtleBot:
 
     def wheels(self):
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
-        states = self._client.getJointStates(self._body, self._wheels)
-        return tuple(zip(*((angle, velocity, torque) for angle, velocity, _, torque in states)))
+        left, right = self._get_wheels()
+        return (left[0], right[0]), (left[1], right[1]), (left[3], right[3])
 
     def overlap(self):
         """Return how deep (m) other bodies are in the robot, except for a floor that bears it."""
