@@ -22,6 +22,7 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws test              run all tests; ./ws test --help tells more
   ./ws bench             measure speed and delay, each as a ratio to its limit
   ./ws soak              drive at random for a simulated day and check every step
+  ./ws sweep             run a tutorial many times without ROS; ./ws sweep --help tells more
   ./ws shell             open a shell in the workspace
   ./ws --set-up COMMAND  only install what that command needs
   ./ws COMMAND...        run any command in the workspace, for example
@@ -75,6 +76,7 @@ main() {
     case $1 in
         demo) shift; exec_kept "$ROOT/launch/scripts/demo.py" "$@" ;;
         bench) shift; exec_kept "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
+        sweep) shift; exec_kept "$ROOT/launch/scripts/sweep.py" "$@" ;;
         soak) shift; exec_kept "$ROOT/test/soak/run_soak.py" "$@" ;;
     esac
     enter

@@ -45,7 +45,7 @@ choose_parts() {
 asks_for_help() {
     local word
     case ${1:-} in
-        demo | test | bench | soak)
+        demo | test | bench | soak | sweep)
             for word in "${@:2}"; do
                 case $word in -h | --help) return ;; esac
             done ;;
@@ -106,6 +106,8 @@ set_up_extras() {
     for word in "$@"; do
         case "$1 $word" in
             'test test' | *screenshots.py | 'bench view') need_for_tests ;;
+            'sweep sweep') need_for_sweep ;;
+            'sweep --cluster'* | 'dask dask') need_for_cluster ;;
             *' pytest' | *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
             *' catkin_lint') need_parts catkin-lint ;;
             'bench bench' | *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
@@ -118,7 +120,17 @@ set_up_extras() {
 need_for_tests() {
     need_parts "${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}"
     need_python tests "$ROOT/test/requirements.txt"
+    need_for_cluster
     need_for_view
+}
+
+need_for_sweep() {
+    need_python sweep "$ROOT/launch/requirements-sweep.txt"
+}
+
+need_for_cluster() {
+    need_for_sweep
+    need_python cluster "$ROOT/launch/requirements-cluster.txt"
 }
 
 need_for_view() {

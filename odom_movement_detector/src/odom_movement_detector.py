@@ -17,10 +17,9 @@ Parameters:
 """
 
 import rospy
-from moved_distance.distance_counter import DistanceCounter
+from moved_distance.parameters import read_counter
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
-from odometry_common.parameters import get_number
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
 from std_msgs.msg import Empty, Float64
@@ -31,9 +30,7 @@ class MovementDetector:
 
     def __init__(self):
         """Read the parameters, then publish from the first odometry message on."""
-        self._counter = DistanceCounter(
-            min_step=get_number('~min_step', 0.0, lambda v: v >= 0, 'a number of metres from 0'),
-            max_speed=get_number('~max_speed', 5.0, lambda v: v >= 0, 'a speed in m/s from 0'))
+        self._counter = read_counter()
         self._publisher = ClosingPublisher('moved_distance', Float64)
         self.odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')
         Subscriber('moved_distance/reset', Empty, self._on_reset)

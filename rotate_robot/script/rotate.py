@@ -25,9 +25,10 @@ The last command the robot receives is zero, however the node ends.
 import math
 
 import rospy
+from heading_control.parameters import read_rate, read_turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
-from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import yaw_from_orientation
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
 from odometry_common.rivals import warn_of_rivals
@@ -45,17 +46,13 @@ class RotateRobot:
 
     def __init__(self):
         """Read the parameters and listen; the first odometry sets the robot turning."""
-        self._target = get_number('~target', 90.0, allowed='a finite number of degrees')
-        self._kp = get_number('~kp', 0.5, lambda v: v > 0, 'a gain in 1/s above 0')
-        rate = get_number('~rate', 10.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
-        max_angular_speed = get_number(
-            '~max_angular_speed', 3.14, lambda v: v > 0, 'a speed in rad/s above 0')
+        self._turn = read_turn()
         self._tolerance = get_number(
             '~tolerance', 0.0, lambda v: 0 <= v < 180, 'from 0 to 180 degrees')
         timeout = get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s')
-        self._loop = ControlLoop(self._control, self._stop, timeout, period=1 / rate)
+        self._loop = ControlLoop(self._control, self._stop, timeout, period=1 / read_rate())
         self._rest = RestDetector(REST_BAND, REST_DURATION)
-        self._velocity = VelocityPublisher('cmd_vel', max_angular_speed)
+        self._velocity = VelocityPublisher('cmd_vel')
         Subscriber('odom', Odometry, self._on_odometry, 'odometry')
         Subscriber('~target', Float64, self._on_target)
         warn_of_rivals('cmd_vel')
@@ -66,14 +63,14 @@ class RotateRobot:
 
     def _on_target(self, message):
         if math.isfinite(message.data):
-            self._target = message.data
+            self._turn.target = message.data
         else:
             rospy.logwarn_throttle(1.0, f'target ignored: {message.data} degrees is not finite')
 
     def _control(self, yaw, now):
-        error = wrap_to_pi(math.radians(self._target) - yaw)
-        self._velocity.publish(angular=self._kp * error)
-        print(f'target={self._target} current:{yaw}')
+        error = self._turn.error_at(yaw)
+        self._velocity.publish(angular=self._turn.speed_for(error))
+        print(f'target={self._turn.target} current:{yaw}')
         if self._tolerance == 0 or abs(error) > math.radians(self._tolerance):
             self._rest.reset()
         elif self._rest.at_rest(now, error):

@@ -17,7 +17,8 @@ LAUNCH_FILES = ['sim.launch', 'move_two_meters.launch', 'rotate.launch']
 # They begin first, so that no processor idles at the end.
 LONGEST = ['test_container', 'test_documents', 'unit', 'test_demo_endings', 'test_demo_faults',
            'test_tutorial_commands', 'test_fault_time', 'test_fault_kills', 'test_bad_parameters',
-           'test_demo', 'test_endings', 'test_lockstep', 'test_soak', 'test_demo_page', 'test_bench',
+           'test_sweep_replay', 'test_sweep', 'test_demo', 'test_endings', 'test_lockstep',
+           'test_soak', 'test_demo_page', 'test_bench',
            'test_fault_environment', 'test_two_machines', 'test_fault_minute', 'simulator.test']
 
 

@@ -64,6 +64,7 @@ IN_PLACE = [
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
      'test_bench measures two of the parts, and latency takes minutes'),
+    (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
@@ -81,6 +82,8 @@ NOT_HERE = {
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
     r'^(docker|podman) ': 'test_container types them',
+    r'^\./ws sweep --replay ': 'is of a sweep that is not here; test_sweep_replay replays others',
+    r'^\./ws (dask|sweep .*--cluster) ': 'needs more machines; test_sweep_cluster makes a cluster',
 }
 IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')
 if not IS_CLONE:

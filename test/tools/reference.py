@@ -1,6 +1,6 @@
 """Write docs/reference.md anew: ./ws python3 test/tools/reference.py.
 
-What stands under a heading that names a node, a launch file or the demo comes from there.
+What stands under a heading that names a node, a launch file, the demo or the sweep comes from there.
 """
 
 import argparse
@@ -9,11 +9,12 @@ import re
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from odometry_launch.options import make_parser
+from odometry_launch import options as demo_options
+from odometry_sweep import options as sweep_options
 from odometry_tests.scripts import ROOT
 
 PAGE = ROOT / 'docs' / 'reference.md'
-GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo)\n.*?(?=^## |\Z)',
+GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep)\n.*?(?=^## |\Z)',
                        re.DOTALL | re.MULTILINE)
 KINDS = {'Subscribes': 'sub', 'Publishes': 'pub', 'Calls': 'calls', 'Services': 'srv'}
 PARAMETERS = 'Parameters'
@@ -22,6 +23,7 @@ ENTRY = re.compile(r'^    (?=\S)', re.MULTILINE)
 PARTS = re.compile(r'(?P<names>[^(]+) \((?P<type>[^,]+?)(, (?P<default>[^,]+?))?'
                    r'(, (?P<range>.+?))?\): (?P<meaning>.*)')
 BASE_LAUNCH = 'sim.launch'
+PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': sweep_options.make_parser}
 
 
 class Entry(NamedTuple):
@@ -49,7 +51,7 @@ def updated(page):
 def _part(heading):
     if heading.endswith('.launch'):
         return _launch_part(heading)
-    return _node_part(docstring(heading)) if heading.endswith('.py') else _demo_part()
+    return _options_part(heading) if heading in PARSERS else _node_part(docstring(heading))
 
 
 def docstring(name):
@@ -98,8 +100,8 @@ def _arguments(name):
     return {arg.get('name'): (arg.get('default'), arg.get('doc')) for arg in root.iterfind('arg')}
 
 
-def _demo_part():
-    parser = make_parser()
+def _options_part(heading):
+    parser = PARSERS[heading]()
     return _table('option | meaning', [
         (_code(_usage(action)), action.help % vars(action)) for action in parser._actions
         if action.dest != 'help'])
@@ -107,6 +109,7 @@ def _demo_part():
 
 def _usage(action):
     value = '|'.join(action.choices) if action.choices else action.metavar or ''
+    value = ' '.join(value) if isinstance(value, tuple) else value
     return ' '.join(filter(None, [', '.join(action.option_strings), value]))
 
 

@@ -4,10 +4,10 @@ import math
 
 import pytest
 from geometry_msgs.msg import Quaternion
+from heading_control.turn import Turn
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
-from odometry_common.velocity import clamp
 from odometry_tests.fuzzing import any_number, sequence_count
 from straight_drive.drive import Drive
 
@@ -50,9 +50,10 @@ def test_whatever_the_heading_and_the_target_the_turn_is_within_the_clamp(
         return
     yaw = yaw_from_orientation(quaternion)
     assert abs(yaw) <= math.pi
-    error = wrap_to_pi(math.radians(target_deg) - yaw)
+    turn = Turn(target_deg, kp, limit)
+    error = turn.error_at(yaw)
     assert -math.pi < error <= math.pi
-    command = clamp(kp * error, limit)
+    command = turn.speed_for(error)
     assert abs(command) <= limit
     assert command == 0 or (command > 0) == (error > 0)
 
@@ -63,10 +64,10 @@ def test_whatever_the_heading_and_the_target_the_turn_is_within_the_clamp(
 def test_a_robot_that_obeys_never_turns_away_from_its_target(yaw, kp, limit, targets):
     """Whenever the target changes; with a gain that a control rate of 10 Hz can follow."""
     for target_deg, commands in targets:
-        target = math.radians(target_deg)
-        error = wrap_to_pi(target - yaw)
+        turn = Turn(target_deg, kp, limit)
+        error = turn.error_at(yaw)
         for _ in range(commands):
-            yaw = wrap_to_pi(yaw + PERIOD * clamp(kp * error, limit))
-            left = wrap_to_pi(target - yaw)
+            yaw = wrap_to_pi(yaw + PERIOD * turn.speed_for(error))
+            left = turn.error_at(yaw)
             assert abs(left) <= abs(error) + 1e-9
             error = left

@@ -4,7 +4,14 @@ import pytest
 import yaml
 from hypothesis import given
 from hypothesis import strategies as st
-from odometry_common.parameters import ParameterError, as_number, check_command_line
+from odometry_common.parameters import (
+    ParameterError,
+    as_number,
+    check_command_line,
+    get_flag,
+    get_number,
+    read_from,
+)
 
 
 @pytest.mark.parametrize('name, value, allowed, line', [
@@ -94,3 +101,21 @@ def test_a_number_is_one_however_it_is_written(text, number):
 def test_what_is_written_otherwise_is_none(value):
     """A number in quotes is a text, as ever."""
     assert as_number(value) is None
+
+
+def test_parameters_can_come_from_a_dictionary():
+    """Without a master: by their names, with the same defaults, ranges and lines."""
+    with read_from({'speed': 0.2, 'kp': 'fast'}) as asked:
+        assert get_number('~speed', 0.1) == 0.2
+        assert get_flag('~relative', False) is False
+        with pytest.raises(ParameterError, match="parameter ~kp is 'fast', but must be a finite"):
+            get_number('~kp', 0.5)
+    assert asked == {'speed', 'relative', 'kp'}
+
+
+def test_afterwards_they_come_from_the_master_again(monkeypatch):
+    """Also after a bad one."""
+    monkeypatch.setattr('rospy.get_param', lambda name, default: 0.3)
+    with pytest.raises(ParameterError), read_from({'speed': 'fast'}):
+        get_number('~speed', 0.1)
+    assert get_number('~speed', 0.1) == 0.3

@@ -2,7 +2,7 @@
 
 import time
 
-from odometry_launch.recording import new_folder
+from odometry_launch.folders import new_folder
 
 
 def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):

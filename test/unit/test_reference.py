@@ -1,4 +1,4 @@
-"""docs/reference.md says what the nodes, launch files and the demo say of themselves."""
+"""docs/reference.md says what nodes, launch files, the demo and the sweep say of themselves."""
 
 import pytest
 from odometry_tests.scripts import ROOT, load_script
@@ -17,7 +17,7 @@ def test_every_node_and_launch_file_has_a_heading():
     nodes = {path.name for folder in ('src', 'script') for path in ROOT.glob(f'*/{folder}/*.py')}
     launched = {path.name for path in ROOT.glob('launch/*.launch')} - {'movers.launch'}
     headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}
-    assert nodes | launched | {'./ws demo'} <= headings
+    assert nodes | launched | {*reference.PARSERS} <= headings
 
 
 def test_an_entry_may_go_on_in_the_next_line():

@@ -31,7 +31,7 @@ from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
-from straight_drive.drive import Drive
+from straight_drive.parameters import read_drive
 
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s
@@ -42,10 +42,7 @@ class TestMovement:
 
     def __init__(self):
         """Read the parameters; from then on each message is answered with a command."""
-        self._drive = Drive(
-            distance=get_number('~distance', 2.0, lambda v: v > 0, 'a number of metres above 0'),
-            speed=get_number('~speed', 0.1, lambda v: v != 0, 'a speed in m/s other than 0'),
-            relative=get_flag('~relative', False))
+        self._drive = read_drive()
         self._exit_when_done = get_flag('~exit_when_done', False)
         self._loop = ControlLoop(self._control, self._stop, timeout=get_number(
             '~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'))

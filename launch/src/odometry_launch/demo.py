@@ -10,10 +10,10 @@ import os
 import signal
 import sys
 import time
-from pathlib import Path
 
 import rospy
 
+from odometry_launch.folders import RUNS
 from odometry_launch.graph import DemoError, Graph
 from odometry_launch.logs import find_place_for_logs
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
@@ -23,7 +23,6 @@ from odometry_launch.page import Page
 from odometry_launch.recording import Recording
 from odometry_launch.silence import Silence
 
-RUNS = Path(__file__).resolve().parents[3] / 'runs'
 MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
 
 

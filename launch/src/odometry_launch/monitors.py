@@ -7,16 +7,13 @@ from nav_msgs.msg import Odometry
 from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from std_msgs.msg import Float64
 
+from odometry_launch.arrival import HEADING_TOLERANCE, has_driven, has_turned
 from odometry_launch.options import in_lockstep
+from odometry_launch.output import bar
 
-BAR_WIDTH = 30
 ODOMETRY_PERIOD = 0.05  # s; the robot arrives between two odometries
 BRAKING = 2.8  # m/s^2, measured on the simulated robot
 AGREEMENT = 1e-3  # m and share of the distance; the path that is summed up is not quite straight
-REST_SPEED = 1e-3  # m/s
-REST_STEP = 1e-5  # m between two odometries
-HEADING_TOLERANCE = 0.1  # degrees
-REST_ANGULAR_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
 
 
 class ProgressMonitor:
@@ -69,13 +66,12 @@ class MoveMonitor(ProgressMonitor):
     def arrived(self):
         """Return whether the distance is reached, and the robot stands by both accounts."""
         linear = self.ground_truth.twist.twist.linear
-        return (self._moved >= self._wanted and self._moved - self._moved_before < REST_STEP
-                and math.hypot(linear.x, linear.y) < REST_SPEED)
+        return has_driven(self._moved, self._moved_before, self._wanted, (linear.x, linear.y))
 
     def progress(self):
         """Return one line."""
         speed = self.ground_truth.twist.twist.linear.x
-        return (f'{_bar(self._moved / self._wanted)} {self._moved:.2f} of {self._wanted:.2f} m, '
+        return (f'{bar(self._moved / self._wanted)} {self._moved:.2f} of {self._wanted:.2f} m, '
                 f'{round(speed, 2) + 0.0:.2f} m/s, {self.now:.1f} s')
 
     def result(self):
@@ -115,13 +111,13 @@ class RotateMonitor(ProgressMonitor):
 
     def arrived(self):
         """Return whether the heading is reached and the robot hardly turns."""
-        return (self._yaw is not None and self._error() <= HEADING_TOLERANCE
-                and abs(self.ground_truth.twist.twist.angular.z) < REST_ANGULAR_SPEED)
+        return self._yaw is not None and has_turned(
+            wrap_to_pi(self._target - self._yaw), self.ground_truth.twist.twist.angular.z)
 
     def progress(self):
         """Return one line."""
         done = 1 - self._error() / self._first_error if self._first_error else 1.0
-        return (f'{_bar(done)} {math.degrees(self._yaw):.1f} degrees, '
+        return (f'{bar(done)} {math.degrees(self._yaw):.1f} degrees, '
                 f'{self._error():.1f} to go, {self.now:.1f} s')
 
     def result(self):
@@ -144,8 +140,3 @@ class RotateMonitor(ProgressMonitor):
 
 def _yaw(message):
     return yaw_from_orientation(message.pose.pose.orientation)
-
-
-def _bar(share):
-    done = max(0, min(BAR_WIDTH, round(BAR_WIDTH * share)))
-    return f'[{"=" * done:{BAR_WIDTH}}]'

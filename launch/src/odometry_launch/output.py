@@ -1,14 +1,21 @@
-"""What the demo prints beside the robot's progress."""
+"""What the demo and the sweep print to show that they go on, and in place of that."""
 
 import os
 import sys
 
 REWRITE = '\r\033[K'  # goes back to the beginning of a terminal's line, and empties it
+BAR_WIDTH = 30
 
 
-def complain(text):
+def bar(share):
+    """Return a bar that shows how much is done, from 0 to 1."""
+    done = max(0, min(BAR_WIDTH, round(BAR_WIDTH * share)))
+    return f'[{"=" * done:{BAR_WIDTH}}]'
+
+
+def complain(text, program='demo'):
     """Print a line to stderr, in place of a line of progress that may be there."""
-    print(f'{REWRITE if sys.stderr.isatty() else ""}demo: {text}', file=sys.stderr, flush=True)
+    print(f'{REWRITE if sys.stderr.isatty() else ""}{program}: {text}', file=sys.stderr, flush=True)
 
 
 def forget_output():

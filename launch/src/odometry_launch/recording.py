@@ -1,10 +1,8 @@
 """A bag and a picture of the run."""
 
+import collections
 import contextlib
-import itertools
 import threading
-import time
-from pathlib import Path
 
 import rosbag
 import rospy
@@ -12,6 +10,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
+from odometry_launch.folders import new_folder
 from odometry_launch.output import complain
 
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
@@ -26,12 +25,21 @@ class Recording:
         self.folder = new_folder(runs)
         self._bag = rosbag.Bag(str(self.folder / 'run.bag'), 'w')
         self._lock = threading.Lock()
-        self._subscribers = [rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
-                             for topic, kind in TOPICS.items()]
+        self._counts = collections.Counter()
+        self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
+                             for topic, kind in TOPICS.items()}
+
+    def hears(self, *topics):
+        """Return whether each of these topics has a publisher that is recorded."""
+        return all(self._subscribers[topic].get_num_connections() for topic in topics)
+
+    def count(self, topic):
+        """Return how many messages of a topic have been recorded."""
+        return self._counts[topic]
 
     def finish(self):
         """Close the bag and draw the picture; return its path, or None if it cannot be."""
-        for subscriber in self._subscribers:
+        for subscriber in self._subscribers.values():
             subscriber.unregister()
         with self._lock:
             if self._bag:
@@ -54,6 +62,7 @@ class Recording:
         with self._lock:
             if self._bag:
                 self._try(lambda: self._bag.write(f'/{topic}', message, now))
+                self._counts[topic] += 1
 
     def _try(self, write):
         """Write, or record no more."""
@@ -64,15 +73,3 @@ class Recording:
             with contextlib.suppress(OSError):
                 self._bag.close()
             self._bag = None
-
-
-def new_folder(runs):
-    """Make a folder for this moment; another demo may have begun in the same second."""
-    moment = time.strftime('%Y-%m-%d_%H-%M-%S')
-    for suffix in itertools.chain([''], map('_{}'.format, itertools.count(2))):
-        folder = Path(runs) / f'{moment}{suffix}'
-        try:
-            folder.mkdir(parents=True)
-        except FileExistsError:
-            continue
-        return folder

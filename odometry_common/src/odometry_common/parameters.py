@@ -1,5 +1,6 @@
 """Private parameters that are checked before a node does anything."""
 
+import contextlib
 import math
 import re
 import sys
@@ -25,6 +26,34 @@ class ParameterError(StartError):
         super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
 
 
+def _from_server(name, default):
+    return rospy.get_param(name, default)
+
+
+_read = _from_server
+
+
+@contextlib.contextmanager
+def read_from(values):
+    """Read parameters from a dictionary of their names without ~, instead of from a ROS master.
+
+    :return: a set, to which each name is added that is asked for
+    """
+    global _read
+    asked = set()
+
+    def read(name, default):
+        name = name.lstrip('~')
+        asked.add(name)
+        return values.get(name, default)
+
+    _read = read
+    try:
+        yield asked
+    finally:
+        _read = _from_server
+
+
 def get_number(name, default, accepts=math.isfinite, allowed='a finite number'):
     """Read a number.
 
@@ -34,7 +63,7 @@ def get_number(name, default, accepts=math.isfinite, allowed='a finite number'):
     :return: the value as a float
     :raises ParameterError: if it is not a finite number, or out of range
     """
-    given = rospy.get_param(name, default)
+    given = _read(name, default)
     value = as_number(given)
     if value is None or not math.isfinite(value) or not accepts(value):
         raise ParameterError(name, given, allowed)
@@ -70,7 +99,7 @@ def get_text(name, default):
 
 
 def _get(name, default, accepts, allowed):
-    value = rospy.get_param(name, default)
+    value = _read(name, default)
     if not accepts(value):
         raise ParameterError(name, value, allowed)
     return value

@@ -4,6 +4,7 @@ The solver and its settings were chosen by measurement; the study is in docs/sim
 """
 
 import contextlib
+from functools import partial
 from pathlib import Path
 
 from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_SEPARATION, WHEEL_TORQUE
@@ -31,21 +32,30 @@ HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
 
+def connect(gui=False):
+    """Return a client of PyBullet; raise NoScreenError if there is no screen for the GUI."""
+    with screen() if gui else contextlib.nullcontext(), suppress_native_output():
+        return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
+
+
 class World:
     """A floor, whatever a world file adds, and TurtleBots."""
 
-    def __init__(self, step_rate, gui=False, world_file=''):
+    def __init__(self, step_rate, gui=False, world_file='', client=None):
         """Build a world that advances 1/step_rate seconds with each step.
 
         :param world_file: path of a URDF or SDF file to load beside the floor
+        :param client: of connect(), without a GUI, whose earlier world is given up; to connect
+            takes longer than to build a world
         :raises NoScreenError: if there is no screen for the GUI
         :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded
         """
         self._step_rate = step_rate
         self._robots = []
         self._world_file = world_file
-        with screen() if gui else contextlib.nullcontext(), suppress_native_output():
-            self._client = BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
+        self._client = client or connect(gui)
+        if client:
+            client.resetSimulation()
         self.step = self._client.stepSimulation
         # With a mouse, or with things that fall, more than the robots may move.
         self.only_robots_move = not gui and not world_file
@@ -61,7 +71,9 @@ class World:
 
     def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
         """Put a TurtleBot on the floor (m, rad) and return it."""
-        robot = TurtleBot(self._client, x, y, yaw)
+        # Nobody sees the shapes without a window, and they take most of the time to load.
+        flags = 0 if self.window else pybullet.URDF_IGNORE_VISUAL_SHAPES
+        robot = TurtleBot(self._client, x, y, yaw, flags)
         self._robots.append(robot)
         return robot
 
@@ -111,18 +123,22 @@ class World:
 class TurtleBot:
     """One TurtleBot 2 in a world: its motors, its pose and its wheels."""
 
-    def __init__(self, client, x, y, yaw):
+    def __init__(self, client, x, y, yaw, flags):
         """Load the robot; use World.add_turtlebot()."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
         with suppress_native_output():
-            self._body = client.loadURDF(str(URDF), *self._start)
+            self._body = client.loadURDF(str(URDF), *self._start, flags=flags)
         # The footprint is PyBullet's base link: its pose is the robot's without conversion.
         client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,
                               localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
         self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
+        # Bound once: the client makes such a function anew each time that it is asked for it.
+        self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
+        self._get_velocity = partial(client.getBaseVelocity, self._body)
+        self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
         self._settled_height = 0.0
         self.drive(0.0, 0.0)
 
@@ -137,16 +153,16 @@ class TurtleBot:
 
     def pose(self):
         """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
-        return self._client.getBasePositionAndOrientation(self._body)
+        return self._get_pose()
 
     def velocity(self):
         """Return linear (m/s) and angular (rad/s) velocity in the world frame, three of each."""
-        return self._client.getBaseVelocity(self._body)
+        return self._get_velocity()
 
     def wheels(self):
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
-        states = self._client.getJointStates(self._body, self._wheels)
-        return tuple(zip(*((angle, velocity, torque) for angle, velocity, _, torque in states)))
+        left, right = self._get_wheels()
+        return (left[0], right[0]), (left[1], right[1]), (left[3], right[3])
 
     def overlap(self):
         """Return how deep (m) other bodies are in the robot, except for a floor that bears it."""

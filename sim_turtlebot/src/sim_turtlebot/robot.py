@@ -60,6 +60,10 @@ class Robot:
         self._deadline = math.inf
         self._obey(0.0, 0.0)
 
+    def is_steady_until(self, end):
+        """Return whether before_step() has nothing to do before the step `end`."""
+        return self._driven == self._commanded and end <= self._deadline + 1
+
     def before_step(self, now):
         """Accelerate, brake and time out; call it before each physics step."""
         if now > self._deadline:

@@ -17,18 +17,18 @@ class Simulation:
     """TurtleBots that share a world and a timeline."""
 
     def __init__(self, starts=(AT_ZERO,), new_odometry=lambda _: WorldOdometry(), odom_rate=20.0,
-                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file=''):
+                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file='', client=None):
         """Put robots down.
 
         :param starts: x, y (m) and yaw (rad) of each robot
         :param new_odometry: function that returns the odometry of a robot (an index)
         :param odom_rate: Hz
         :param cmd_vel_timeout: a robot stops when no command has come for this long (s); 0: never
-        :raises NoScreenError, WorldFileError: as sim_turtlebot.physics.World
+        :param gui, world_file, client: as for sim_turtlebot.physics.World, and what it raises
         """
         self.timeline = Timeline(odom_rate)
         step_rate = self.timeline.step_rate
-        self.world = World(step_rate, gui, world_file)
+        self.world = World(step_rate, gui, world_file, client)
         bodies = [self.world.add_turtlebot(*start) for start in starts]
         self.world.settle()
         self.robots = [Robot(body, step_rate, new_odometry(index), cmd_vel_timeout)
@@ -54,12 +54,14 @@ class Simulation:
         # A robot at rest is set in motion, and comes to rest, only where this begins or ends.
         moving = not self.everything_rests
         end = min(timeline.next_clock, last_step)
-        while timeline.steps < end:
-            for robot in robots:
-                robot.before_step(timeline.steps)
+        steady = all(robot.is_steady_until(end) for robot in robots)
+        for now in range(timeline.steps, end):
+            if not steady:
+                for robot in robots:
+                    robot.before_step(now)
             if moving:
                 step()
-            timeline.steps += 1
+        timeline.steps = end
         if not timeline.odometry_is_due:
             return False
         for robot in robots:

@@ -83,7 +83,7 @@ class _Parser:
             if line.startswith(PROMPT) or not (prompted or output):
                 command = line[len(PROMPT):] if line.startswith(PROMPT) else line
                 self._add(command, number, inline=False)
-            elif line != MORE:
+            elif line and line != MORE:
                 assert self._commands, f'{self._document}:{number}: this output is of no command'
                 self._commands[-1].shown.append(line)
 

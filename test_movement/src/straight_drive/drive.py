@@ -8,8 +8,8 @@ class Drive:
 
     def __init__(self, distance, speed, relative=False):
         """Go at `speed` (m/s) for `distance` (m), from zero or from the first distance seen."""
-        self._distance = distance
-        self._speed = speed
+        self.distance = distance
+        self.speed = speed
         self._start = None if relative else 0.0
 
     def speed_at(self, moved_distance):
@@ -21,4 +21,4 @@ class Drive:
             raise ValueError(f'the moved distance {moved_distance} is not finite')
         if self._start is None:
             self._start = moved_distance
-        return self._speed if moved_distance - self._start < self._distance else 0.0
+        return self.speed if moved_distance - self._start < self.distance else 0.0

@@ -1,0 +1,69 @@
+"""A tutorial's loop in one process: what a graph in lockstep does, to the last bit."""
+
+import functools
+import threading
+from typing import NamedTuple
+
+from sim_turtlebot.building import new_simulation
+from sim_turtlebot.odometry import Motion
+from sim_turtlebot.physics import connect
+from sim_turtlebot.rotations import rotate
+
+from odometry_sweep.reading import read
+
+ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
+UPWARDS = (0.0, 0.0, 1.0)
+UPRIGHT = 0.5  # height of a standing robot's upper end, over that of one that is not inclined
+
+# A process has one PyBullet and one source of parameters, but a Dask worker several threads.
+_one_at_a_time = threading.Lock()
+
+
+class Tick(NamedTuple):
+    """What there is to know at an odometry."""
+
+    stamp: float  # s, as rospy has it
+    odometry: Motion
+    ground_truth: Motion
+
+
+def run(tutorial, parameters):
+    """Run a tutorial, with parameter values by their names; return its figures by theirs."""
+    with _one_at_a_time:
+        part, settings = read(tutorial, parameters)
+        simulation = new_simulation(settings, _client())
+        return follow(part, _ticks(simulation), simulation.command)
+
+
+def follow(part, ticks, command):
+    """Let a tutorial's part answer each Tick; return the figures at its end.
+
+    :param command: function that takes each answer, m/s and rad/s
+    """
+    start = None
+    for stamp, odometry, ground_truth in ticks:
+        start = start or ground_truth
+        answer = part.answer(stamp, odometry)
+        if answer:
+            command(*answer)
+        arrived = part.arrived(ground_truth)
+        if arrived or stamp > part.longest:
+            break
+    upright = rotate(ground_truth.orientation, UPWARDS)[2] > UPRIGHT
+    ended = ARRIVED if arrived else LATE if upright else FALLEN
+    return {**part.figures(start, ground_truth), 'time': stamp, 'ended': ended}
+
+
+@functools.lru_cache(maxsize=None)
+def _client():
+    """Return the PyBullet of this process, which all its runs use in turn."""
+    return connect()
+
+
+def _ticks(simulation):
+    robot, timeline = simulation.robots[0], simulation.timeline
+    while True:
+        seconds, nanoseconds = divmod(timeline.now, 10**9)
+        yield Tick(seconds + nanoseconds / 1e9, robot.odometry, robot.ground_truth)
+        while not simulation.advance():
+            pass

@@ -1,0 +1,41 @@
+"""A picture of how the figures of a sweep are distributed."""
+
+import numpy
+from matplotlib.figure import Figure
+
+from odometry_sweep.figures import FIGURES, JUDGED
+
+FILE = 'distributions.png'
+BINS = 30
+FULL = 0.85  # height of the highest bar, of the way from a setting to the next
+WIDTH, ROW, FRAME = 3.2, 0.7, 1.4  # inches: of a diagram, of a setting, of titles and axes
+HIGHEST = 60.0  # inches
+RESOLUTION = 100  # dots per inch
+
+
+def make_figure(tutorial, settings):
+    """Return a figure with a diagram for each figure of the table, and a histogram per Setting."""
+    names = JUDGED[tutorial]
+    height = min(HIGHEST, FRAME + ROW * len(settings))
+    figure = Figure((WIDTH * len(names), height), dpi=RESOLUTION, layout='constrained')
+    diagrams = figure.subplots(1, len(names), sharey=True)
+    for name, axes in zip(names, diagrams):
+        _draw(axes, [setting.values(name) for setting in settings])
+        axes.set(title=name, xlabel=FIGURES[tutorial][name])
+        axes.grid(True, axis='x')
+    diagrams[0].set_yticks(range(len(settings)), [setting.name for setting in settings])
+    diagrams[0].invert_yaxis()
+    figure.suptitle(f'{tutorial}, {sum(setting.runs for setting in settings)} runs')
+    return figure
+
+
+def _draw(axes, rows):
+    """Draw a histogram above the line of each row of values, and mark its median."""
+    edges = numpy.histogram_bin_edges(numpy.concatenate(rows), BINS)
+    for place, values in enumerate(rows):
+        counts, _ = numpy.histogram(values, edges)
+        axes.stairs(place - FULL * counts / counts.max(), edges, baseline=place, fill=True)
+        axes.plot([numpy.median(values)] * 2, [place, place - FULL], color='black')
+        axes.axhline(place, color='grey', linewidth=0.5)
+    axes.ticklabel_format(axis='x', useOffset=False)
+    axes.tick_params(axis='x', rotation=45)

@@ -1,0 +1,18 @@
+"""The simulation that the parameters ask for."""
+
+from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from sim_turtlebot.simulation import Simulation, side_by_side
+
+
+def new_simulation(settings, client=None):
+    """Return the Simulation for what read_settings() returns; `client` is as for its World."""
+    return Simulation(side_by_side(settings.robots, settings.x, settings.y, settings.yaw),
+                      lambda index: _new_odometry(settings, index), settings.odom_rate,
+                      settings.cmd_vel_timeout, settings.gui, settings.world, client)
+
+
+def _new_odometry(settings, index):
+    if settings.odometry_source == 'world':
+        return WorldOdometry()
+    return EncoderOdometry(settings.gyro, settings.wheel_slip, settings.wheel_noise,
+                           settings.gyro_noise, seed=settings.seed + index)
