@@ -19,6 +19,7 @@ Parameters:
 import rospy
 from moved_distance.distance_counter import DistanceCounter
 from nav_msgs.msg import Odometry
+from odometry_common.ending import spin
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
 from odometry_common.publishing import ClosingPublisher
@@ -53,7 +54,7 @@ class MovementDetector:
 def main():
     """Count until shutdown."""
     MovementDetector().odometry.wait()
-    rospy.spin()
+    spin()
 
 
 if __name__ == '__main__':
