@@ -5,14 +5,16 @@ import threading
 import rospy
 from rospy.impl.registration import get_registration_listeners
 
+# s of the main thread: it hears a signal that comes just before a wait only after it
+LONGEST_WAIT = 0.5
+
 
 def spin():
-    """Wait for shutdown, without doing anything: rospy.spin() looks for it only twice a second."""
+    """Wait for shutdown, and notice it at once, while rospy.spin() looks for it twice a second."""
     ended = threading.Event()
     rospy.on_shutdown(ended.set)
-    # A shutdown that began earlier calls no hook any more.
-    if not rospy.core.is_shutdown_requested():
-        ended.wait()
+    while not (rospy.core.is_shutdown_requested() or ended.wait(LONGEST_WAIT)):
+        pass
 
 
 def end_without_delay():
