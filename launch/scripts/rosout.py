@@ -11,6 +11,7 @@ Publishes:
 """
 
 import rospy
+from odometry_common.ending import spin
 from odometry_common.node import run_node
 from rosgraph_msgs.msg import Log
 
@@ -19,7 +20,7 @@ def main():
     """Republish until shutdown."""
     publisher = rospy.Publisher('/rosout_agg', Log, queue_size=100)
     rospy.Subscriber('/rosout', Log, publisher.publish)
-    rospy.spin()
+    spin()
 
 
 if __name__ == '__main__':

@@ -19,6 +19,7 @@ Parameters:
 import rospy
 from moved_distance.parameters import read_counter
 from nav_msgs.msg import Odometry
+from odometry_common.ending import spin
 from odometry_common.node import run_node
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
@@ -50,7 +51,7 @@ class MovementDetector:
 def main():
     """Count until shutdown."""
     MovementDetector().odometry.wait()
-    rospy.spin()
+    spin()
 
 
 if __name__ == '__main__':

@@ -28,6 +28,7 @@ import rospy
 from heading_control.parameters import read_rate, read_turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
+from odometry_common.ending import spin
 from odometry_common.geometry import yaw_from_orientation
 from odometry_common.node import run_node
 from odometry_common.parameters import get_number
@@ -85,7 +86,7 @@ class RotateRobot:
 def main():
     """Turn until the target is reached, or until shutdown."""
     RotateRobot()
-    rospy.spin()
+    spin()
 
 
 if __name__ == '__main__':

@@ -10,9 +10,9 @@ Publishes:
     /tf (tf2_msgs/TFMessage): world -> odom
 """
 
-import rospy
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from nav_msgs.msg import Odometry
+from odometry_common.ending import spin
 from odometry_common.node import run_node
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
@@ -53,7 +53,7 @@ def _matrix(message):
 def main():
     """Publish until shutdown."""
     WorldFrame()
-    rospy.spin()
+    spin()
 
 
 if __name__ == '__main__':

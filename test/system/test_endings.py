@@ -1,13 +1,14 @@
 """However a node that moves the robot ends, the robot stops, and nobody sees a traceback."""
 
 import signal
+import sys
 
 import pytest
 import rosgraph
 import rosnode
 from geometry_msgs.msg import Twist
 from odometry_tests.pausing import moves_on
-from odometry_tests.processes import hold_port, rosrun
+from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.tutorial import (
     REST_SPEED,
     Truth,
@@ -20,6 +21,26 @@ from odometry_tests.tutorial import (
 )
 from odometry_tests.waiting import Recorder, wait_until
 
+# rospy's thread for registrations sleeps until it is woken, instead of for half a second, and
+# rospy waits for it for ever, instead of for five seconds.
+PATIENT_NODE = """
+import rospy
+from odometry_common.ending import spin
+from odometry_common.node import run_node
+from rospy.impl.registration import get_registration_listeners
+
+def main():
+    rospy.core._TIMEOUT_SHUTDOWN_JOIN = None
+    (manager,) = get_registration_listeners().listeners
+    wait = manager.cond.wait
+    def sleep(_timeout):
+        print('asleep')
+        wait()
+    manager.cond.wait = sleep
+    spin()
+
+run_node('patient', main, '')
+"""
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 
 
@@ -46,6 +67,13 @@ def test_a_node_that_waits_ends_quietly(master, package, program, signum):
         wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0, f'a node /{name}',
                    period=0.1)
         assert node.end(signum) == 0, node.output
+
+
+def test_a_node_does_not_wait_at_its_end_until_a_thread_of_rospy_has_slept(master):
+    """It sleeps for up to half a second."""
+    with Process(sys.executable, '-c', PATIENT_NODE) as node:
+        node.wait_for_output('asleep')
+        assert node.end(signal.SIGTERM) == 0, node.output
 
 
 @pytest.fixture(scope='module')

@@ -23,6 +23,7 @@ The last command the robot receives is zero, however the node ends.
 
 import rospy
 from odometry_common.control_loop import ControlLoop
+from odometry_common.ending import spin
 from odometry_common.node import run_node
 from odometry_common.parameters import get_flag, get_number
 from odometry_common.rivals import warn_of_rivals
@@ -83,7 +84,7 @@ class TestMovement:
 def main():
     """Answer messages until shutdown."""
     TestMovement()
-    rospy.spin()
+    spin()
 
 
 if __name__ == '__main__':

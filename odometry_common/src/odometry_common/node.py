@@ -11,6 +11,7 @@ import rosgraph
 import rospkg
 import rospy
 
+from odometry_common.ending import end_without_delay
 from odometry_common.handles import shortage, take_all_handles
 from odometry_common.output import LineOutput
 from odometry_common.parameters import (
@@ -115,6 +116,7 @@ def _start(name, init_node_options):
     use_closable_server(_report)
     if not interrupted.is_set():
         rospy.init_node(name, disable_signals=True, **init_node_options)
+        end_without_delay()
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted.is_set():
         raise KeyboardInterrupt

@@ -6,6 +6,7 @@ import threading
 
 import rich
 import viser
+from odometry_common.ending import LONGEST_WAIT
 from odometry_common.geometry import PlanarPose
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import ParameterError
@@ -84,8 +85,8 @@ class Page:
         return self._choice.value and f'{self._choice.value}/'
 
     def wait(self):
-        """Return when a browser has connected or disconnected, or wake() was called."""
-        self._changed.wait()
+        """Return when a browser has connected or disconnected, or wake() was called, or soon."""
+        self._changed.wait(LONGEST_WAIT)
         self._changed.clear()
 
     def wake(self):

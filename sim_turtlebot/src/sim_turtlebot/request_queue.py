@@ -20,8 +20,8 @@ class RequestQueue(queue.SimpleQueue):
         self.put(serve)
         done.wait(ANSWER_TIMEOUT)
 
-    def serve(self, timeout=None):
-        """Wait (s of wall time; None: for ever) for a request and serve it; False if none came."""
+    def serve(self, timeout):
+        """Wait (s of wall time) for a request and serve it; return False if none came."""
         try:
             self.get(timeout=timeout)()
         except queue.Empty:

@@ -8,6 +8,7 @@ import math
 import time
 
 import rospy
+from odometry_common.ending import LONGEST_WAIT
 from std_srvs.srv import Empty, EmptyResponse
 
 from sim_turtlebot.lockstep import Lockstep
@@ -55,7 +56,7 @@ class Simulator:
     def _take_turn(self):
         """Serve one request if there is one, else advance if it is time to."""
         if not self._requests.empty() or self._paused:
-            self._requests.serve()
+            self._requests.serve(LONGEST_WAIT)
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
         else:
