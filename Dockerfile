@@ -24,9 +24,9 @@ RUN PIP_NO_CACHE_DIR=1 ./ws --set-up demo --view && \
     find .venv -name '*.cpython-*.so' -exec strip --strip-debug {} + && \
     find .venv/lib/python3*/site-packages/pybullet_data -mindepth 2 -delete && \
     rm -rf /usr/lib/python3/dist-packages/numpy/*/tests .venv/lib/python3*/site-packages/*/tests && \
-    .venv/bin/python3 -c 'import matplotlib.font_manager' && \
+    rm -rf "$HOME/.cache" && .venv/bin/python3 -c 'import matplotlib.font_manager' && \
     .venv/bin/python3 -m compileall -q */src */script* && \
-    mkdir runs && chmod -R a+rX . && chmod -R a+rwX .ws .venv runs "$HOME"
+    mkdir runs && chmod -R a+rX . && chmod a+w . && chmod -R a+w .ws .venv runs "$HOME"
 
 USER learner
 ENTRYPOINT ["tini", "--", "./ws"]

@@ -83,7 +83,7 @@ class Podman:
     """A context in which `docker` and `podman` are commands, with an image to start from."""
 
     def __init__(self, folder):
-        """Take a folder for everything."""
+        """Take a folder for everything, which is removed at the end."""
         self._folder = folder
         self._stack = contextlib.ExitStack()
         self.environment = {**os.environ, 'PATH': f'{folder}/bin:{os.environ["PATH"]}'}
@@ -104,6 +104,8 @@ class Podman:
         self._stack.close()
 
     def _set_up(self, stack):
+        # Two gigabytes; it is the last thing to go, after the mounts.
+        stack.callback(shutil.rmtree, self._folder)
         self._holder = stack.enter_context(
             Process('unshare', '--mount', '--net', 'sh', '-ec', PRIVATE))
         wait_until(lambda: self._holder.stdout or not self._holder.running, 20.0, 'a network')
@@ -127,13 +129,9 @@ class Podman:
 
     def run(self, *arguments, timeout=MAKE_TIMEOUT):
         """Run podman to its end and return what it has printed."""
-        with self.start(*arguments) as process:
+        with Process(self._folder / 'bin' / 'podman', *arguments, env=self.environment) as process:
             assert process.wait(timeout) == 0, process.output
         return process.stdout
-
-    def start(self, *arguments):
-        """Start podman and return its Process."""
-        return Process(self._folder / 'bin' / 'podman', *arguments, env=self.environment)
 
     def forget_containers(self):
         """End and remove whatever there is."""
