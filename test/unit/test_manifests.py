@@ -13,7 +13,7 @@ from odometry_tests.scripts import ROOT
 MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
 # Imported, but under a name that rosdep does not know: the requirements files list them, or what
 # brings them.
-FROM_PYPI = {'distributed', 'hypothesis', 'joblib', 'msgspec', 'pybullet', 'pybullet_utils', 'rich', 'selenium', 'trimesh',
+FROM_PYPI = {'hypothesis', 'joblib', 'msgspec', 'pybullet', 'pybullet_utils', 'rich', 'selenium', 'trimesh',
              'typing_extensions', 'viser', 'websockets', 'zstandard'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}

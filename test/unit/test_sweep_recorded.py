@@ -3,9 +3,10 @@
 import pytest
 import rosbag
 import rospy
+from odometry_common.parameters import StartError
 from odometry_launch.graph import DemoError
 from odometry_sweep.recorded import figures_of
-from odometry_sweep.replay import _compare
+from odometry_sweep.replay import _compare, replay
 from odometry_tests.messages import odometry
 from std_msgs.msg import Float64
 
@@ -61,6 +62,27 @@ def test_a_recording_with_a_gap_is_noticed(tmp_path):
     path = record(tmp_path / 'run.bag', [], [])
     with pytest.raises(DemoError, match='the recording has gaps'):
         figures_of(path, 'move', PARAMETERS)
+
+
+def test_a_recording_that_is_cut_off_is_one_line(tmp_path):
+    """The disk was full."""
+    path = tmp_path / 'run.bag'
+    path.write_bytes(b'#ROSBAG V2.0\n')
+    with pytest.raises(DemoError, match='run.bag cannot be read'):
+        figures_of(path, 'move', PARAMETERS)
+
+
+@pytest.mark.parametrize('rows, number, line', [
+    ('run,seed,time\n1,0,2.5\n', 2, 'run 2 is not among the 1 in '),
+    ('run,seed\n1,0\n', 1, 'run 1 in .*runs.csv is incomplete'),
+    ('run,seed,time\n1,0,x\n', 1, 'is incomplete'), (None, 1, 'runs.csv cannot be read')])
+def test_a_run_that_is_not_there_is_one_line(tmp_path, rows, number, line):
+    """Before anything is started."""
+    (tmp_path / 'campaign.yaml').write_text('tutorial: move\n')
+    if rows:
+        (tmp_path / 'runs.csv').write_text(rows)
+    with pytest.raises(StartError, match=line):
+        replay(tmp_path, number)
 
 
 def test_a_figure_that_differs_in_its_last_digit_is_named(capsys):

@@ -12,16 +12,16 @@ TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.0
 
 
 @contextlib.contextmanager
-def on_cluster(address):
+def on_cluster(address, distributed):
     """Have joblib run on the cluster whose scheduler is at an address, tcp://HOST:PORT.
 
+    :param distributed: Dask's module
     :raises StartError: if there is none, or if a worker would give other figures
     """
     import joblib
-    from distributed import Client
-    logging.getLogger('distributed').setLevel(logging.CRITICAL)  # the scheduler has a log of its own
+    logging.disable()  # Dask's own; what matters to the user is raised
     try:
-        client = Client(address, timeout=CONNECT_TIMEOUT)
+        client = distributed.Client(address, timeout=CONNECT_TIMEOUT)
     except (OSError, ValueError) as error:
         raise StartError(f'no scheduler answers at {address}: {error}') from None
     with client, joblib.parallel_config(backend='dask'):

@@ -13,7 +13,7 @@ from odometry_sweep.limits import broken
 from odometry_sweep.options import parse
 from odometry_sweep.progress import Progress
 from odometry_sweep.results import FILE, written_results
-from odometry_sweep.running import side_by_side
+from odometry_sweep.running import LostError, side_by_side
 from odometry_sweep.summary import Setting
 from odometry_sweep.table import name_of, table
 
@@ -46,6 +46,8 @@ def main():
     except (DemoError, OSError) as error:
         complain(error, PROGRAM)
         status = EXIT_FAILURE
+    except LostError:
+        status = EXIT_FAILURE
     except KeyboardInterrupt:
         status = EXIT_INTERRUPTED
     forget_output()
@@ -64,8 +66,8 @@ def _sweep(campaign, run_all):
                 rows.append(figures)
                 progress.step()
             progress.finish()
-    except KeyboardInterrupt:
-        complain(f'interrupted after {len(rows)} of {total} runs, which are in '
+    except (KeyboardInterrupt, LostError) as error:
+        complain(f'{str(error) or "interrupted"} after {len(rows)} of {total} runs, which are in '
                  f'{os.path.relpath(folder)}', PROGRAM)
         raise
     return _report(campaign, rows, folder)

@@ -34,9 +34,9 @@ def parse(arguments):
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws sweep', description='Run a tutorial many times, over a grid of parameter '
-        'values and seeds, on all processors and without ROS, and say what came out. The figures '
-        'of each run are left in the folder runs.')
+        prog='./ws sweep', description='Run a tutorial many times, over a grid of parameter values '
+        'and seeds, without ROS. All processors are used, what came out is printed, and the '
+        'figures of each run are left in the folder runs.')
     parser.add_argument('tutorial', nargs='?', choices=TUTORIALS,
                         help='drive two metres, or turn to a heading')
     parser.add_argument('--seeds', type=_whole, metavar='N',

@@ -12,10 +12,13 @@ from odometry_sweep.reading import read
 
 def figures_of(bag_file, tutorial, parameters):
     """Return the figures by their names; raise DemoError if the nodes did something else."""
-    with rosbag.Bag(str(bag_file)) as bag:
-        odometry, ground_truth, moved = (
-            [message for _, message, _ in bag.read_messages(topic)]
-            for topic in ('/odom', '/base_pose_ground_truth', '/moved_distance'))
+    try:
+        with rosbag.Bag(str(bag_file)) as bag:
+            odometry, ground_truth, moved = (
+                [message for _, message, _ in bag.read_messages(topic)]
+                for topic in ('/odom', '/base_pose_ground_truth', '/moved_distance'))
+    except (OSError, rosbag.ROSBagException) as error:
+        raise DemoError(f'{bag_file} cannot be read: {error}') from None
     pairs = zip(_in_order(odometry), _in_order(ground_truth))
     ticks = [Tick(seen.header.stamp.to_sec(), _motion(seen), _motion(true)) for seen, true in pairs]
     if tutorial == 'move':

@@ -38,11 +38,11 @@ def replay(folder, number):
     :raises DemoError: if it does not come out the same, or not at all
     :raises StartError: if there is no such run
     """
-    campaign, row = _find(folder, number)
+    campaign, row, duration = _find(folder, number)
     parameters = next(itertools.islice(campaign.runs(), number - 1, None))
     find_place_for_logs()
     with Nodes() as nodes:
-        recording = _record(nodes, campaign.tutorial, parameters, float(row['time']))
+        recording = _record(nodes, campaign.tutorial, parameters, duration)
         picture = recording.finish()
     figures = figures_of(recording.folder / 'run.bag', campaign.tutorial, parameters)
     different = _compare([*FIGURES[campaign.tutorial], 'ended'], row, figures)
@@ -53,7 +53,7 @@ def replay(folder, number):
 
 
 def _find(folder, number):
-    """Return the campaign and the row, a dictionary of texts."""
+    """Return the campaign, the row, a dictionary of texts, and how long the run took (s)."""
     campaign = read_campaign(folder / CAMPAIGN_FILE)
     campaign.check()
     try:
@@ -63,7 +63,11 @@ def _find(folder, number):
         raise CampaignError(f'{folder / FILE} cannot be read: {error}') from None
     if not 1 <= number <= len(rows):
         raise CampaignError(f'run {number} is not among the {len(rows)} in {folder / FILE}')
-    return campaign, rows[number - 1]
+    row = rows[number - 1]
+    try:
+        return campaign, row, float(row['time'])
+    except (KeyError, TypeError, ValueError):
+        raise CampaignError(f'run {number} in {folder / FILE} is incomplete') from None
 
 
 def _compare(names, row, figures):

@@ -4,6 +4,7 @@ Some files make PyBullet end the whole process: a URDF with two root links, or a
 folder. Run as a program, this file is that process.
 """
 
+import functools
 import re
 import signal
 import subprocess
@@ -20,6 +21,7 @@ class WorldFileError(ValueError):
     """A world file that cannot be used; the message says in one line what it must be."""
 
 
+@functools.lru_cache(maxsize=None)  # many simulations may follow each other in one world
 def check_world_file(path):
     """Raise WorldFileError if PyBullet cannot load the file."""
     if Path(path).suffix not in SUFFIXES:
