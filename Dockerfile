@@ -17,7 +17,7 @@ ENV HOME=/home/learner ROS_HOME=/home/learner/.ros LANG=C.UTF-8 ODOMETRY_VIEW_HO
 
 # In the same layer goes what was only needed on the way: apt's lists, symbols for debuggers (nine
 # tenths of PyBullet), PyBullet's models, tests. --user may name anybody, who builds here too.
-RUN PIP_NO_CACHE_DIR=1 ./ws --set-up demo --view && \
+RUN export PIP_NO_CACHE_DIR=1 && ./ws --set-up demo --view && ./ws --set-up sweep && \
     apt-get install -q -y --no-install-recommends ca-certificates git tini && \
     apt-get clean && rm -rf /var/lib/apt/lists/* /var/cache/debconf/*-old /var/lib/dpkg/*-old && \
     find /var/log -type f -delete && \
