@@ -9,8 +9,9 @@ from odometry_tests.scripts import ROOT
 SYSTEM_NUMPY = {'3.8': None, '3.9': None, '3.10': '1.21.5', '3.11': '1.24.2', '3.12': '1.26.4',
                 '3.13': '2.2.4'}
 PYTHONS = list(SYSTEM_NUMPY)
-REQUIREMENTS = [ROOT / 'requirements.txt', ROOT / 'sim_turtlebot' / 'requirements-view.txt',
-                ROOT / 'test' / 'requirements.txt']
+REQUIREMENTS = [ROOT / name for name in (
+    'requirements.txt', 'sim_turtlebot/requirements-view.txt', 'launch/requirements-sweep.txt',
+    'launch/requirements-cluster.txt', 'test/requirements.txt')]
 WHEELS = ROOT / 'test' / 'unit' / 'wheels.jsonl'  # test/tools/wheels.py makes it
 # pip decides by --python-version which wheels fit, but of python_version it asks its own Python.
 PIP = """
