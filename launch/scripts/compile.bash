@@ -38,7 +38,8 @@ compile_pybullet() {
     local made_in=$WORKSPACE/compile
     rm -rf "$made_in"
     "$PYTHON" -m venv "$made_in/python"
-    # Debugging symbols would take a fifth of the time. /tmp may be small. All compilers end together.
+    # Debugging symbols would take a fifth of the time, and /tmp may be small. In a session of its
+    # own all compilers end together.
     CFLAGS="${CFLAGS:-} -g0" TMPDIR=$made_in setsid "$made_in/python/bin/python3" -m pip wheel \
         --disable-pip-version-check --no-cache-dir --no-deps --wheel-dir "$WHEELS" "$(pybullet)" &
     trap "kill -- -$!" TERM

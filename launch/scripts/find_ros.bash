@@ -1,5 +1,5 @@
-# Which ROS 1 ./ws uses: Debian's packages, which it installs, or one that is there already, which it
-# leaves as it is.
+# Which ROS 1 ./ws uses: Debian's packages, which it installs, or one that is there already, which
+# it leaves as it is.
 USR=/usr
 OPT=/opt/ros
 ROS=$USR

@@ -1,4 +1,4 @@
-"""./ws where PyBullet has to be compiled: what it says first, what it keeps, how it is interrupted."""
+"""./ws where PyBullet has to be compiled: what it says, what it keeps, how it is interrupted."""
 
 import os
 import signal
@@ -61,8 +61,8 @@ def test_an_interruption_ends_the_compilers(make):
     """Nothing goes on in the background, and the next call begins anew."""
     folder = make('robot')
     # Not as a Process, which would end what is left of it.
-    variables = {**os.environ, 'CHECKOUT': str(folder), 'COMPILER': WAITS, 'XDG_CACHE_HOME': str(folder)}
-    with subprocess.Popen(['bash', '-c', START + NEED], env=variables) as run:
+    variables = {'CHECKOUT': str(folder), 'COMPILER': WAITS, 'XDG_CACHE_HOME': str(folder)}
+    with subprocess.Popen(['bash', '-c', START + NEED], env={**os.environ, **variables}) as run:
         wait_until((folder / 'begun').exists, 20.0, 'the compiler')
         run.send_signal(signal.SIGTERM)
     assert run.returncode != 0

@@ -74,8 +74,8 @@ def test_another_kind_of_system(tmp_path):
     (tmp_path / 'bash').symlink_to(shutil.which('bash'))
     (tmp_path / 'uname').write_text('#!/bin/sh\necho Darwin\n')
     (tmp_path / 'uname').chmod(0o755)
-    run = subprocess.run(['/usr/bin/env', '-i', f'PATH={tmp_path}', ROOT / 'ws', 'demo'], check=False,
-                         capture_output=True, text=True)
+    run = subprocess.run(['/usr/bin/env', '-i', f'PATH={tmp_path}', ROOT / 'ws', 'demo'],
+                         check=False, capture_output=True, text=True)
     assert (run.returncode, run.stdout) == (1, '')
     assert run.stderr == './ws: this needs Linux. On Darwin the container runs: docs/container.md\n'
 
@@ -84,8 +84,8 @@ def test_another_kind_of_system(tmp_path):
 def test_a_system_without_ros(fresh, candidate):
     """Debian 11 has one that fails on its own Python."""
     words = last_words(fresh, OLD_PACKAGES, CANDIDATE=candidate)
-    assert words == ('ROS 1 is not among the packages of this system, or too old. Here, as anywhere, '
-                     'the container runs: docs/container.md')
+    assert words == ('ROS 1 is not among the packages of this system, or too old. Here, as '
+                     'anywhere, the container runs: docs/container.md')
 
 
 def test_new_packages_are_installed(fresh):
@@ -97,7 +97,7 @@ def test_no_sudo(fresh):
     """An administrator needs one command only, with what the typed command asks for besides."""
     words = last_words(fresh, NO_SUDO)
     start, parts = words.split(' --no-install-recommends ')
-    assert start == ('this needs root or sudo, or somebody who has it and types: sudo apt-get install')
+    assert start == 'this needs root or sudo, or somebody who has it and types: sudo apt-get install'
     assert {'catkin', 'python3-venv', 'rviz', 'python3-dev'} <= set(parts.split())
     assert 'python3-rospy' not in parts
 
@@ -130,8 +130,8 @@ def of_another():
 def test_a_checkout_of_another_user(of_another):
     """Without `permission denied`."""
     nobody = ['setpriv', '--reuid', '65534', '--clear-groups'] if os.getuid() == 0 else []
-    run = subprocess.run([*nobody, of_another / 'ws', 'demo'], check=False, capture_output=True, text=True,
-                         env={'PATH': os.environ['PATH'], 'HOME': '/nowhere'})
+    run = subprocess.run([*nobody, of_another / 'ws', 'demo'], check=False, capture_output=True,
+                         text=True, env={'PATH': os.environ['PATH'], 'HOME': '/nowhere'})
     assert run.returncode == 1
     assert run.stderr == (f'./ws: you cannot write to {of_another}, which belongs to '
                           f'{of_another.owner()}: clone the project into a folder of your own\n')

@@ -59,7 +59,8 @@ def about(item):
     """Return what a resolver asks of a wheel."""
     metadata = item['metadata']
     return {'file': file_of(item), 'name': metadata['name'], 'version': metadata['version'],
-            'python': metadata.get('requires_python', ''), 'requires': metadata.get('requires_dist', [])}
+            'python': metadata.get('requires_python', ''),
+            'requires': metadata.get('requires_dist', [])}
 
 
 def name_of(requirement):

@@ -14,8 +14,9 @@ VENV=$SYSTEM/venv
 find_ros
 echo "$ROS $PYTHON"
 """
-FOLDERS = {'debian': 'usr', 'noetic': 'opt/ros/noetic', 'one': 'opt/ros/one', 'humble': 'opt/ros/humble',
-           'conda': 'home/conda', 'built': 'home/ros/install', 'mine': 'home/ws/devel'}
+FOLDERS = {'debian': 'usr', 'noetic': 'opt/ros/noetic', 'one': 'opt/ros/one',
+           'humble': 'opt/ros/humble', 'conda': 'home/conda', 'built': 'home/ros/install',
+           'mine': 'home/ws/devel'}
 # What is there, what ROS_VERSION says, whose bin is on PATH, what the workspace was made with; and
 # which is to be chosen.
 SYSTEMS = {
@@ -85,13 +86,14 @@ def test_the_choice(tmp_path, system):
     if remembered:
         (tmp_path / 'venv' / 'ros').write_text(
             f'{tmp_path}/{FOLDERS[remembered]}\n{tmp_path}/{python_of(remembered)}\n')
-    path = [f'{tmp_path}/{FOLDERS[name]}/bin' for name in sourced.split()]
-    variables = {'SYSTEM': str(tmp_path), 'ROS_VERSION': version, 'PATH': ':'.join([*path, f'{tmp_path}/bin'])}
+    path = ''.join(f'{tmp_path}/{FOLDERS[name]}/bin:' for name in sourced.split())
+    variables = {'SYSTEM': str(tmp_path), 'ROS_VERSION': version, 'PATH': f'{path}{tmp_path}/bin'}
     run = subprocess.run(['/bin/bash', '-euo', 'pipefail', '-c', FIND], env=variables, check=False,
                          capture_output=True, text=True)
     if chosen:
-        assert run.stdout.split() == [f'{tmp_path}/{FOLDERS[chosen]}', f'{tmp_path}/{python_of(chosen)}'], run
+        found = [f'{tmp_path}/{FOLDERS[chosen]}', f'{tmp_path}/{python_of(chosen)}']
+        assert run.stdout.split() == found, run.stderr
     else:
         assert (run.returncode, run.stdout) == (1, '')
-        assert run.stderr == ('./ws: this system has no ROS 1. Here, as anywhere, the container runs: '
-                              'docs/container.md\n')
+        assert run.stderr == ('./ws: this system has no ROS 1. Here, as anywhere, the container '
+                              'runs: docs/container.md\n')

@@ -52,7 +52,8 @@ def choose(wheels, tmp_path):
     """Return a function that has pip choose for a Python, and returns the versions by name."""
     def choose_for(python, *arguments):
         folders = [word for folder in wheels for word in ('--find-links', folder)]
-        command = pip_for(python, 'download', '--no-index', *folders, '--dest', tmp_path, *arguments)
+        command = pip_for(python, 'download', '--no-index', *folders, '--dest', tmp_path)
+        command += map(str, arguments)
         run = subprocess.run(command, check=False, capture_output=True, text=True)
         assert run.returncode == 0, run.stderr
         files = [file.name.split('-') for file in tmp_path.iterdir()]
