@@ -29,6 +29,8 @@ SYSTEMS = {
     'noetic sourced': ('dpkg noetic', '1', 'noetic', '', 'noetic'),
     './ws shell on noetic': ('dpkg noetic mine', '1', 'mine noetic', 'noetic', 'noetic'),
     "noetic and Debian's": ('dpkg noetic debian', '', 'debian', '', 'noetic'),
+    "a workspace sourced on Debian's, and noetic": (
+        'dpkg noetic debian mine', '1', 'mine debian', '', 'noetic'),
     'ROS One': ('dpkg one', '', '', '', 'one'),
     'ROS One and noetic': ('dpkg one noetic', '', '', '', 'noetic'),
     'ROS One sourced beside noetic': ('dpkg one noetic', '1', 'one', '', 'one'),
@@ -69,7 +71,8 @@ def make_system(folder, there):
         if name not in ('humble', 'mine'):
             make_program(place / 'bin' / 'catkin_make')
         if name in ('conda', 'built'):
-            make_program(place / 'bin' / 'python3', f'exit {int(name == "built")}  # import rospy')
+            knows = '=' if name == 'conda' else '!='
+            make_program(place / 'bin' / 'python3', f'[ "$2" {knows} "import rospy" ]')
 
 
 def python_of(name):
