@@ -16,7 +16,7 @@ class LostError(RuntimeError):
 
 @contextlib.contextmanager
 def side_by_side(jobs=None, cluster=None):
-    """Yield a function that yields parameters and figures of each run of a Campaign, in their order.
+    """Yield a function that yields parameters and figures of each run of a Campaign, in order.
 
     :param jobs: so many processes; None: one for each processor
     :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine does

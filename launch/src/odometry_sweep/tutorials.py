@@ -48,7 +48,7 @@ class Move:
                           ground_truth.linear)
 
     def figures(self, start, end):
-        """Return the figures by their names, but for the time, from the true first and last Motion."""
+        """Return the figures by their names, without time, from the true first and last Motion."""
         moved, wanted = self._counter.distance, self._drive.distance
         travel = _planar_pose(start).inverse().then(_planar_pose(end))
         true_distance = math.hypot(travel.x, travel.y)
@@ -74,13 +74,13 @@ class Rotate:
         self.longest = PATIENCE * (turning + creeping) + MORE_PATIENCE  # s
 
     def answer(self, stamp, odometry):
-        """Return the command (m/s, rad/s) after an odometry (a Motion, s), None if it is not time."""
+        """Return the command (m/s, rad/s) after an odometry (a Motion, s), None if none is due."""
         self._yaw = _yaw(odometry)
         self._error = self._turn.error_at(self._yaw)
         if self._direction is None:
             self._direction = math.copysign(1.0, self._error)
         beyond = -self._direction * self._error
-        if beyond < math.pi / 2:  # else the target is behind the robot, where all errors change sign
+        if beyond < math.pi / 2:  # else the target is behind the robot: there errors change sign
             self._overshoot = max(self._overshoot, beyond)
         if not self._metronome.is_due(stamp):
             return None
@@ -91,7 +91,7 @@ class Rotate:
         return has_turned(self._error, ground_truth.angular[2])
 
     def figures(self, start, end):
-        """Return the figures by their names, but for the time, from the true first and last Motion."""
+        """Return the figures by their names, without time, from the true first and last Motion."""
         true_yaw = _yaw(end) - _yaw(start)
         return {'heading': _degrees(self._yaw), 'heading_error': math.degrees(-self._error),
                 'true_heading': _degrees(true_yaw),
