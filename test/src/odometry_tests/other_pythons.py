@@ -13,14 +13,18 @@ REQUIREMENTS = [ROOT / name for name in (
     'requirements.txt', 'sim_turtlebot/requirements-view.txt', 'launch/requirements-sweep.txt',
     'launch/requirements-cluster.txt', 'test/requirements.txt')]
 WHEELS = ROOT / 'test' / 'unit' / 'wheels.jsonl'  # test/tools/wheels.py makes it
-# pip decides by --python-version which wheels fit, but of python_version it asks its own Python.
+# pip decides by --python-version which wheels fit, but of python_version, and whether a wheel may be
+# installed, it asks its own Python.
 PIP = """
 import sys
 from pip._internal.cli.main import main
+from pip._internal.resolution.resolvelib.candidates import RequiresPythonCandidate
 from pip._vendor.packaging import markers
 version, usual = sys.argv.pop(1), markers.default_environment
 markers.default_environment = lambda: {
     **usual(), 'python_version': version, 'python_full_version': version + '.0'}
+init = RequiresPythonCandidate.__init__
+RequiresPythonCandidate.__init__ = lambda self, _: init(self, tuple(map(int, version.split('.'))))
 sys.exit(main())
 """
 
