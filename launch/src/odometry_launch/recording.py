@@ -23,7 +23,8 @@ class Recording:
     def __init__(self, runs):
         """Make a new folder for this moment in the folder `runs`; raise OSError if it cannot."""
         self.folder = new_folder(runs)
-        self._bag = rosbag.Bag(str(self.folder / 'run.bag'), 'w')
+        self._file = (self.folder / 'run.bag').open('w+b')
+        self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()
         self._counts = collections.Counter()
         self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
@@ -72,4 +73,6 @@ class Recording:
             complain(f'the recording ends: {error}')
             with contextlib.suppress(OSError):
                 self._bag.close()
+            # What waits in its buffer cannot be written. Python 3.13 would complain of that.
+            self._file.raw.close()
             self._bag = None
