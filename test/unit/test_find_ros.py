@@ -1,13 +1,15 @@
 """Which ROS 1 ./ws decides to use: a table of systems, faked by folders and PATH."""
 
+import shlex
 import subprocess
 
 import pytest
 from odometry_tests.scripts import ROOT
 
+SCRIPTS = shlex.quote(str(ROOT / 'launch' / 'scripts'))
 FIND = f"""
-. {ROOT}/launch/scripts/install.bash
-. {ROOT}/launch/scripts/find_ros.bash
+. {SCRIPTS}/install.bash
+. {SCRIPTS}/find_ros.bash
 USR=$SYSTEM/usr
 OPT=$SYSTEM/opt/ros
 VENV=$SYSTEM/venv

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shlex
 import subprocess
 import zipfile
 
@@ -12,8 +13,9 @@ from odometry_tests.scripts import ROOT
 BASE = REQUIREMENTS[0]
 PYBULLET = re.search('^pybullet==(.*)', BASE.read_text(), re.MULTILINE)[1]
 NAMED = re.compile(r'^([\w.-]+)==', re.MULTILINE)
+SCRIPTS = shlex.quote(str(ROOT / 'launch' / 'scripts'))
 HAS_WHEEL = f"""
-. {ROOT}/launch/scripts/compile.bash
+. {SCRIPTS}/compile.bash
 python_version() {{ echo "$PYTHON_VERSION"; }}
 uname() {{ echo "$MACHINE"; }}
 has_pybullet_wheel
