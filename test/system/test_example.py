@@ -36,6 +36,6 @@ def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, 
     original = (EXAMPLE / 'src' / 'one_metre.py').read_text()
     assert 'DISTANCE = 1.0 ' in original
     node.write_text(original.replace('DISTANCE = 1.0 ', f'DISTANCE = {distance} '))
-    run = in_checkout(checkout, RUN + TEST.removeprefix(f'{CLONE}/ws '))
+    run = in_checkout(checkout, RUN + TEST.replace(f'{CLONE}/ws ', ''))
     assert (run.wait() == 0) == passes, run.output
     assert f'RESULT: {"SUCCESS" if passes else "FAIL"}' in run.stdout, run.output

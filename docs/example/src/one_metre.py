@@ -20,7 +20,13 @@ def main():
             command.linear.x = SPEED
         velocity.publish(command)
 
-    rospy.Subscriber('odom', Odometry, on_odometry, tcp_nodelay=True)
+    odometry = rospy.Subscriber('odom', Odometry, on_odometry, tcp_nodelay=True)
+
+    def stop():
+        odometry.unregister()  # or a callback could have the last word
+        velocity.publish(Twist())
+
+    rospy.on_shutdown(stop)
     rospy.spin()
 
 

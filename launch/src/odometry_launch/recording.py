@@ -63,6 +63,7 @@ class Recording:
         with self._lock:
             if self._bag:
                 self._try(lambda: self._bag.write(f'/{topic}', message, now))
+            if self._bag:
                 self._counts[topic] += 1
 
     def _try(self, write):
