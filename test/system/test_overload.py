@@ -5,8 +5,10 @@ import re
 import resource
 import socket
 from urllib.parse import urlsplit
+from xmlrpc.client import ServerProxy
 
 import rosgraph
+import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.tutorial import mover, simulator
 from odometry_tests.waiting import Recorder, wait_until
@@ -58,6 +60,13 @@ def test_a_node_that_runs_out_of_file_handles_says_so(master):
             with contextlib.suppress(OSError):
                 crowd.enter_context(socket.create_connection((address.hostname, address.port)))
         assert_short_of_handles(node, 'test_movement')
+
+
+def test_a_test_goes_on_when_a_master_takes_it_for_a_node_that_was_killed(master):
+    """Its ports are given to others while many tests run."""
+    with ServerProxy(rospy.get_node_uri()) as ours:
+        assert ours.shutdown('/master', 'new node registered with same name')[0] == 1
+    assert not rospy.core.is_shutdown_requested()
 
 
 def address_of(node):
