@@ -1,16 +1,25 @@
-"""The example of docs/ci.md, set up and run as its workflow does."""
+"""The example of docs/ci.md, set up and run as its workflow does, and how its node ends."""
 
+import signal
 import subprocess
+import sys
 
 import pytest
 import yaml
+from geometry_msgs.msg import Twist
 from odometry_tests.checkout import in_checkout, make_checkout
+from odometry_tests.pausing import moves_on
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
+from odometry_tests.tutorial import Truth, simulator
+from odometry_tests.waiting import Recorder, wait_until
 
 EXAMPLE = ROOT / 'docs' / 'example'
 WORKFLOW = yaml.safe_load((EXAMPLE / '.github' / 'workflows' / 'robot.yml').read_text())
 COPY, TEST = [step['run'] for step in WORKFLOW['jobs']['robot']['steps'] if 'run' in step][-2:]
 CLONE = '/robot'
+DISTANCE = 1.0  # m
+STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 # What ./ws does before a command, with the virtual environment of this project.
 RUN = """
 python_is_ready() { true; }
@@ -39,3 +48,20 @@ def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, 
     run = in_checkout(checkout, RUN + TEST.replace(f'{CLONE}/ws ', ''))
     assert (run.wait() == 0) == passes, run.output
     assert f'RESULT: {"SUCCESS" if passes else "FAIL"}' in run.stdout, run.output
+
+
+@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
+def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
+    """Without a watchdog of the base: whoever copies it may have none."""
+    truth, commands = Truth(), Recorder('cmd_vel', Twist)
+    with simulator('_cmd_vel_timeout:=0'), \
+            Process(sys.executable, EXAMPLE / 'src' / 'one_metre.py') as node:
+        truth.wait_until_moving()
+        commands.wait_for()
+
+        def end():
+            assert node.end(signum) == 0, node.output
+            wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
+
+        assert moves_on(truth, end) <= STOPPING_TIME
+        assert truth.last.pose.pose.position.x < DISTANCE, 'it had stopped before'
