@@ -7,6 +7,7 @@ import re
 import pytest
 from odometry_tests.containers import NotHere, Podman
 from odometry_tests.documents import DOCUMENTS, README, read_commands
+from odometry_tests.own_package import make_package
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 
@@ -33,24 +34,6 @@ START_TIMEOUT = 60.0  # s
 ENDED_BY_SIGTERM = 128 + 15
 LISTENS = re.compile(r'^ *\d+: ([0-9A-F]+):([0-9A-F]{4}) \S+ 0A ', re.MULTILINE)
 LOOPBACK = {'0100007F', '0' * 24 + '01000000'}
-HELLO = {
-    'package.xml': """<package format="3">
-  <name>hello</name>
-  <version>1.0.0</version>
-  <description>A package of the user's own.</description>
-  <maintainer email="me@example.com">Me</maintainer>
-  <license>BSD</license>
-  <buildtool_depend>catkin</buildtool_depend>
-</package>
-""",
-    # As teleop_twist_keyboard has it: CMake then looks for compilers.
-    'CMakeLists.txt': """cmake_minimum_required(VERSION 3.0.2)
-project(hello)
-find_package(catkin REQUIRED)
-catkin_package()
-catkin_install_python(PROGRAMS hello.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-""",
-    'hello.py': '#!/usr/bin/env python3\nimport rospy\nprint("hello from", rospy.__name__)\n'}
 
 
 @pytest.fixture(scope='module')
@@ -163,11 +146,7 @@ def test_whoever_runs_it_has_the_runs(podman, terminal, tmp_path):
 @pytest.mark.parametrize('user', ['', f'--user {SOMEBODY}:{SOMEBODY}'])
 def test_the_tutorials_are_typed_in_its_shells(podman, terminal, tmp_path, user):
     """A second shell in the same container sees the first one's robot; packages are built."""
-    hello = tmp_path / 'packages' / 'hello'
-    hello.mkdir(parents=True)
-    for name, content in HELLO.items():
-        (hello / name).write_text(content)
-    (hello / 'hello.py').chmod(0o755)
+    make_package(tmp_path / 'packages' / 'hello', 'rospy')
     terminal.type(PACKAGES.replace('--rm', f'--rm {user}'))
     terminal.wait_for_output('(ws) ', START_TIMEOUT)
     terminal.type('roslaunch odometry_launch sim.launch')

@@ -4,24 +4,8 @@ import signal
 
 import pytest
 from odometry_tests.checkout import FASTER, in_checkout, make_checkout
+from odometry_tests.own_package import make_package
 
-FILES = {
-    'package.xml': """<package format="3">
-  <name>mine</name>
-  <version>1.0.0</version>
-  <description>A package of the user's own.</description>
-  <maintainer email="me@example.com">Me</maintainer>
-  <license>BSD</license>
-  <buildtool_depend>catkin</buildtool_depend>
-</package>
-""",
-    'CMakeLists.txt': """cmake_minimum_required(VERSION 3.0.2)
-project(mine)
-find_package(catkin REQUIRED)
-catkin_package()
-catkin_install_python(PROGRAMS hello.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-""",
-    'hello.py': '#!/usr/bin/env python3\nimport pybullet\nprint("hello from", pybullet.__name__)\n'}
 RUN_MINE = FASTER + """
 set_up true
 set +u
@@ -51,11 +35,7 @@ echo forgotten
 def checkout(tmp_path):
     """Make a checkout with an odd path and with a package of the user's."""
     folder = make_checkout(tmp_path / "my robots/50 % of $HOME's")
-    mine = folder / '.ws' / 'src' / 'mine'
-    mine.mkdir(parents=True)
-    for name, content in FILES.items():
-        (mine / name).write_text(content)
-    (mine / 'hello.py').chmod(0o755)
+    make_package(folder / '.ws' / 'src' / 'mine', 'pybullet')
     return folder
 
 

@@ -46,41 +46,47 @@ def scheduler():
         yield process
 
 
-def worker(address):
-    """Start a worker that nobody starts again."""
-    return ws('dask', 'worker', address, '--host', '127.0.0.1', '--nthreads', '1', '--no-nanny',
-              '--no-dashboard')
-
-
-def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler):
-    """In the middle of the sweep; the other one does the rest."""
-    before = set(ROOT.glob('runs/sweep-*'))
-    with worker(scheduler.address) as one, worker(scheduler.address) as other:
-        for process in one, other:
+@pytest.fixture
+def workers(scheduler):
+    """Start two workers that nobody starts again, and return their processes."""
+    with contextlib.ExitStack() as stack:
+        processes = [stack.enter_context(ws(
+            'dask', 'worker', scheduler.address, '--host', '127.0.0.1', '--nthreads', '1',
+            '--no-nanny', '--no-dashboard')) for _ in range(2)]
+        for process in processes:
             process.wait_for_output('Registered to', TIMEOUT)
-        with ws('sweep', *CAMPAIGN, str(RUNS), '--cluster', scheduler.address) as run:
-            folder = wait_until(lambda: new_folder(before), TIMEOUT, 'the folder of the sweep')
-            wait_until(lambda: len(lines_in(folder)) >= SOME, TIMEOUT, f'{SOME} rows')
-            one.send(signal.SIGKILL)
-            assert len(lines_in(folder)) < RUNS, 'too late'
-            assert run.wait(TIMEOUT) == 0, run.output
-        assert one.wait() == -signal.SIGKILL and other.running
+        yield processes
+
+
+@contextlib.contextmanager
+def sweeping(scheduler, runs):
+    """Start a sweep of so many runs; yield its process and its folder, once a row is there."""
+    before = set(ROOT.glob('runs/sweep-*'))
+    with ws('sweep', *CAMPAIGN, str(runs), '--cluster', scheduler.address) as run:
+        yield run, wait_until(lambda: new_folder(before), TIMEOUT, 'the folder of the sweep')
+
+
+def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers):
+    """In the middle of the sweep; the other one does the rest."""
+    killed, other = workers
+    with sweeping(scheduler, RUNS) as (run, folder):
+        wait_until(lambda: len(lines_in(folder)) >= SOME, TIMEOUT, f'{SOME} rows')
+        killed.send(signal.SIGKILL)
+        assert len(lines_in(folder)) < RUNS, 'too late'
+        assert run.wait(TIMEOUT) == 0, run.output
+    assert killed.wait() == -signal.SIGKILL and other.running
     alone = ws('sweep', *CAMPAIGN, str(RUNS))
     assert alone.wait(TIMEOUT) == 0, alone.output
     rows = lines_in(ROOT / re.search(r'runs/sweep-[-\w]+', alone.stdout)[0])
     assert lines_in(folder) == rows and len(rows) == RUNS
 
 
+@pytest.mark.usefixtures('workers')
 def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
     """What is done is kept."""
-    before = set(ROOT.glob('runs/sweep-*'))
-    with worker(scheduler.address) as one, worker(scheduler.address) as other:
-        for process in one, other:
-            process.wait_for_output('Registered to', TIMEOUT)
-        with ws('sweep', *CAMPAIGN, str(MANY), '--cluster', scheduler.address) as run:
-            folder = wait_until(lambda: new_folder(before), TIMEOUT, 'the folder of the sweep')
-            scheduler.send(signal.SIGKILL)
-            assert run.wait(TIMEOUT) == 1, run.output
+    with sweeping(scheduler, MANY) as (run, folder):
+        scheduler.send(signal.SIGKILL)
+        assert run.wait(TIMEOUT) == 1, run.output
     found = re.fullmatch(rf'sweep: the scheduler of the cluster is gone after (\d+) of {MANY} runs, '
                          r'which are in \S+', run.stderr)
     assert found and len(lines_in(folder)) == int(found[1]) > 0, run.stderr
