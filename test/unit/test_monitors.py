@@ -5,7 +5,7 @@ import re
 from types import SimpleNamespace
 
 import pytest
-from odometry_launch import demo
+from odometry_launch import following
 from odometry_launch.monitors import MoveMonitor
 from odometry_launch.options import launch_arguments, parse
 from odometry_launch.silence import Silence
@@ -40,9 +40,9 @@ def watch(monkeypatch):
     def watched(live):
         monitor, output = ScriptedMonitor(), io.StringIO()
         output.isatty = lambda: live
-        monkeypatch.setattr(demo, 'time', monitor)
+        monkeypatch.setattr(following, 'time', monitor)
         monkeypatch.setattr('sys.stdout', output)
-        demo._watch(monitor, SimpleNamespace(check=lambda: None),
+        following._watch(monitor, SimpleNamespace(check=lambda: None),
                     SimpleNamespace(look=lambda _: None))
         monkeypatch.undo()
         return output.getvalue()

@@ -33,27 +33,30 @@ class Graph:
         self._may_end = may_end
 
     def __enter__(self):
-        """Start everything and return once the launch file has been read."""
+        """Start everything, and return at once."""
         self._port = master_port()
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
         self._log = LaunchLog()
         self._roslaunch = Kept('roslaunch', '-p', self._port.number, 'odometry_launch',
                                *self._command, stdout=self._log.file, stderr=subprocess.STDOUT,
                                env={**os.environ, 'PYTHONUNBUFFERED': '1'})
-        try:
-            self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
-            # The master is up a moment before it says whose clock rules.
-            self.wait_for(lambda: rosgraph.Master('/demo').hasParam('/use_sim_time'),
-                          'the launch file has not been read')
-        except BaseException:
-            self.__exit__()
-            raise
         return self
 
     def __exit__(self, *_):
+        """Let everything end."""
+        self.let_go()
+        self._port.close()
+
+    def let_go(self):
         """Let everything end, which a busy machine may take long for: ./ws waits for it."""
         self._roslaunch.let_go()
-        self._port.close()
+
+    def wait_until_read(self):
+        """Return once the launch file has been read."""
+        self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
+        # The master is up a moment before it says whose clock rules.
+        self.wait_for(lambda: rosgraph.Master('/demo').hasParam('/use_sim_time'),
+                      'the launch file has not been read')
 
     @property
     def unusual_address(self):

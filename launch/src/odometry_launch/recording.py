@@ -1,4 +1,4 @@
-"""A bag and a picture of the run."""
+"""A bag of the run."""
 
 import collections
 import contextlib
@@ -22,8 +22,8 @@ class Recording:
 
     def __init__(self, runs):
         """Make a new folder for this moment in the folder `runs`; raise OSError if it cannot."""
-        self.folder = new_folder(runs)
-        self._file = (self.folder / 'run.bag').open('w+b')
+        self.path = new_folder(runs) / 'run.bag'
+        self._file = self.path.open('w+b')
         self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()
         self._counts = collections.Counter()
@@ -38,8 +38,8 @@ class Recording:
         """Return how many messages of a topic have been recorded."""
         return self._counts[topic]
 
-    def finish(self):
-        """Close the bag and draw the picture; return its path, or None if it cannot be."""
+    def close(self):
+        """Close the bag; return its path, or None if it could not be written to its end."""
         for subscriber in self._subscribers.values():
             subscriber.unregister()
         with self._lock:
@@ -48,15 +48,7 @@ class Recording:
             if not self._bag:
                 return None
             self._bag = None
-        # matplotlib takes a second to import, which the start of the demo need not wait for.
-        from odometry_launch.run_plot import BagError, make_figure, read_run
-        picture = self.folder / 'run.png'
-        try:
-            make_figure(read_run(self.folder / 'run.bag')).savefig(str(picture))
-        except (OSError, BagError) as error:
-            complain(f'no picture: {error}')
-            return None
-        return picture
+        return self.path
 
     def _keep(self, message, topic):
         now = rospy.get_rostime()

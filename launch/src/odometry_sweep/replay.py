@@ -3,7 +3,6 @@
 import csv
 import itertools
 import json
-import os
 import time
 
 import rospy
@@ -12,6 +11,7 @@ from odometry_common.parameters import read_from
 from odometry_launch.folders import RUNS
 from odometry_launch.graph import DemoError
 from odometry_launch.logs import find_place_for_logs
+from odometry_launch.picture import leave_picture
 from odometry_launch.recording import Recording
 from sim_turtlebot.settings import read_settings
 from straight_drive.parameters import read_drive
@@ -43,10 +43,11 @@ def replay(folder, number):
     find_place_for_logs()
     with Nodes() as nodes:
         recording = _record(nodes, campaign.tutorial, parameters, duration)
-        picture = recording.finish()
-    figures = figures_of(recording.folder / 'run.bag', campaign.tutorial, parameters)
+        bag = recording.close()
+    figures = figures_of(recording.path, campaign.tutorial, parameters)
     different = _compare([*FIGURES[campaign.tutorial], 'ended'], row, figures)
-    print(f'picture         {os.path.relpath(picture)}' if picture else '', flush=True)
+    if bag:
+        leave_picture(bag)
     if different:
         raise DemoError(f'not the same: {", ".join(different)}')
     print('the same, to the last bit', flush=True)

@@ -1,0 +1,90 @@
+"""Follow the robot of a demo from its start to its end."""
+
+import math
+import sys
+import time
+
+import rospy
+from odometry_common.ending import end_without_delay
+
+from odometry_launch.folders import RUNS
+from odometry_launch.monitors import MoveMonitor, RotateMonitor
+from odometry_launch.output import REWRITE, complain
+from odometry_launch.picture import leave_picture
+from odometry_launch.recording import Recording
+from odometry_launch.silence import Silence
+
+MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
+
+
+def follow(options, graph, page):
+    """Follow the robot to its end, print the result, and return a complaint or None."""
+    graph.wait_until_read()
+    graph.wait_for(_join, 'the demo does not become a node')
+    recording = _record()
+    monitor = MONITORS[options.tutorial](options)
+    graph.wait_for(monitor.started, 'the robot does not begin to move')
+    wall_start = time.monotonic()
+    if page:
+        page.announce(graph)
+    _watch(monitor, graph, Silence(options.real_time_factor))
+    wall_time = time.monotonic() - wall_start
+    summary, complaint = monitor.result()
+    print(f'{summary}\ntime            {monitor.duration:.1f} s simulated, {wall_time:.1f} s real',
+          flush=True)
+    bag = recording and recording.close()
+    if not page:
+        graph.let_go()  # the nodes end while the picture is drawn
+    if bag:
+        leave_picture(bag)
+    if complaint:
+        complain(complaint)
+    return complaint
+
+
+def _join():
+    rospy.init_node('demo', anonymous=True, disable_signals=True)
+    end_without_delay()
+    return True
+
+
+def _record():
+    """Start a recording; without a place for it the demo goes on."""
+    try:
+        return Recording(RUNS)
+    except OSError as error:
+        complain(f'no recording: {error}')
+        return None
+
+
+def _watch(monitor, graph, silence):
+    line = Line()
+    while monitor.end is None:
+        graph.check()
+        silence.look(monitor.now)
+        line.show(monitor.progress(), monitor.now)
+        time.sleep(0.1)
+    line.finish(monitor.progress())
+
+
+class Line:
+    """One line that is rewritten on a terminal; elsewhere a line every two simulated seconds."""
+
+    PERIOD = 2.0
+
+    def __init__(self):
+        """Find out where the output goes."""
+        self._live = sys.stdout.isatty()
+        self._next = -math.inf
+
+    def show(self, text, now):
+        """Show the text, at `now` simulated seconds."""
+        if self._live:
+            print(f'{REWRITE}{text}', end='', flush=True)
+        elif now >= self._next:
+            self._next = now + self.PERIOD
+            print(text, flush=True)
+
+    def finish(self, text):
+        """Leave the text on the screen."""
+        print(f'{REWRITE}{text}' if self._live else text, flush=True)
