@@ -1,9 +1,10 @@
 """How late the robot hears that it has arrived, and how far it goes on."""
 
 from graph import Graph
+from lockstep import LOCKSTEP
 from measuring import Target, compare
 from odometry_tests.waiting import Recorder, wait_until
-from speed import LOCKSTEP, UNPACED
+from speed import UNPACED
 from std_msgs.msg import Float64
 from worlds import SPEED, stop_after
 

@@ -45,7 +45,7 @@ class Graph:
             self._processes += [self._stack.enter_context(detector()),
                                 self._stack.enter_context(mover(f'_distance:={distance}'))]
             for topic in ('/odom', '/moved_distance', '/cmd_vel'):
-                wait_until(lambda topic=topic: _has_listener(topic), TIMEOUT,
+                wait_until(lambda topic=topic: has_listener(topic), TIMEOUT,
                            f'a subscriber of {topic}')
 
     def __enter__(self):
@@ -88,7 +88,7 @@ class Graph:
                       sum(_cpu_time(process.pid) for process in self._processes))
 
 
-def _has_listener(topic):
+def has_listener(topic):
     """Return whether the topic's publisher is connected to a subscriber."""
     publishers = dict(rosgraph.Master('/bench').getSystemState()[0]).get(topic, [])
     return any(link.topic == topic for node in publishers for link in links(node))

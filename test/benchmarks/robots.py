@@ -3,31 +3,25 @@
 import rospy
 from geometry_msgs.msg import Twist
 from graph import Graph
-from measuring import Figure, Target, compare, in_turns
+from measuring import Target, compare, in_turns
 from odometry_tests.waiting import wait_for_subscribers
 from speed import CPU_UNIT, SPEED_UNIT, UNPACED
 from start import start_bare, start_simulator
 from worlds import SPEED, BareWorld, RobotWorld
 
 COUNTS = (1, 5, 20, 50)
-FEW = 5  # the cost of a robot among so many is what the others are compared with
 COST_UNIT = 'ms/simulated s/robot'
 
 
 def many_robots(options):
     """Measure speed, start and the cost per robot of several crowds."""
-    costs = {}
+    alone = RobotWorld()
     for count in COUNTS:
-        *figures, costs[count] = _crowd(options, count)
-        yield from figures
-    few = costs.pop(FEW)
-    for count, cost in costs.items():
-        target = Target('<=', 1.2) if count == COUNTS[-1] else None
-        yield Figure(f'cost per robot of {robots(count)}', cost, COST_UNIT, few, cost / few, target)
+        yield from _crowd(options, count, alone)
 
 
-def _crowd(options, count):
-    """Return the figures of so many robots, and at last the cost of one of them (ms)."""
+def _crowd(options, count, alone):
+    """Yield the figures of so many robots; `alone` is one without ROS."""
     label = robots(count)
     bare, world = BareWorld(count), RobotWorld(count)
     yield compare(f'robot without ROS, {label}', SPEED_UNIT, in_turns(
@@ -35,16 +29,17 @@ def _crowd(options, count):
     with Graph('_cmd_vel_timeout:=0', f'_robots:={count}', *UNPACED, movers=False) as graph:
         _drive_all(graph, count)
         pairs = in_turns(options.runs, lambda: graph.watch(options.window),
-                         lambda: bare.speed(options.window))
-    speed = compare(f'simulator, {label}', SPEED_UNIT,
-                    [(sample.simulated / sample.wall, limit) for sample, limit in pairs])
-    yield speed
-    yield compare(f'simulator, {label}, CPU time', CPU_UNIT,
-                  [(1e3 * sample.cpu / sample.simulated, 1e3 / limit) for sample, limit in pairs])
+                         lambda: (bare.speed(options.window), alone.speed(options.window)))
+    yield compare(f'simulator, {label}', SPEED_UNIT,
+                  [(sample.simulated / sample.wall, limit) for sample, (limit, _) in pairs])
+    yield compare(f'simulator, {label}, CPU time', CPU_UNIT, [
+        (1e3 * sample.cpu / sample.simulated, 1e3 / limit) for sample, (limit, _) in pairs])
+    yield compare(f'cost per robot of {label}', COST_UNIT, [
+        (1e3 * sample.wall / sample.simulated / count, 1e3 / limit)
+        for sample, (_, limit) in pairs], Target('<=', 1.2) if count == COUNTS[-1] else None)
     topic = '/odom' if count == 1 else f'/robot_{count}/odom'
     yield compare(f'start to first /odom, {label}', 's', in_turns(
         options.runs, lambda: start_simulator(f'_robots:={count}', topic=topic), start_bare))
-    yield 1e3 / speed.value / count
 
 
 def _drive_all(graph, count):

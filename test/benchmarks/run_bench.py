@@ -12,22 +12,25 @@ from pathlib import Path
 
 import rospy
 from control import control_in_lockstep, control_unpaced
+from demos import demo
 from latency import detector_latency
+from lockstep import graph_in_lockstep
 from measuring import Options
 from memory import memory
 from odometry_tests.processes import Master
 from report import machine, print_figure, print_heading, write_chart, write_csv
 from robots import many_robots
-from speed import graph_in_lockstep, graph_unpaced, robot_without_ros
-from start import start
+from speed import graph_unpaced, robot_without_ros
+from start import end, start
+from sweeps import sweep
 from viewing import viewing
 
 RUNS = Path(__file__).resolve().parents[2] / 'runs'
 MEASUREMENTS = {
     'robot': robot_without_ros, 'unpaced': graph_unpaced, 'lockstep': graph_in_lockstep,
-    'control': control_unpaced, 'control-lockstep': control_in_lockstep,
-    'latency': detector_latency, 'memory': memory, 'start': start, 'robots': many_robots,
-    'view': viewing}
+    'sweep': sweep, 'control': control_unpaced, 'control-lockstep': control_in_lockstep,
+    'latency': detector_latency, 'memory': memory, 'start': start, 'end': end, 'demo': demo,
+    'robots': many_robots, 'view': viewing}
 
 
 def main():

@@ -1,40 +1,60 @@
-"""How soon a simulator that is started says where the robot is."""
+"""How soon a node that is started does its work, and how soon one that is told to end is gone."""
 
+import signal
 import sys
 import time
 from pathlib import Path
 
+import rosgraph
 import rospkg
 from measuring import Target, compare, in_turns
 from nav_msgs.msg import Odometry
 from odometry_tests.processes import Process
-from odometry_tests.tutorial import forget_parameters
-from odometry_tests.waiting import Recorder
+from odometry_tests.tutorial import detector, forget_parameters
+from odometry_tests.waiting import Recorder, wait_until
 
 TIMEOUT = 60.0  # s
-BARE_START = Path(__file__).with_name('bare_start.py')
+HERE = Path(__file__).parent
+SIMULATOR = Path(rospkg.RosPack().get_path('sim_turtlebot')) / 'script/sim_turtlebot_node.py'
 
 
 def start(options):
     """Measure from the start of the process to the first /odom."""
     pairs = in_turns(options.runs, start_simulator, start_bare)
-    yield compare('start to first /odom', 's', pairs, Target('<=', 1.5))
+    yield compare('start to first /odom', 's', pairs, Target('<=', 1.25))
+
+
+def end(options):
+    """Measure from Ctrl-C to the end of the process; the limit is what rospy needs."""
+    pairs = in_turns(
+        options.runs, lambda: _end(detector(), '/moved_distance'),
+        lambda: _end(Process('python3', HERE / 'relay.py', '/question', '/answer'), '/answer'))
+    yield compare('end of a node', 's', pairs, Target('<=', 1.25))
 
 
 def start_simulator(*arguments, topic='/odom'):
     """Start a simulator and return the time (s) to its first message on a topic."""
     forget_parameters()
-    script = Path(rospkg.RosPack().get_path('sim_turtlebot')) / 'script/sim_turtlebot_node.py'
     odometry = Recorder(topic, Odometry)
     begin = time.perf_counter()
-    with Process(sys.executable, script, *arguments):
+    with Process(sys.executable, SIMULATOR, *arguments):
         odometry.wait_for(timeout=TIMEOUT)
         return time.perf_counter() - begin
 
 
 def start_bare():
-    """Return the time (s) that Python, rospy and PyBullet need by themselves."""
+    """Return the time (s) in which a node with the same imports sees a message."""
     begin = time.perf_counter()
-    with Process(sys.executable, BARE_START) as process:
-        process.wait_for_output('ready', TIMEOUT)
+    with Process(sys.executable, HERE / 'bare_node.py', SIMULATOR) as process:
+        process.wait_for_output('seen', TIMEOUT)
+        return time.perf_counter() - begin
+
+
+def _end(process, topic):
+    """Return the time (s) that a node, which publishes a topic, needs to end."""
+    with process:
+        wait_until(lambda: topic in dict(rosgraph.Master('/bench').getSystemState()[0]), TIMEOUT,
+                   f'a publisher of {topic}')
+        begin = time.perf_counter()
+        process.end(signal.SIGINT)
         return time.perf_counter() - begin

@@ -1,0 +1,80 @@
+"""Three nodes of bare rospy that pass the messages of a move on: the limit of lockstep.
+
+usage: ring.py robot | detector | mover
+
+The robot is PyBullet stepping from one odometry to the next, and nothing else. It publishes what
+the simulator does; the others hear what the detector and the mover do.
+
+Subscribes:
+    ring/run (std_msgs/Float64): go round for so many seconds of wall time
+
+Publishes:
+    ring/ran (std_msgs/Float64): simulated seconds per second
+"""
+
+import queue
+import sys
+import time
+
+import rospy
+from geometry_msgs.msg import TransformStamped, Twist
+from nav_msgs.msg import Odometry
+from odometry_common.publishing import advertise
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Float64
+from tf2_msgs.msg import TFMessage
+from worlds import ODOM_RATE, BareWorld
+
+TIMEOUT = 30.0  # s, for an answer
+
+
+def robot():
+    """Step, publish, and wait for the command."""
+    world, heard = BareWorld(), queue.Queue()
+    clock, tf = advertise('ring/clock', Clock), advertise('ring/tf', TFMessage)
+    odometry = advertise('ring/odom', Odometry)
+    ground_truth = advertise('ring/base_pose_ground_truth', Odometry)
+    ran = advertise('ring/ran', Float64)
+    rospy.Subscriber('ring/cmd_vel', Twist, heard.put, tcp_nodelay=True)
+
+    def run(window):
+        rounds, start = 0, time.perf_counter()
+        while (duration := time.perf_counter() - start) < window:
+            world.step_to_odometry()
+            clock.publish(Clock())
+            odometry.publish(Odometry())
+            ground_truth.publish(Odometry())
+            tf.publish(TFMessage([TransformStamped()]))
+            heard.get(timeout=TIMEOUT)
+            rounds += 1
+        ran.publish(rounds / ODOM_RATE / duration)
+
+    windows = queue.Queue()
+    rospy.Subscriber('ring/run', Float64, windows.put)
+    while True:
+        run(windows.get().data)
+
+
+def relay(question, question_class, answer, answer_class):
+    """Answer each message."""
+    publisher = advertise(answer, answer_class)
+    rospy.Subscriber('ring/clock', Clock, lambda _: None, tcp_nodelay=True)
+    rospy.Subscriber(question, question_class, lambda _: publisher.publish(answer_class()),
+                     tcp_nodelay=True)
+    rospy.spin()
+
+
+def detector():
+    """Answer odometry with a distance."""
+    relay('ring/odom', Odometry, 'ring/moved_distance', Float64)
+
+
+def mover():
+    """Answer a distance with a command."""
+    relay('ring/moved_distance', Float64, 'ring/cmd_vel', Twist)
+
+
+if __name__ == '__main__':
+    # disable_rostime: the clock here is another simulator's.
+    rospy.init_node('ring', anonymous=True, disable_rostime=True)
+    {'robot': robot, 'detector': detector, 'mover': mover}[sys.argv[1]]()

@@ -1,0 +1,67 @@
+"""How fast a sweep is, beside PyBullet stepping and nothing else."""
+
+import re
+import time
+from pathlib import Path
+
+from measuring import Figure, Target, compare, in_turns
+from odometry_sweep.campaign import Campaign
+from odometry_sweep.closed_loop import run
+from odometry_sweep.running import side_by_side
+from odometry_tests.processes import Process
+from speed import SPEED_UNIT
+from worlds import BareWorld
+
+ROOT = Path(__file__).resolve().parents[2]
+MANY = 1000  # drives
+FEW = 60  # drives, in which two processors are compared with one
+TIMEOUT = 300.0  # s
+
+
+def sweep(options):
+    """Measure the loop in one process, two of them, a thousand drives, and a run once more."""
+    bare = BareWorld()
+    pairs = in_turns(options.runs, lambda: _loop_speed(options.window),
+                     lambda: bare.speed(options.window))
+    yield compare('loop in one process', SPEED_UNIT, pairs, Target('>=', 0.85))
+    with side_by_side(jobs=2) as on_two, side_by_side(jobs=1) as on_one:
+        _runs_per_second(on_two)  # starts the processes
+        yield compare('sweep on two processors', 'runs/s', in_turns(
+            options.runs, lambda: _runs_per_second(on_two), lambda: _runs_per_second(on_one)),
+            Target('>=', 1.7))
+    yield from _thousand(bare, options.window)
+
+
+def _thousand(bare, window):
+    """Return the figures of a whole ./ws sweep, and of one of its runs by the nodes themselves."""
+    before = bare.speed(window)
+    begin = time.perf_counter()
+    process = Process(ROOT / 'ws', 'sweep', 'move', '--seeds', MANY, '--jobs', 2)
+    assert process.wait(TIMEOUT) == 0, process.output
+    duration = time.perf_counter() - begin
+    pace = (before + bare.speed(window)) / 2
+    folder = ROOT / re.search(r'^figures +(.*)/', process.stdout, re.MULTILINE).group(1)
+    limit = MANY * _run()['time'] / 2 / pace
+    yield Figure(f'{MANY} drives on two processors', duration, 's', limit, duration / limit,
+                 Target('<=', 1.3))
+    replay = Process(ROOT / 'ws', 'sweep', '--replay', folder, MANY)
+    yield Figure('runs that differ from their replay', replay.wait(TIMEOUT), '', 0.0, float('nan'),
+                 Target('=', 0, of_value=True))
+
+
+def _run():
+    return run('move', {})
+
+
+def _loop_speed(window):
+    """Return the simulated seconds per second of drives (s of wall time)."""
+    simulated, start = 0.0, time.perf_counter()
+    while (duration := time.perf_counter() - start) < window:
+        simulated += _run()['time']
+    return simulated / duration
+
+
+def _runs_per_second(run_all):
+    start = time.perf_counter()
+    drives = list(run_all(Campaign('move', FEW, {}, {})))
+    return len(drives) / (time.perf_counter() - start)
