@@ -33,8 +33,8 @@ def test_without_a_part_everything_is_measured(run_bench):
 
 @pytest.mark.parametrize('part, names', [
     ('robot', ['robot without ROS']),
-    ('lockstep', ['graph in lockstep', 'graph in lockstep, times real time',
-                  'graph in lockstep, CPU time'])])
+    ('lockstep', ['graph in lockstep', 'graph in lockstep, CPU time']),
+    ('end', ['end of a node'])])
 def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
     """Name, value, limit and ratio in the table and in a file; what is missed decides the status."""
     file = tmp_path / 'figures.csv'
