@@ -11,6 +11,8 @@ from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
 
 TIMEOUT = 45.0  # s; a demo takes 26
+LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
+LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
@@ -52,7 +54,8 @@ class Reader:
         terminal.type(text)
         self._running.append((words, terminal))
         wait_until(lambda: terminal.status is not None
-                   or not self._missing(words, shown, terminal, nodes), TIMEOUT,
+                   or not self._missing(words, shown, terminal, nodes),
+                   LONG_TIMEOUT if text.startswith(LONG) else TIMEOUT,
                    lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, nodes)}; '
                            f'it printed:\n{terminal.output}', LOOKING_PERIOD)
         if terminal.status is not None:
