@@ -15,18 +15,18 @@ class BareWorld:
     def __init__(self, robots=1):
         """Build the simulator's world and let the wheels turn."""
         simulation = Simulation(side_by_side(robots), odom_rate=ODOM_RATE)
-        self._step, self._step_rate = simulation.world.step, simulation.timeline.step_rate
+        self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
         for robot in simulation.robots:
             robot.body.drive(SPEED, 0.0)
 
     def step_to_odometry(self):
         """Step for an odometry period."""
         for _ in range(round(self._step_rate / ODOM_RATE)):
-            self._step()
+            self._world.step()
 
     def speed(self, window):
         """Return the simulated seconds per second in a window (s of wall time)."""
-        step, steps, start = self._step, 0, time.perf_counter()
+        step, steps, start = self._world.step, 0, time.perf_counter()
         while (duration := time.perf_counter() - start) < window:
             for _ in range(100):
                 step()
