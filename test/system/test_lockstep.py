@@ -11,7 +11,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
+from odometry_tests.tutorial import detector, forget_parameters, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
@@ -26,6 +26,13 @@ UNPACED = '_real_time_factor:=0'
 def simulated_clock(master):
     """Let the nodes follow the simulator's clock."""
     rospy.set_param('/use_sim_time', True)
+
+
+@pytest.fixture(autouse=True)
+def defaults():
+    """Leave no parameter to the next test."""
+    yield
+    forget_parameters()
 
 
 def record(rate, starts, topics, *arguments):
