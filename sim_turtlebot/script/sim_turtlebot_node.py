@@ -27,6 +27,9 @@ Parameters:
     ~x, ~y (float, 0.0 m, from -10000 to 10000): where the robot starts; odom is zero there
     ~yaw (float, 0.0 rad, from -2 pi to 2 pi): its heading there
     ~odom_rate (float, 20 Hz, from 0.1 to 1000): odometry messages per simulated second
+    ~clock_rate (float, 0.0 Hz, 0 or from ~odom_rate to 1000): ticks of /clock per simulated second,
+        or as few more as divide the time between two odometry messages evenly; 0 is 200,
+        but about 1000 per second of wall time at most, and one with each odometry in lockstep and unpaced
     ~odometry_source (str, world, world or encoder): world is the true pose, encoder counts
         wheel ticks
     ~gyro (bool, false): encoder: take the yaw from a gyro

@@ -76,6 +76,7 @@ TABLE = [
     Parameter(SIMULATOR, 'y', [*NOT_NUMBERS, '-1e5']),
     Parameter(SIMULATOR, 'yaw', [*NOT_NUMBERS, '360']),
     Parameter(SIMULATOR, 'odom_rate', [*NOT_NUMBERS, '0', '-20', '1e5']),
+    Parameter(SIMULATOR, 'clock_rate', [*NOT_NUMBERS, '-1', '10', '2000']),
     Parameter(SIMULATOR, 'odometry_source', [*NOT_TEXTS, 'gps', "''"]),
     Parameter(SIMULATOR, 'gyro', NOT_FLAGS),
     Parameter(SIMULATOR, 'wheel_slip', [*NOT_NUMBERS, '-0.1', '1']),

@@ -11,9 +11,10 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
+from odometry_tests.tutorial import detector, forget_parameters, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
+from tf2_msgs.msg import TFMessage
 
 COMPARED = 24  # s of simulated time; two metres take 20
 RUN_TIME = 60.0  # s
@@ -27,15 +28,24 @@ def simulated_clock(master):
     rospy.set_param('/use_sim_time', True)
 
 
-def record(rate, starts, topics):
+@pytest.fixture(autouse=True)
+def defaults():
+    """Leave no parameter to the next test."""
+    yield
+    forget_parameters()
+
+
+def record(rate, starts, topics, *arguments):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
     :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic; repetitions of the first one do
         not count
+    :param arguments: more of the simulator's
     """
     with contextlib.ExitStack() as stack:
-        stack.enter_context(simulator_in_step(UNPACED, rate=rate, patience=PATIENCE))
+        stack.enter_context(simulator_in_step(UNPACED, *arguments, rate=rate,
+                                              patience=PATIENCE))
         call('pause_physics')  # until everybody listens
         for start in starts:
             stack.enter_context(start())
@@ -129,3 +139,38 @@ def test_simulated_time_stands_still_until_the_first_command():
         seen = Recorder('odom', Odometry).wait_for_count(4, 20.0)
     assert seen[0].header.stamp.to_sec() == 0
     assert all(message == seen[0] for message in seen)
+
+
+def test_while_time_stands_still_a_line_says_what_it_waits_for():
+    """And tf is sent once to each who listens: tf warns of what it knows already."""
+    with simulator_in_step(UNPACED) as simulation:
+        odometry = Recorder('odom', Odometry)
+        transforms = Recorder('/tf', TFMessage)
+        odometry.wait_for_count(2, 20.0)
+        transforms.wait_for(what='the transform of a robot that has not moved')
+        line = ('lockstep: time stands still until there is a first command on /cmd_vel, '
+                '/mobile_base/commands/velocity')
+        wait_until(lambda: simulation.output.count(line) >= 2, 20.0, simulation.output)
+        assert len(odometry.messages) > 10
+        assert len(transforms.messages) == 1
+        commands = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+        wait_until(lambda: commands.publish(Twist()) or odometry.last.header.stamp.to_sec() > 0,
+                   20.0, 'a running simulation')
+        said = simulation.output.count(line)
+        odometry.wait_for(lambda m: m.header.stamp.to_sec() > 10, 40.0, 'ten seconds')
+        assert simulation.output.count(line) == said
+
+
+def test_many_robots_are_named_in_short():
+    """The first topics, and how many there are."""
+    with simulator_in_step(UNPACED, '_robots:=3') as simulation:
+        simulation.wait_for_output(
+            'a first command on /robot_1/cmd_vel, /robot_1/mobile_base/commands/velocity, '
+            '/robot_2/cmd_vel, /robot_2/mobile_base/commands/velocity, ... (6 topics)')
+
+
+def test_two_clocks_lead_to_the_same_odometry():
+    """However finely the clock ticks: the same bytes."""
+    coarse, fine = (record(20, [detector, mover], {'/odom': (Odometry, 100)}, *clock)
+                    for clock in ([], ['_clock_rate:=170']))
+    assert [bytes_of(m) for m in coarse['/odom']] == [bytes_of(m) for m in fine['/odom']]

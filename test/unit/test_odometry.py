@@ -35,15 +35,42 @@ def test_world_odometry_is_the_pose_seen_from_the_start(start, place):
     assert turn == pytest.approx(0, abs=1e-9)
 
 
-def test_world_odometry_keeps_height_tilt_and_velocity():
-    """The tutorial's /odom is a full pose, and its twist is in the frame of the base."""
+TILTED = Motion((1.0, 2.0, 0.03), (0.1, 0.0, 0.0, math.sqrt(0.99)), (0.2, 0.01, 0), (0, 0, 1))
+
+
+def test_world_odometry_keeps_height_and_tilt():
+    """The tutorial's /odom is a full pose."""
     odometry = WorldOdometry()
     odometry.reset(motion(1.0, 2.0, 0.5))
-    tilted = Motion((1.0, 2.0, 0.03), (0.1, 0.0, 0.0, math.sqrt(0.99)), (0.2, 0.01, 0), (0, 0, 1))
-    now = odometry.update(tilted, at_zero, PERIOD)
+    now = odometry.update(TILTED, at_zero, PERIOD)
     assert now.position[2] == pytest.approx(0.03)
     assert math.hypot(*now.orientation[:2]) == pytest.approx(0.1)
-    assert (now.linear, now.angular) == (tilted.linear, tilted.angular)
+
+
+def test_the_twist_of_world_odometry_is_the_mean_since_the_last_message():
+    """In the frame of the base, whatever the velocity is at the moment of the message."""
+    odometry = WorldOdometry()
+    odometry.reset(motion(1.0, 2.0, math.pi / 2))
+    now = odometry.update(motion(1.0, 2.02, math.pi / 2)._replace(linear=(0.1, 0.0, 0.0)),
+                          at_zero, 0.1)
+    assert now.linear == pytest.approx((0.2, 0.0, 0.0), abs=1e-12)
+    assert now.angular == pytest.approx(STILL, abs=1e-12)
+
+
+def test_over_a_long_time_the_twist_is_that_of_the_moment():
+    """The mean of a second says little of the velocity, and a turn may be more than half."""
+    odometry = WorldOdometry()
+    odometry.reset(motion(1.0, 2.0, 0.5))
+    now = odometry.update(TILTED, at_zero, 1.0)
+    assert (now.linear, now.angular) == (TILTED.linear, TILTED.angular)
+
+
+def test_a_robot_at_rest_is_at_rest_even_where_it_has_been_put():
+    """What stands has no velocity, also in the message after it has come to rest."""
+    odometry = WorldOdometry()
+    odometry.reset(motion(1.0, 2.0, 0.5))
+    now = odometry.update(motion(1.1, 2.0, 0.5)._replace(linear=STILL, angular=STILL), at_zero, PERIOD)
+    assert (now.linear, now.angular) == (STILL, STILL)
 
 
 @given(speeds)

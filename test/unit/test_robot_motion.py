@@ -40,6 +40,21 @@ def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
     assert abs(math.degrees(yaw_of(orientation))) <= 0.05
 
 
+@pytest.mark.parametrize('phase', range(12))
+@pytest.mark.parametrize('speed', [0.1, 0.15, 0.2, -0.2])
+def test_the_twist_of_odometry_is_as_smooth_as_its_pose(speed, phase):
+    """Also where a message falls on the moment in which the robot tips onto its rear caster.
+
+    Its wheels lose their grip for three steps then, and it is half as fast.
+    """
+    simulation = Simulation()
+    simulation.run(phase / STEP_RATE)
+    seen = simulation.drive(speed, 0.0, 1.0).odometry
+    ways = [after.position[0] - before.position[0] for before, after in zip(seen, seen[1:])]
+    assert [20.0 * way for way in ways] == pytest.approx(
+        [motion.linear[0] for motion in seen[1:]], abs=0.002)
+
+
 @pytest.mark.parametrize('turn_speed', [0.5, 1.5, -1.5])
 def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
     """0.3 % of the angle, and the middle between the wheels stays within 2 mm."""

@@ -5,7 +5,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.rotations import about_z, compose, inverse, rotate, yaw_of
+from sim_turtlebot.rotations import about_z, compose, inverse, mean_twist, rotate, yaw_of
 from tf import transformations
 
 angles = st.floats(-math.pi, math.pi)
@@ -52,3 +52,24 @@ def test_the_yaw_of_a_rotation_about_z_is_its_angle(yaw):
     """All the way round."""
     assert about_z(yaw) == close(transformations.quaternion_about_axis(yaw, (0, 0, 1)))
     assert math.remainder(yaw_of(about_z(yaw)) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-14)
+
+
+@given(rotations, st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi), st.sampled_from([1, -1]))
+def test_the_mean_twist_of_an_arc_is_the_one_that_was_driven(start, speed, turn_speed, sign):
+    """In whatever orientation, and whichever of its two quaternions is given."""
+    duration = 0.1
+    turned = compose(start, about_z(turn_speed * duration))
+    angle = turn_speed * duration
+    chord = speed * duration * (math.sin(angle / 2) / (angle / 2) if angle else 1.0)
+    end = rotate(compose(start, about_z(angle / 2)), (chord, 0.0, 0.0))
+    twist = mean_twist(((0.0, 0.0, 0.0), start), (end, tuple(sign * part for part in turned)),
+                       duration)
+    assert twist[0] == pytest.approx((speed, 0.0, 0.0), abs=1e-12)
+    assert twist[1] == pytest.approx((0.0, 0.0, turn_speed), abs=1e-12)
+
+
+@given(rotations, vectors)
+def test_between_a_pose_and_itself_there_is_no_motion(rotation, place):
+    """But for the last bits."""
+    twist = mean_twist((place, rotation), (place, rotation), 0.05)
+    assert [*twist[0], *twist[1]] == pytest.approx([0.0] * 6, abs=1e-12)

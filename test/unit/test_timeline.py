@@ -1,5 +1,6 @@
 """Simulated time: every message falls on a physics step, and no rounding adds up."""
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -11,18 +12,19 @@ DAY = 86400  # s
 
 odom_rates = st.one_of(
     st.floats(0.1, 1000), st.sampled_from([0.1, 1.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0]))
+clock_rates = st.one_of(st.just(0.0), st.floats(0.1, 1000))
 
 
-@pytest.mark.parametrize('odom_rate, step_rate, steps_per_clock, steps_per_odometry', [
-    (20.0, 240.0, 12, 12), (50.0, 250.0, 5, 5), (10.0, 240.0, 12, 24), (1.0, 240.0, 12, 240),
-    (1000.0, 1000.0, 1, 1), (0.1, 240.0, 12, 2400)])
+@pytest.mark.parametrize('odom_rate, step_rate, steps_per_odometry, ticks_per_odometry', [
+    (20.0, 240.0, 12, 1), (50.0, 250.0, 5, 1), (10.0, 240.0, 24, 2), (1.0, 240.0, 240, 20),
+    (1000.0, 1000.0, 1, 1), (0.1, 240.0, 2400, 200)])
 def test_the_physics_runs_at_240_hz_or_little_more(
-        odom_rate, step_rate, steps_per_clock, steps_per_odometry):
-    """As many whole steps as fit between two odometries, and between two ticks of the clock."""
+        odom_rate, step_rate, steps_per_odometry, ticks_per_odometry):
+    """As many whole steps as fit between two odometries, and a clock as coarse as can be."""
     timeline = Timeline(odom_rate)
     assert timeline.step_rate == pytest.approx(step_rate)
-    assert timeline.steps_per_clock == steps_per_clock
     assert timeline.steps_per_odometry == steps_per_odometry
+    assert timeline.ticks_per_odometry == ticks_per_odometry
 
 
 @given(odom_rates)
@@ -30,8 +32,40 @@ def test_physics_and_clock_are_fast_enough_for_any_odometry(odom_rate):
     """The clock ticks with each odometry, and between them if a controller needs it."""
     timeline = Timeline(odom_rate)
     assert timeline.step_rate >= 240 * (1 - 1e-9)
-    assert timeline.step_rate / timeline.steps_per_clock >= 20 * (1 - 1e-9)
-    assert timeline.steps_per_odometry % timeline.steps_per_clock == 0
+    assert odom_rate * timeline.ticks_per_odometry >= 20 * (1 - 1e-9)
+    assert timeline.steps_per_odometry % timeline.ticks_per_odometry == 0
+
+
+@given(odom_rates, clock_rates)
+def test_the_rate_of_the_clock_changes_nothing_else(odom_rate, clock_rate):
+    """Neither the physics nor a stamp of odometry, to the nanosecond."""
+    coarse, fine = Timeline(odom_rate), Timeline(odom_rate, clock_rate)
+    assert fine.step_rate == coarse.step_rate
+    assert times(fine, 3, 'odometry_is_due') == times(coarse, 3, 'odometry_is_due')
+
+
+@pytest.mark.parametrize('stride', [1, 5, math.inf])
+@pytest.mark.parametrize('odom_rate, clock_rate, expected', [
+    (20.0, 200.0, 200), (20.0, 1000.0, 1000), (20.0, 20.0, 20), (20.0, 50.0, 60), (30.0, 100.0, 120),
+    (1.0, 5.0, 5), (50.0, 200.0, 200), (1000.0, 1000.0, 1000)])
+def test_the_clock_ticks_as_often_as_asked_or_just_more(odom_rate, clock_rate, expected, stride):
+    """Evenly, however far the simulation goes at once."""
+    timeline = Timeline(odom_rate, clock_rate)
+    ticks = times(timeline, odom_rate, 'clock_is_due', stride)
+    assert len(ticks) == expected
+    assert ticks == [round(number * 1e9 / expected) for number in range(1, expected + 1)]
+
+
+def times(timeline, odometries, due, stride=1):
+    """Go on for so many odometry messages; return the times (ns) at which something was due."""
+    seen, last = [], 0
+    while timeline.odometry_count < odometries:
+        timeline.advance(timeline.steps + stride)
+        assert timeline.now > last, 'time has stood still'
+        last = timeline.now
+        if getattr(timeline, due):
+            seen.append(last)
+    return seen
 
 
 @given(odom_rates, st.integers(0, DAY))
@@ -58,7 +92,7 @@ def test_a_second_has_as_many_messages_as_promised(odom_rate, clock_rate):
     timeline = Timeline(float(odom_rate))
     clocks, odometries = 0, 0
     while timeline.now < 1e9:
-        timeline.steps += 1
+        timeline.advance(timeline.steps + 1)
         clocks += timeline.clock_is_due
         odometries += timeline.odometry_is_due
         assert timeline.clock_is_due or not timeline.odometry_is_due
@@ -68,23 +102,24 @@ def test_a_second_has_as_many_messages_as_promised(odom_rate, clock_rate):
 
 
 @pytest.mark.parametrize('odom_rate', [20.0, 50.0, 3.0, 1.0, 1000.0])
-def test_the_next_tick_of_the_clock_is_the_first_one_to_come(odom_rate):
-    """At a tick it is the one after it."""
-    timeline = Timeline(odom_rate)
-    for steps in range(100):
-        timeline.steps = steps
-        expected = timeline.next_clock
-        timeline.steps += 1
-        while not timeline.clock_is_due:
-            timeline.steps += 1
-        assert timeline.steps == expected
+def test_time_goes_from_tick_to_tick_or_to_the_last_step_before(odom_rate):
+    """Whichever comes first."""
+    timeline, stepped = Timeline(odom_rate), Timeline(odom_rate)
+    for _ in range(20):
+        timeline.advance()
+        stepped.advance(stepped.steps + 1)
+        while not stepped.clock_is_due:
+            assert stepped.now < timeline.now
+            stepped.advance(stepped.steps + 1)
+        assert stepped.now == timeline.now
 
 
 def test_time_starts_at_zero_and_can_start_again():
     """As after a reset of the simulation."""
     timeline = Timeline(20.0)
     assert (timeline.now, timeline.odometry_count) == (0, 0)
-    timeline.steps = 240
-    assert (timeline.now, timeline.odometry_count) == (10**9, 20)
-    timeline.steps = 0
+    timeline.advance(12)
+    assert (timeline.now, timeline.odometry_count) == (5 * 10**7, 1)
+    timeline.restart()
     assert (timeline.now, timeline.odometry_count) == (0, 0)
+    assert timeline.clock_is_due

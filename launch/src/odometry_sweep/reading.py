@@ -8,8 +8,8 @@ from sim_turtlebot.world_file import WorldFileError
 from odometry_sweep.tutorials import TUTORIALS
 
 # Of windows, wall time, messages that are late, and nodes that end.
-WITHOUT_MEANING = {'gui', 'robots', 'real_time_factor', 'lockstep_rate', 'lockstep_patience',
-                   '/use_sim_time', 'timeout', 'exit_when_done', 'tolerance'}
+WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep_rate',
+                   'lockstep_patience', '/use_sim_time', 'timeout', 'exit_when_done', 'tolerance'}
 
 
 def read(tutorial, values):

@@ -8,7 +8,7 @@ import rospy
 CLOSE_TIMEOUT = 0.5  # s, for a subscriber that has stopped reading
 
 
-def advertise(topic, message_class, queue_size=None):
+def advertise(topic, message_class, queue_size=None, subscriber_listener=None):
     """Return a rospy.Publisher that holds no message back.
 
     :param queue_size: None: publish() returns when the message has been written to every
@@ -16,11 +16,13 @@ def advertise(topic, message_class, queue_size=None):
         subscriber a third shorter. A subscriber that has stopped reading stops the publisher
         too, but only once its socket is full, with some 3 MB.
         A number: a queue per subscriber, which loses the oldest messages instead.
+    :param subscriber_listener: rospy.SubscribeListener, as for rospy.Publisher
     """
     with warnings.catch_warnings():
         # rospy takes a publisher without a queue for an oversight; here it may be meant.
         warnings.simplefilter('ignore', SyntaxWarning)
-        return rospy.Publisher(topic, message_class, tcp_nodelay=True, queue_size=queue_size)
+        return rospy.Publisher(topic, message_class, subscriber_listener, tcp_nodelay=True,
+                               queue_size=queue_size)
 
 
 class ClosingPublisher:

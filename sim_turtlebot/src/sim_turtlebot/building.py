@@ -8,7 +8,8 @@ def new_simulation(settings, client=None):
     """Return the Simulation for what read_settings() returns; `client` is as for its World."""
     return Simulation(side_by_side(settings.robots, settings.x, settings.y, settings.yaw),
                       lambda index: _new_odometry(settings, index), settings.odom_rate,
-                      settings.cmd_vel_timeout, settings.gui, settings.world, client)
+                      settings.cmd_vel_timeout, settings.gui, settings.world, client,
+                      settings.clock_rate)
 
 
 def _new_odometry(settings, index):

@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 
-from sim_turtlebot.rotations import about_z, compose, inverse, rotate, yaw_of
+from sim_turtlebot.rotations import about_z, compose, inverse, mean_twist, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
+LONGEST_MEAN = 0.1  # s; the mean velocity of a longer time says little of the present one
 
 
 class Motion(NamedTuple):
@@ -29,7 +30,12 @@ def true_motion(body):
 
 
 class WorldOdometry:
-    """The true motion, as a simulator's drive plugin reports it, from a start at zero."""
+    """The true motion, as a simulator's drive plugin reports it, from a start at zero.
+
+    The velocity is the mean since the last message, as a Kobuki's driver reports it. A robot that
+    tips onto its rear caster loses its grip for a hundredth of a second: its velocity at that very
+    moment may be half of what it is before and after.
+    """
 
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
@@ -38,15 +44,22 @@ class WorldOdometry:
         """Call this place zero; return the Motion in the odom frame."""
         self._origin = ground_truth.position[:2]
         self._to_odom = about_z(-yaw_of(ground_truth.orientation))
-        return self.update(ground_truth, None, 0.0)
+        self._last = ground_truth
+        return self._in_odom(ground_truth, ground_truth[2:])
 
-    def update(self, ground_truth, _read_angles, _duration):
-        """Return the Motion in the odom frame."""
+    def update(self, ground_truth, _read_angles, duration):
+        """Return the Motion in the odom frame, `duration` seconds after the last call."""
+        last, self._last = self._last, ground_truth
+        twist = ground_truth[2:]
+        if twist != (STILL, STILL) and duration <= LONGEST_MEAN:
+            twist = mean_twist(last[:2], ground_truth[:2], duration)
+        return self._in_odom(ground_truth, twist)
+
+    def _in_odom(self, ground_truth, twist):
         x, y, z = ground_truth.position
         from_origin = x - self._origin[0], y - self._origin[1], z
         return Motion(rotate(self._to_odom, from_origin),
-                      compose(self._to_odom, ground_truth.orientation),
-                      ground_truth.linear, ground_truth.angular)
+                      compose(self._to_odom, ground_truth.orientation), *twist)
 
 
 class EncoderOdometry:

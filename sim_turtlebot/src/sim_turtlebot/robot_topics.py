@@ -50,8 +50,9 @@ class RobotTopics:
             on_velocity(message.linear.x, message.angular.z)
 
         commands = f'{self._namespace}mobile_base/commands'
-        for topic in (f'{self._namespace}cmd_vel', f'{commands}/velocity'):
-            rospy.Subscriber(topic, Twist, on_twist, tcp_nodelay=True)
+        self.command_topics = [
+            rospy.Subscriber(topic, Twist, on_twist, tcp_nodelay=True).resolved_name
+            for topic in (f'{self._namespace}cmd_vel', f'{commands}/velocity')]
         rospy.Subscriber(f'{commands}/reset_odometry', Empty, lambda _: on_reset_odometry())
 
     def publish(self, stamp, number):

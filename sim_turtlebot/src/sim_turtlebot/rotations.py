@@ -1,4 +1,4 @@
-"""Rotations as unit quaternions (x, y, z, w).
+"""Rotations as unit quaternions (x, y, z, w), and the velocity between two poses.
 
 PyBullet's functions for these compute in single precision, which makes a robot far from the origin
 tremble by a millimetre; tf's import rospy, which the simulation does without.
@@ -36,3 +36,24 @@ def compose(outer, inner):
 def rotate(rotation, vector):
     """Return the vector (three numbers) turned by the rotation."""
     return compose(compose(rotation, (*vector, 0.0)), inverse(rotation))[:3]
+
+
+def mean_twist(before, after, duration):
+    """Return the constant velocity that leads from one pose to another in `duration` seconds.
+
+    Exact where the robot turns about an axis that is square to its way, as on a floor.
+
+    :param before, after: position (three numbers; m) and orientation, less than half a turn apart
+    :return: linear (m/s) and angular (rad/s) velocity in the robot's own frame, three of each
+    """
+    (start, orientation), (end, turned) = before, after
+    *axis, w = compose(inverse(orientation), turned)
+    if w < 0:
+        axis, w = [-part for part in axis], -w
+    sine = math.hypot(*axis)  # of half the angle
+    # An arc is longer than its chord, and an angle than its sine, by the same share.
+    scale = (math.asin(min(1.0, sine)) / sine if sine else 1.0) / duration
+    half = math.hypot(sine, 1 + w)
+    halfway = compose(orientation, (*(part / half for part in axis), (1 + w) / half))
+    way = rotate(inverse(halfway), tuple(b - a for a, b in zip(start, end)))
+    return tuple(scale * part for part in way), tuple(2 * scale * part for part in axis)

@@ -13,6 +13,9 @@ from odometry_common.parameters import (
     get_whole,
 )
 
+CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that
+MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
+
 
 def read_settings():
     """Return all parameters by their names; raise ParameterError for the first unusable one."""
@@ -26,6 +29,9 @@ def read_settings():
         yaw=get_number('~yaw', 0.0, lambda v: abs(v) <= 2 * math.pi, 'from -2 pi to 2 pi rad'),
         seed=get_whole('~seed', 0, -2**31, 2**31 - 1),
         odom_rate=odom_rate,
+        clock_rate=get_number(
+            '~clock_rate', 0.0, lambda v: v == 0 or odom_rate <= v <= 1000,
+            f'0 (by default) or from ~odom_rate ({odom_rate:g} Hz) to 1000 Hz'),
         odometry_source=get_choice('~odometry_source', 'world', ['world', 'encoder']),
         gyro=get_flag('~gyro', False),
         wheel_slip=get_number('~wheel_slip', 0.0, lambda v: 0 <= v < 1, 'from 0 to below 1'),
@@ -43,11 +49,23 @@ def read_settings():
             '~lockstep_patience', 2.0, lambda v: 0.1 <= v <= 3600, 'from 0.1 to 3600 s'),
         use_sim_time=get_flag('/use_sim_time', False))
     _check_wall_time(settings)
+    settings.clock_rate = settings.clock_rate or _default_clock_rate(settings)
     return settings
 
 
 def _get_coordinate(name):
     return get_number(name, 0.0, lambda v: abs(v) <= 1e4, 'from -10000 to 10000 m')
+
+
+def _default_clock_rate(settings):
+    """Return the rate (Hz) that a client needs for loops of its own; 0: the coarsest.
+
+    Where time is not paced, or not ours, more ticks would cost time and help nobody.
+    """
+    pace = settings.real_time_factor
+    if pace == 0 or settings.lockstep_rate or not settings.use_sim_time:
+        return 0.0
+    return min(CLOCK_RATE, MOST_TICKS / pace)
 
 
 def _check_wall_time(settings):

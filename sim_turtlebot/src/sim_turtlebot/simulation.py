@@ -17,7 +17,8 @@ class Simulation:
     """TurtleBots that share a world and a timeline."""
 
     def __init__(self, starts=(AT_ZERO,), new_odometry=lambda _: WorldOdometry(), odom_rate=20.0,
-                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file='', client=None):
+                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file='', client=None,
+                 clock_rate=0.0):
         """Put robots down.
 
         :param starts: x, y (m) and yaw (rad) of each robot
@@ -25,8 +26,9 @@ class Simulation:
         :param odom_rate: Hz
         :param cmd_vel_timeout: a robot stops when no command has come for this long (s); 0: never
         :param gui, world_file, client: as for sim_turtlebot.physics.World, and what it raises
+        :param clock_rate: as for sim_turtlebot.timeline.Timeline
         """
-        self.timeline = Timeline(odom_rate)
+        self.timeline = Timeline(odom_rate, clock_rate)
         step_rate = self.timeline.step_rate
         self.world = World(step_rate, gui, world_file, client)
         bodies = [self.world.add_turtlebot(*start) for start in starts]
@@ -53,15 +55,15 @@ class Simulation:
         timeline, robots, step = self.timeline, self.robots, self.world.step
         # A robot at rest is set in motion, and comes to rest, only where this begins or ends.
         moving = not self.everything_rests
-        end = min(timeline.next_clock, last_step)
-        steady = all(robot.is_steady_until(end) for robot in robots)
-        for now in range(timeline.steps, end):
+        begin = timeline.steps
+        timeline.advance(last_step)
+        steady = all(robot.is_steady_until(timeline.steps) for robot in robots)
+        for now in range(begin, timeline.steps):
             if not steady:
                 for robot in robots:
                     robot.before_step(now)
             if moving:
                 step()
-        timeline.steps = end
         if not timeline.odometry_is_due:
             return False
         for robot in robots:
@@ -70,7 +72,7 @@ class Simulation:
 
     def reset(self):
         """Take time and robots back to the start."""
-        self.timeline.steps = 0
+        self.timeline.restart()
         for robot in self.robots:
             robot.reset()
 

@@ -1,5 +1,6 @@
 """The topics of a simulation: the clock, the transforms, a warning, and those of each robot."""
 
+import queue
 from functools import partial
 
 import rospy
@@ -11,6 +12,28 @@ from tf2_msgs.msg import TFMessage
 from sim_turtlebot.robot_topics import RobotTopics
 
 QUEUE_SIZE = 10
+
+
+class _Newcomers(rospy.SubscribeListener):
+    """The subscribers of a topic that have come since its last message."""
+
+    def __init__(self):
+        """Begin with none."""
+        self._publishers = queue.SimpleQueue()
+
+    def peer_subscribe(self, _topic_name, _publish, publish_to_this_one):
+        """Note a subscriber; rospy calls this on a thread of its own."""
+        self._publishers.put(publish_to_this_one)
+
+    def publish(self, message):
+        """Send a message to them alone; afterwards there are none."""
+        while not self._publishers.empty():
+            self._publishers.get()(message)
+
+    def forget(self):
+        """Do without: a message to all follows."""
+        while not self._publishers.empty():
+            self._publishers.get()
 
 
 class SimulationTopics:
@@ -25,7 +48,8 @@ class SimulationTopics:
         # costs much time, so there is none where every microsecond counts.
         queue_size = QUEUE_SIZE if paced else None
         self._clock = advertise('/clock', Clock, queue_size) if self._use_sim_time else None
-        self._tf = advertise('/tf', TFMessage, queue_size)
+        self._newcomers = _Newcomers()
+        self._tf = advertise('/tf', TFMessage, queue_size, self._newcomers)
         self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
                         in zip(simulation.robots, _namespaces(settings.robots))]
         self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
@@ -43,13 +67,31 @@ class SimulationTopics:
 
     def publish_robots(self):
         """Publish where the robots are."""
-        stamp = self._stamp()
-        number = self._timeline.odometry_count
-        self._tf.publish(TFMessage([topics.publish(stamp, number) for topics in self._robots]))
+        transforms = self._publish_each()
+        self._newcomers.forget()
+        self._tf.publish(transforms)
+
+    def repeat(self):
+        """Publish time and robots once more; tf only for those who have not heard it.
+
+        tf warns of each transform that it knows already.
+        """
+        self.publish_clock()
+        self._newcomers.publish(self._publish_each())
+
+    @property
+    def command_topics(self):
+        """The topics on which the robots are commanded."""
+        return [topic for robot in self._robots for topic in robot.command_topics]
 
     def warn(self, text):
         """Publish a warning; an empty one takes it back."""
         self._warning.publish(text)
+
+    def _publish_each(self):
+        stamp = self._stamp()
+        number = self._timeline.odometry_count
+        return TFMessage([topics.publish(stamp, number) for topics in self._robots])
 
     def _stamp(self):
         if self._use_sim_time:

@@ -18,6 +18,8 @@ from sim_turtlebot.simulation_topics import SimulationTopics
 
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
 REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
+REMIND_PERIOD = 2.0  # s of wall time between two lines that say so
+NAMED = 4  # topics in such a line; more would not be read
 LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: no more to the repetitions will come
 
 
@@ -45,6 +47,7 @@ class Simulator:
         """Simulate until shutdown, or until the window is closed."""
         self._publish()
         self._pacer.restart(self._timeline.now)
+        self._reminded = time.monotonic()
         try:
             while not (self._stopping or rospy.is_shutdown()):
                 self._take_turn()
@@ -82,13 +85,24 @@ class Simulator:
         to the next odometry. Nothing in a Twist tells them apart; so wait until no more come.
         """
         if not self._requests.serve(REPEAT_PERIOD):
-            self._publish()
+            self._topics.repeat()
+        self._remind()
         if self._lockstep.started:
             patience = self._settings.lockstep_patience
             end = time.monotonic() + patience
             while not self._stopping and time.monotonic() < end:
                 if not self._requests.serve(LATE_SHARE * patience):
                     break
+
+    def _remind(self):
+        """Say from time to time what is waited for: a client cannot see why its sleep has no end."""
+        if time.monotonic() - self._reminded < REMIND_PERIOD or self._lockstep.started:
+            return
+        self._reminded = time.monotonic()
+        topics = self._topics.command_topics
+        more = f', ... ({len(topics)} topics)' if len(topics) > NAMED else ''
+        rospy.logwarn('lockstep: time stands still until there is a first command on '
+                      f'{", ".join(topics[:NAMED])}{more}')
 
     def _last_step(self):
         """Return the step at which the wall clock or the controllers matter again."""

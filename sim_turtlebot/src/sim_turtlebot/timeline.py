@@ -1,4 +1,4 @@
-"""Simulated time, counted in physics steps."""
+"""Simulated time, counted in physics steps and in ticks of the clock."""
 
 import math
 
@@ -7,45 +7,65 @@ MIN_CLOCK_RATE = 20  # Hz; a controller at 10 Hz needs a clock that is finer tha
 
 
 class Timeline:
-    """Counts physics steps; every odometry message and every clock tick falls on a step.
+    """Counts physics steps and ticks of the clock, which may fall between two steps.
 
-    Times are integer nanoseconds computed from the count, so that no rounding adds up.
+    Every odometry message falls on a step and on a tick. Times are integer nanoseconds computed
+    from the counts, so that no rounding adds up. What the physics does, and when odometry is due,
+    depends on the rate of the odometry alone.
     """
 
-    def __init__(self, odom_rate):
-        """Divide the time between two odometry messages (rate in Hz)."""
+    def __init__(self, odom_rate, clock_rate=0.0):
+        """Divide the time between two odometry messages.
+
+        :param odom_rate: odometry messages per second (Hz)
+        :param clock_rate: ticks of the clock per second (Hz), or as few more as divide the time
+            between two odometry messages evenly
+        """
         self.odom_rate = odom_rate
-        clock_ticks = math.ceil(MIN_CLOCK_RATE / odom_rate)
-        self.steps_per_clock = math.ceil(MIN_STEP_RATE / (odom_rate * clock_ticks))
-        self.steps_per_odometry = self.steps_per_clock * clock_ticks
+        coarsest = math.ceil(MIN_CLOCK_RATE / odom_rate)
+        self.steps_per_odometry = coarsest * math.ceil(MIN_STEP_RATE / (odom_rate * coarsest))
+        self.ticks_per_odometry = math.ceil(clock_rate / odom_rate - 1e-9) or coarsest
         self.step_rate = odom_rate * self.steps_per_odometry
-        self.steps = 0
+        self.restart()
+
+    def restart(self):
+        """Go back to time zero."""
+        self.steps = self.ticks = 0
+
+    def advance(self, last_step=math.inf):
+        """Go to the next tick of the clock, or to `last_step` if that is earlier."""
+        next_tick = (self.ticks + 1) * self.steps_per_odometry
+        if next_tick <= last_step * self.ticks_per_odometry:
+            self.ticks += 1
+            self.steps = next_tick // self.ticks_per_odometry
+        else:
+            self.steps = last_step
 
     @property
     def now(self):
         """Simulated time (ns)."""
-        return self.time_of(self.steps)
+        return self.time_of(max(self.steps, self._tick))
 
     def time_of(self, steps):
         """Return the simulated time (ns) after so many steps."""
         return round(steps * 1e9 / self.step_rate)
 
     @property
-    def next_clock(self):
-        """The step of the next tick of the clock."""
-        return self.steps - self.steps % self.steps_per_clock + self.steps_per_clock
-
-    @property
     def clock_is_due(self):
-        """Whether this step is a tick of the clock."""
-        return self.steps % self.steps_per_clock == 0
+        """Whether the clock ticks now."""
+        return self._tick >= self.steps
 
     @property
     def odometry_is_due(self):
-        """Whether this step is one with odometry."""
-        return self.steps % self.steps_per_odometry == 0
+        """Whether there is odometry now."""
+        return self.clock_is_due and self.ticks % self.ticks_per_odometry == 0
 
     @property
     def odometry_count(self):
-        """How many odometry messages there have been before this step."""
+        """How many odometry messages there have been before this time."""
         return self.steps // self.steps_per_odometry
+
+    @property
+    def _tick(self):
+        """The time of the last tick, in steps; exact where it falls on a step."""
+        return self.ticks * self.steps_per_odometry / self.ticks_per_odometry
