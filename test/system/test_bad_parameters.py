@@ -81,6 +81,7 @@ TABLE = [
     Parameter(SIMULATOR, 'wheel_slip', [*NOT_NUMBERS, '-0.1', '1']),
     Parameter(SIMULATOR, 'wheel_noise', [*NOT_NUMBERS, '-0.1', '10']),
     Parameter(SIMULATOR, 'gyro_noise', [*NOT_NUMBERS, '-0.1', '10']),
+    Parameter(SIMULATOR, 'gyro_drift', [*NOT_NUMBERS, '-1.1', '10']),
     Parameter(SIMULATOR, 'seed', [*NOT_NUMBERS, '0.5', '1e12']),
     Parameter(SIMULATOR, 'cmd_vel_timeout', [*NOT_NUMBERS, '-1', '1e6']),
     Parameter(SIMULATOR, 'real_time_factor', [*NOT_NUMBERS, '-1', '1e-6', '2']),

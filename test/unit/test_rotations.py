@@ -5,7 +5,15 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.rotations import about_z, compose, inverse, rotate, yaw_of
+from sim_turtlebot.rotations import (
+    about,
+    about_z,
+    compose,
+    from_rpy,
+    inverse,
+    rotate,
+    yaw_of,
+)
 from tf import transformations
 
 angles = st.floats(-math.pi, math.pi)
@@ -52,3 +60,17 @@ def test_the_yaw_of_a_rotation_about_z_is_its_angle(yaw):
     """All the way round."""
     assert about_z(yaw) == close(transformations.quaternion_about_axis(yaw, (0, 0, 1)))
     assert math.remainder(yaw_of(about_z(yaw)) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-14)
+
+
+@given(st.sampled_from([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0.0, -0.8)]), angles)
+def test_a_rotation_about_an_axis_is_that_of_tf(axis, angle):
+    """Also about one that is askew."""
+    assert about(axis, angle) == close(transformations.quaternion_about_axis(angle, axis))
+
+
+@given(angles, angles, angles)
+def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
+    """About the fixed axes, roll first."""
+    expected = transformations.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
+    for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
+        assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)

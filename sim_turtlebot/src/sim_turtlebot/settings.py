@@ -27,10 +27,12 @@ def read_settings():
         seed=get_whole('~seed', 0, -2**31, 2**31 - 1),
         odom_rate=odom_rate,
         odometry_source=get_choice('~odometry_source', 'world', ['world', 'encoder']),
-        gyro=get_flag('~gyro', False),
+        gyro=get_flag('~gyro', True),
         wheel_slip=get_number('~wheel_slip', 0.0, lambda v: 0 <= v < 1, 'from 0 to below 1'),
         wheel_noise=get_number('~wheel_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m'),
         gyro_noise=get_number('~gyro_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 rad'),
+        gyro_drift=get_number(
+            '~gyro_drift', 0.0, lambda v: abs(v) <= 1, 'from -1 to 1 rad/s'),
         cmd_vel_timeout=get_number(
             '~cmd_vel_timeout', CMD_VEL_TIMEOUT, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'),
         real_time_factor=get_number(
