@@ -13,7 +13,7 @@ DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-ros
 COMPILER_PARTS=(python3-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
-RVIZ_PARTS=(ros-robot-state-publisher rviz)
+RVIZ_PARTS=(rviz)
 
 # set_up COMMAND ARGUMENT...: make everything ready for a command in the workspace.
 set_up() {
@@ -36,7 +36,7 @@ choose_parts() {
     PARTS=("${PYTHON_PARTS[@]}" "${DEBIAN_PARTS[@]}")
     case $ROS in
         "$USR") ;;
-        "$OPT"/*) PARTS=() RVIZ_PARTS=("ros-${ROS##*/}-"{robot-state-publisher,rviz}) ;;
+        "$OPT"/*) PARTS=() RVIZ_PARTS=("ros-${ROS##*/}-rviz") ;;
         *) PARTS=() RVIZ_PARTS=() ;;
     esac
 }

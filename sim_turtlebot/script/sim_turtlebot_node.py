@@ -4,13 +4,19 @@
 Subscribes:
     cmd_vel, mobile_base/commands/velocity (geometry_msgs/Twist): linear.x up to 0.7 m/s,
         angular.z up to 180 degrees/s; the rest is ignored
+    cmd_vel_mux/input/teleop, cmd_vel_mux/input/navi (geometry_msgs/Twist): the same by way of a
+        TurtleBot 2's multiplexer: nothing comes through navi while teleop speaks, and for one
+        second after
     mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
     base_pose_ground_truth (nav_msgs/Odometry): where the robot really is, in the frame world
     joint_states (sensor_msgs/JointState): both wheels
-    /tf (tf2_msgs/TFMessage): odom -> base_footprint
+    mobile_base/sensors/imu_data (sensor_msgs/Imu): the gyro's heading, zero where odom is, and
+        its rate, in the frame gyro_link
+    /tf (tf2_msgs/TFMessage): odom -> base_footprint, base_link -> wheels
+    /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
     ~warning (std_msgs/String): latched; that the machine is too slow for the real-time factor,
         and which one it reaches; empty otherwise
@@ -32,13 +38,14 @@ Parameters:
         but about 1000 per second of wall time at most, and one with each odometry in lockstep and unpaced
     ~odometry_source (str, world, world or encoder): world is the true pose, encoder counts
         wheel ticks
-    ~gyro (bool, false): encoder: take the yaw from a gyro
+    ~gyro (bool, true): encoder: take the yaw from the gyro, as a Kobuki does, not from the wheels
     ~wheel_slip (float, 0.0, from 0 to below 1): encoder: share of the wheels' travel that moves
         nothing
     ~wheel_noise (float, 0.0 m, from 0 to 1): encoder: standard deviation of a wheel's travel
         after one metre
-    ~gyro_noise (float, 0.0 rad, from 0 to 1): encoder: standard deviation of the gyro's yaw
-        after one second
+    ~gyro_noise (float, 0.0 rad, from 0 to 1): standard deviation of the gyro's yaw after one
+        second
+    ~gyro_drift (float, 0.0 rad/s, from -1 to 1): bias of the gyro, also at rest
     ~seed (int, 0, from -2147483648 to 2147483647): for the noise
     ~cmd_vel_timeout (float, 0.6 s, from 0 to 3600): stop when commands cease for this long; 0
         turns it off

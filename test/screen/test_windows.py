@@ -8,7 +8,8 @@ import rosnode
 from odometry_tests.processes import Process
 from odometry_tests.screen import Screen
 from odometry_tests.tutorial import Truth
-from odometry_tests.waiting import wait_until
+from odometry_tests.waiting import Recorder, wait_until
+from tf2_msgs.msg import TFMessage
 
 DEAD_CONNECTION_TIMEOUT = 20.0  # s
 
@@ -36,14 +37,21 @@ def wait_for_robot(screen):
 
 
 def test_rviz_shows_the_robot_and_ends_cleanly(screen):
-    """With our configuration: robot model, odometry, truth, and no complaint."""
+    """With our configuration: robot model, odometry, truth; each frame comes from one node."""
     if subprocess.run(['rospack', 'find', 'rviz'], capture_output=True, check=False).returncode:
         pytest.skip('rviz is not installed')
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', 'rviz:=true') as launch:
+        recorders = [Recorder(topic, TFMessage) for topic in ('/tf', '/tf_static')]
         Truth().wait_until_moving(40.0)
         wait_for_robot(screen)
+        senders = {(frame.child_frame_id, message._connection_header['callerid'])
+                   for recorder in recorders for message in recorder.messages
+                   for frame in message.transforms}
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
+    frames = [frame for frame, _ in senders]
+    assert {'odom', 'base_link', 'wheel_left_link'} <= set(frames)
+    assert len(frames) == len(set(frames)), senders
 
 
 def test_the_window_of_the_physics_shows_the_robot(screen):

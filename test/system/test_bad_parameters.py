@@ -22,7 +22,7 @@ EXIT_BAD_PARAMETER = 2
 # What the line that refuses a value says beside the range: the unit, what 0 does.
 BESIDE_THE_RANGE = re.compile(
     r'^(a (?=finite)|a (speed|gain) in \S+ |a (whole )?number (of metres )?|a text|true or false)'
-    r'| number of degrees$| \([^)]*\)|, \S+ Hz$| (m|s|Hz|rad|degrees)\b')
+    r'| number of degrees$| \([^)]*\)|, \S+ Hz$| (m|s|Hz|rad/s|rad|degrees)\b')
 NOT_NUMBERS = ['abc', "''", '[1, 2]', '{a: 1}', 'true', '.nan', 'nan', '.inf', '-.inf',
                '99999999999', '', '[', '2026-01-01']
 NOT_FLAGS = ['abc', "''", '[true]', '{a: true}', '1', '0.5', '.nan', '']
@@ -82,6 +82,7 @@ TABLE = [
     Parameter(SIMULATOR, 'wheel_slip', [*NOT_NUMBERS, '-0.1', '1']),
     Parameter(SIMULATOR, 'wheel_noise', [*NOT_NUMBERS, '-0.1', '10']),
     Parameter(SIMULATOR, 'gyro_noise', [*NOT_NUMBERS, '-0.1', '10']),
+    Parameter(SIMULATOR, 'gyro_drift', [*NOT_NUMBERS, '-1.1', '10']),
     Parameter(SIMULATOR, 'seed', [*NOT_NUMBERS, '0.5', '1e12']),
     Parameter(SIMULATOR, 'cmd_vel_timeout', [*NOT_NUMBERS, '-1', '1e6']),
     Parameter(SIMULATOR, 'real_time_factor', [*NOT_NUMBERS, '-1', '1e-6', '2']),

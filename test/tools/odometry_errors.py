@@ -17,8 +17,10 @@ TEN_TURNS = 0.0, 0.5, 20 * math.pi / 0.5
 REST = 1.0  # s
 # Two degrees a minute: a Kobuki's gyro at its worst, as its maintainer says.
 WORST_GYRO = round(math.radians(2.0) / math.sqrt(60.0), 4)
-CASES = [{}, {'gyro': 'true'}, {'gyro': 'true', 'wheel_slip': 0.01}, {'wheel_noise': 0.005},
-         {'gyro': 'true', 'wheel_noise': 0.005}, {'gyro': 'true', 'gyro_noise': WORST_GYRO}]
+WORST_DRIFT = round(math.radians(2.0) / 60.0, 5)
+CASES = [{}, {'gyro': False}, {'wheel_slip': 0.01}, {'wheel_noise': 0.005},
+         {'gyro': False, 'wheel_noise': 0.005}, {'gyro_noise': WORST_GYRO},
+         {'gyro_drift': WORST_DRIFT}]
 
 
 class Tape:
@@ -48,7 +50,7 @@ def main():
     for case in CASES:
         errors = [(*count(straight, case, seed), count(turning, case, seed)[1])
                   for seed in range(SEEDS)]
-        parameters = ' '.join(f'`_{name}:={value}`' for name, value in case.items())
+        parameters = ' '.join(f'`_{name}:={str(value).lower()}`' for name, value in case.items())
         print('|', ' | '.join([parameters, *map(in_words, zip(*errors))]), '|')
 
 

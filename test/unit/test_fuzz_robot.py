@@ -26,9 +26,9 @@ STEPS = 15  # events in a sequence
 
 SOURCES = {
     'world': WorldOdometry,
-    'encoder': EncoderOdometry,
-    'gyro': lambda: EncoderOdometry(gyro=True),
-    'noisy': lambda: EncoderOdometry(True, wheel_slip=0.05, wheel_noise=0.02, gyro_noise=0.02),
+    'encoder': lambda: EncoderOdometry(gyro=False),
+    'gyro': EncoderOdometry,
+    'noisy': lambda: EncoderOdometry(wheel_slip=0.05, wheel_noise=0.02, gyro_noise=0.02),
 }
 
 yaws = st.floats(-math.pi, math.pi)

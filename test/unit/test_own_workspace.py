@@ -8,9 +8,8 @@ from odometry_tests.scripts import ROOT
 PAGE = (ROOT / 'docs' / 'workspace.md').read_text()
 MANIFESTS = [*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')]
 # Where Debian's name is not python3- and the key's.
-DEBIAN = {'catkin': ['catkin'], 'robot_state_publisher': ['ros-robot-state-publisher'],
-          'rosbash': ['rosbash'], 'rostest': ['python3-rostest', 'librostest-dev'],
-          'rviz': ['rviz']}
+DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
+          'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
 TO_BUILD = {'g++', 'git', 'make', 'python3-dev', 'python3-venv', 'ros-environment'}
 FOR_A_WINDOW = {'libgl1', 'libx11-6'}
 

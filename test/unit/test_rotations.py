@@ -5,7 +5,16 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.rotations import about_z, compose, inverse, mean_twist, rotate, yaw_of
+from sim_turtlebot.rotations import (
+    about,
+    about_z,
+    compose,
+    from_rpy,
+    inverse,
+    mean_twist,
+    rotate,
+    yaw_of,
+)
 from tf import transformations
 
 angles = st.floats(-math.pi, math.pi)
@@ -73,3 +82,17 @@ def test_between_a_pose_and_itself_there_is_no_motion(rotation, place):
     """But for the last bits."""
     twist = mean_twist((place, rotation), (place, rotation), 0.05)
     assert [*twist[0], *twist[1]] == pytest.approx([0.0] * 6, abs=1e-12)
+
+
+@given(st.sampled_from([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0.0, -0.8)]), angles)
+def test_a_rotation_about_an_axis_is_that_of_tf(axis, angle):
+    """Also about one that is askew."""
+    assert about(axis, angle) == close(transformations.quaternion_about_axis(angle, axis))
+
+
+@given(angles, angles, angles)
+def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
+    """About the fixed axes, roll first."""
+    expected = transformations.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
+    for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
+        assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)

@@ -38,6 +38,8 @@ def load_links(path):
     for element in root.findall('link'):
         name = element.get('name')
         joint = joints.get(name)
+        if joint is not None and element.find('visual') is None:
+            continue  # nothing to be seen: a frame for tf
         parent = '' if joint is None else paths[joint.find('parent').get('link')]
         paths[name] = f'{parent}/{name}'
         links.append(_link(paths[name], joint, _meshes(element, colours)))

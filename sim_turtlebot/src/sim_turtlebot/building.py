@@ -13,7 +13,7 @@ def new_simulation(settings, client=None):
 
 
 def _new_odometry(settings, index):
+    errors_of_gyro = settings.gyro_noise, settings.gyro_drift, settings.seed + index
     if settings.odometry_source == 'world':
-        return WorldOdometry()
-    return EncoderOdometry(settings.gyro, settings.wheel_slip, settings.wheel_noise,
-                           settings.gyro_noise, seed=settings.seed + index)
+        return WorldOdometry(*errors_of_gyro)
+    return EncoderOdometry(settings.gyro, settings.wheel_slip, settings.wheel_noise, *errors_of_gyro)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 
+from sim_turtlebot.gyro import Gyro
 from sim_turtlebot.rotations import about_z, compose, inverse, mean_twist, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
@@ -40,15 +41,21 @@ class WorldOdometry:
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
 
+    def __init__(self, gyro_noise=0.0, gyro_drift=0.0, seed=0):
+        """Choose the errors of the Gyro, which do not concern the odometry."""
+        self.gyro = Gyro(gyro_noise, gyro_drift, random.Random(seed))
+
     def reset(self, ground_truth, _wheel_angles=None):
         """Call this place zero; return the Motion in the odom frame."""
         self._origin = ground_truth.position[:2]
         self._to_odom = about_z(-yaw_of(ground_truth.orientation))
         self._last = ground_truth
+        self.gyro.reset(ground_truth.orientation)
         return self._in_odom(ground_truth, ground_truth[2:])
 
     def update(self, ground_truth, _read_angles, duration):
         """Return the Motion in the odom frame, `duration` seconds after the last call."""
+        self.gyro.update(ground_truth.orientation, duration)
         last, self._last = self._last, ground_truth
         twist = ground_truth[2:]
         if twist != (STILL, STILL) and duration <= LONGEST_MEAN:
@@ -65,20 +72,22 @@ class WorldOdometry:
 class EncoderOdometry:
     """Dead reckoning from wheel ticks, with the errors of a real base."""
 
-    def __init__(self, gyro=False, wheel_slip=0.0, wheel_noise=0.0, gyro_noise=0.0, seed=0):
+    def __init__(self, gyro=True, wheel_slip=0.0, wheel_noise=0.0, gyro_noise=0.0, gyro_drift=0.0,
+                 seed=0):
         """Choose the errors; all are off by default.
 
-        :param gyro: take the yaw from the gyro instead of from the wheels
+        :param gyro: take the yaw from the gyro, as kobuki_node's use_imu_heading does by default;
+            else from the wheels
         :param wheel_slip: share of each wheel's travel that does not move the robot
         :param wheel_noise: standard deviation of a wheel's travel after one metre (m);
             it grows with the square root of the travel
-        :param gyro_noise: angle random walk of the gyro (rad after one second)
+        :param gyro_noise, gyro_drift: as for a Gyro
         """
-        self._gyro = gyro
+        self._use_gyro = gyro
         self._grip = 1.0 / (1.0 - wheel_slip)
         self._wheel_noise = wheel_noise
-        self._gyro_noise = gyro_noise
         self._rng = random.Random(seed)
+        self.gyro = Gyro(gyro_noise, gyro_drift, self._rng)
         # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if gyro else 0.2)
 
@@ -90,7 +99,7 @@ class EncoderOdometry:
         self._x = self._y = self._yaw = 0.0
         if wheel_angles:
             self._ticks = [_ticks(angle) for angle in wheel_angles]
-        self._true_yaw = yaw_of(ground_truth.orientation)
+        self.gyro.reset(ground_truth.orientation)
         return Motion((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), STILL, STILL)
 
     def update(self, ground_truth, read_angles, duration):
@@ -99,8 +108,8 @@ class EncoderOdometry:
         :param read_angles: function that returns the angles (rad) of the left and right wheel
         """
         left, right = self._wheel_travel(read_angles())
-        rotation = self._gyro_rotation(ground_truth, duration)
-        if not self._gyro:
+        rotation = self.gyro.update(ground_truth.orientation, duration)
+        if not self._use_gyro:
             rotation = (right - left) / WHEEL_SEPARATION
         travel = (left + right) / 2
         self._x += travel * math.cos(self._yaw + rotation / 2)
@@ -117,12 +126,6 @@ class EncoderOdometry:
         return [self._grip * travel
                 + self._rng.gauss(0.0, self._wheel_noise * math.sqrt(abs(travel)))
                 for travel in travels]
-
-    def _gyro_rotation(self, ground_truth, duration):
-        yaw = yaw_of(ground_truth.orientation)
-        rotation = math.remainder(yaw - self._true_yaw, 2 * math.pi)
-        self._true_yaw = yaw
-        return rotation + self._rng.gauss(0.0, self._gyro_noise * math.sqrt(duration))
 
 
 def _ticks(angle):

@@ -4,11 +4,12 @@ The solver and its settings were chosen by measurement; the study is in docs/sim
 """
 
 import contextlib
+import os
 from functools import partial
-from pathlib import Path
 
 from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_SEPARATION, WHEEL_TORQUE
 
+from sim_turtlebot.description import URDF, without_frames
 from sim_turtlebot.native_output import suppress_native_output
 from sim_turtlebot.window import Window, screen
 from sim_turtlebot.world_file import WorldFileError, check_world_file, load
@@ -17,11 +18,6 @@ with suppress_native_output():
     import pybullet
     from pybullet_utils.bullet_client import BulletClient
 
-# In the source folder, or below the prefix of an installed package.
-URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
-            for folder in (Path(__file__).parents[2],
-                           Path(__file__).parents[4] / 'share/sim_turtlebot')
-            if (folder / 'urdf').is_dir())
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
@@ -127,8 +123,8 @@ class TurtleBot:
         """Load the robot; use World.add_turtlebot()."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
-        with suppress_native_output():
-            self._body = client.loadURDF(str(URDF), *self._start, flags=flags)
+        with _in_memory(without_frames(URDF.read_text())) as path, suppress_native_output():
+            self._body = client.loadURDF(path, *self._start, flags=flags)
         # The footprint is PyBullet's base link: its pose is the robot's without conversion.
         client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,
                               localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
@@ -188,3 +184,12 @@ class TurtleBot:
         """Keep the height at which the robot has settled, at its exact start."""
         self._settled_height = self.pose()[0][2]
         self.place_at_start()
+
+
+@contextlib.contextmanager
+def _in_memory(text):
+    """Yield the path of a file with this text that is on no disk: one may be full, or read-only."""
+    with open(os.memfd_create('turtlebot2.urdf'), 'w', encoding='utf-8') as file:
+        file.write(text)
+        file.flush()
+        yield f'/proc/self/fd/{file.fileno()}'

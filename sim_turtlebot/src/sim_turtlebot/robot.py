@@ -43,6 +43,11 @@ class Robot:
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         return self._anchor[1] if self._anchor else self.body.wheels()
 
+    @property
+    def gyro(self):
+        """The sim_turtlebot.gyro.Gyro, as it was at the last odometry."""
+        return self._odometry.gyro
+
     def command(self, linear, angular, now):
         """Move at `linear` m/s and `angular` rad/s, or as fast as the robot can.
 

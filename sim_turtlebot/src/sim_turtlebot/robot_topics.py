@@ -7,6 +7,10 @@ from odometry_common.publishing import advertise
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Empty
 
+from sim_turtlebot.imu_topic import ImuTopic
+from sim_turtlebot.link_frames import LinkFrames
+from sim_turtlebot.velocity_mux import INPUTS
+
 WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
 
 
@@ -38,22 +42,31 @@ class RobotTopics:
         self._joints = JointState(name=WHEEL_JOINTS)
         self._transform = TransformStamped(child_frame_id=self._odometry.child_frame_id)
         self._transform.header.frame_id = self._odometry.header.frame_id
+        self._links = LinkFrames(namespace)
         self._publishers = [
             (self._odometry, advertise(f'{namespace}odom', Odometry, queue_size)),
             (self._ground_truth,
              advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size))]
         self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
+        self._imu = ImuTopic(robot.gyro, namespace, queue_size)
 
     def subscribe(self, on_velocity, on_reset_odometry):
-        """Listen for commands: on_velocity(linear, angular) in m/s and rad/s, and resets."""
-        def on_twist(message):
-            on_velocity(message.linear.x, message.angular.z)
+        """Listen for commands and resets.
 
-        commands = f'{self._namespace}mobile_base/commands'
+        :param on_velocity: function of linear (m/s) and angular (rad/s) velocity, and of the input
+            of the multiplexer that they came through; None if they bypass it
+        """
+        def on_twist(message, mux_input):
+            on_velocity(message.linear.x, message.angular.z, mux_input)
+
+        inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
+                  **{name: name for name in INPUTS}}
         self.command_topics = [
-            rospy.Subscriber(topic, Twist, on_twist, tcp_nodelay=True).resolved_name
-            for topic in (f'{self._namespace}cmd_vel', f'{commands}/velocity')]
-        rospy.Subscriber(f'{commands}/reset_odometry', Empty, lambda _: on_reset_odometry())
+            rospy.Subscriber(f'{self._namespace}{topic}', Twist, on_twist, mux_input,
+                             tcp_nodelay=True).resolved_name
+            for topic, mux_input in inputs.items()]
+        rospy.Subscriber(f'{self._namespace}mobile_base/commands/reset_odometry', Empty,
+                         lambda _: on_reset_odometry())
 
     def publish(self, stamp, number):
         """Publish the robot's state; return the transform from odom to base_footprint.
@@ -74,7 +87,16 @@ class RobotTopics:
             joints = self._joints
             joints.position, joints.velocity, joints.effort = self._robot.wheels
             _publish(self._joint_publisher, joints, stamp, number)
+        self._imu.publish(stamp)
         return self._transform
+
+    def fixed_frames(self, stamp):
+        """Return the transforms from base_footprint to all links but the wheels."""
+        return self._links.fixed(stamp)
+
+    def wheel_frames(self, stamp):
+        """Return the transforms from base_link to the wheels."""
+        return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
 
 
 def _publish(publisher, message, stamp, number):

@@ -12,6 +12,17 @@ def about_z(yaw):
     return 0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)
 
 
+def about(axis, angle):
+    """Return the rotation by an angle (rad) about an axis (three numbers of length 1)."""
+    x, y, z = (math.sin(angle / 2) * part for part in axis)
+    return x, y, z, math.cos(angle / 2)
+
+
+def from_rpy(roll, pitch, yaw):
+    """Return the rotation by a URDF's roll, pitch and yaw (rad), about fixed axes x, y and z."""
+    return compose(about_z(yaw), compose(about((0, 1, 0), pitch), about((1, 0, 0), roll)))
+
+
 def yaw_of(rotation):
     """Return the yaw (rad), from -pi to pi."""
     x, y, z, w = rotation

@@ -33,10 +33,12 @@ def read_settings():
             '~clock_rate', 0.0, lambda v: v == 0 or odom_rate <= v <= 1000,
             f'0 (by default) or from ~odom_rate ({odom_rate:g} Hz) to 1000 Hz'),
         odometry_source=get_choice('~odometry_source', 'world', ['world', 'encoder']),
-        gyro=get_flag('~gyro', False),
+        gyro=get_flag('~gyro', True),
         wheel_slip=get_number('~wheel_slip', 0.0, lambda v: 0 <= v < 1, 'from 0 to below 1'),
         wheel_noise=get_number('~wheel_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m'),
         gyro_noise=get_number('~gyro_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 rad'),
+        gyro_drift=get_number(
+            '~gyro_drift', 0.0, lambda v: abs(v) <= 1, 'from -1 to 1 rad/s'),
         cmd_vel_timeout=get_number(
             '~cmd_vel_timeout', CMD_VEL_TIMEOUT, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'),
         real_time_factor=get_number(

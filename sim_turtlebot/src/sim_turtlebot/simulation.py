@@ -8,6 +8,7 @@ from sim_turtlebot.odometry import WorldOdometry
 from sim_turtlebot.physics import World
 from sim_turtlebot.robot import Robot
 from sim_turtlebot.timeline import Timeline
+from sim_turtlebot.velocity_mux import VelocityMux
 
 SPACING = 1.0  # m, from one robot's start to that of the next on its left
 AT_ZERO = (0.0, 0.0, 0.0)
@@ -35,15 +36,21 @@ class Simulation:
         self.world.settle()
         self.robots = [Robot(body, step_rate, new_odometry(index), cmd_vel_timeout)
                        for index, body in enumerate(bodies)]
+        self._muxes = [VelocityMux() for _ in bodies]
 
     @property
     def everything_rests(self):
         """Whether nothing can move before the next command."""
         return self.world.only_robots_move and all(robot.resting for robot in self.robots)
 
-    def command(self, linear, angular, robot=0):
-        """Command a robot (an index), as Robot.command() does."""
-        self.robots[robot].command(linear, angular, self.timeline.steps)
+    def command(self, linear, angular, robot=0, mux_input=None):
+        """Command a robot (an index), as Robot.command() does.
+
+        :param mux_input: the input of its multiplexer that the command comes through; None: it
+            goes to the base directly
+        """
+        if mux_input is None or self._muxes[robot].passes(mux_input, self.timeline.now):
+            self.robots[robot].command(linear, angular, self.timeline.steps)
 
     def advance(self, last_step=math.inf):
         """Step to the next tick of the clock, but not past `last_step`.
@@ -73,8 +80,9 @@ class Simulation:
     def reset(self):
         """Take time and robots back to the start."""
         self.timeline.restart()
-        for robot in self.robots:
+        for robot, mux in zip(self.robots, self._muxes):
             robot.reset()
+            mux.restart()
 
 
 def side_by_side(robots, x=0.0, y=0.0, yaw=0.0):

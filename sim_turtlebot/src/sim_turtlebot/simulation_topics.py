@@ -52,11 +52,18 @@ class SimulationTopics:
         self._tf = advertise('/tf', TFMessage, queue_size, self._newcomers)
         self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
                         in zip(simulation.robots, _namespaces(settings.robots))]
+        self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
+        self._tf_static.publish(TFMessage(
+            [frame for topics in self._robots for frame in topics.fixed_frames(self._stamp())]))
         self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
         self.warn('')
 
     def subscribe(self, on_velocity, on_reset_odometry):
-        """Listen for on_velocity(robot, linear, angular), an index, m/s, rad/s, and for resets."""
+        """Listen for commands and resets.
+
+        :param on_velocity: function of a robot (an index), and of what RobotTopics.subscribe() says
+        :param on_reset_odometry: function of a robot (an index)
+        """
         for index, topics in enumerate(self._robots):
             topics.subscribe(partial(on_velocity, index), partial(on_reset_odometry, index))
 
@@ -91,7 +98,12 @@ class SimulationTopics:
     def _publish_each(self):
         stamp = self._stamp()
         number = self._timeline.odometry_count
-        return TFMessage([topics.publish(stamp, number) for topics in self._robots])
+        frames = [topics.publish(stamp, number) for topics in self._robots]
+        # To ask for the wheels costs as much as a physics step.
+        if self._tf.get_num_connections():
+            for topics in self._robots:
+                frames += topics.wheel_frames(stamp)
+        return TFMessage(frames)
 
     def _stamp(self):
         if self._use_sim_time:

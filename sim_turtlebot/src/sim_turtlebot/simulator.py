@@ -143,11 +143,12 @@ class Simulator:
         self._requests.put_and_wait(action)
         return EmptyResponse()
 
-    def _command(self, index, linear, angular):
+    def _command(self, index, linear, angular, mux_input):
+        # A command that the multiplexer does not pass on is its controller's answer too.
         if self._lockstep:
             self._lockstep.heard(index)
         try:
-            self._simulation.command(linear, angular, index)
+            self._simulation.command(linear, angular, index, mux_input)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
 

@@ -24,6 +24,8 @@ class Robot:
         self.joints = Recorder(f'{self._namespace}joint_states', JointState)
         self._velocity = self._publisher('cmd_vel', Twist)
         self._base_velocity = self._publisher('mobile_base/commands/velocity', Twist)
+        self._inputs = {name: self._publisher(f'cmd_vel_mux/input/{name}', Twist)
+                        for name in ('teleop', 'navi')}
         self._reset_odometry = self._publisher('mobile_base/commands/reset_odometry', Empty)
 
     def _publisher(self, topic, kind):
@@ -31,7 +33,8 @@ class Robot:
 
     def wait_until_ready(self):
         """Return once it listens and is heard."""
-        for publisher in self._velocity, self._base_velocity, self._reset_odometry:
+        for publisher in (self._velocity, self._base_velocity, self._reset_odometry,
+                          *self._inputs.values()):
             wait_for_subscribers(publisher, timeout=20.0)
         for recorder in self.odometry, self.truth, self.joints:
             recorder.wait_for()
@@ -43,6 +46,10 @@ class Robot:
     def drive_base(self, forwards):
         """Command a velocity (m/s) on TurtleBot 2's own topic."""
         self._base_velocity.publish(twist(forwards))
+
+    def drive_through(self, mux_input, forwards):
+        """Command a velocity (m/s) through an input of TurtleBot 2's multiplexer."""
+        self._inputs[mux_input].publish(twist(forwards))
 
     def reset_odometry(self):
         """Have the odometry start from zero."""

@@ -1,0 +1,36 @@
+"""The gyro of a Kobuki: its heading, from which the driver takes that of the odometry."""
+
+import math
+import random
+
+from sim_turtlebot.rotations import yaw_of
+
+
+class Gyro:
+    """Adds up the robot's rotation, with its errors; also while the robot stands."""
+
+    def __init__(self, noise=0.0, drift=0.0, rng=None):
+        """Choose the errors; all are off by default.
+
+        :param noise: angle random walk (rad after one second)
+        :param drift: bias (rad/s), what is left of it after the calibration when switched on
+        :param rng: random.Random
+        """
+        self._noise = noise
+        self._drift = drift
+        self._rng = rng or random.Random(0)
+
+    def reset(self, orientation):
+        """Call this orientation (x, y, z, w) heading zero, as the driver does."""
+        self.heading = self.rate = 0.0  # rad, from -pi to pi; rad/s
+        self._true_yaw = yaw_of(orientation)
+
+    def update(self, orientation, duration):
+        """Sense the rotation since the last call, `duration` seconds ago; return it (rad)."""
+        yaw = yaw_of(orientation)
+        rotation = math.remainder(yaw - self._true_yaw, 2 * math.pi)
+        rotation += self._rng.gauss(self._drift * duration, self._noise * math.sqrt(duration))
+        self._true_yaw = yaw
+        self.heading = math.remainder(self.heading + rotation, 2 * math.pi)
+        self.rate = rotation / duration
+        return rotation

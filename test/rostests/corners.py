@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""A controller as TurtleBot 2's clients have it: base_link from tf, commands to the multiplexer."""
+
+import math
+import sys
+import unittest
+
+import rospy
+import rostest
+import tf
+from geometry_msgs.msg import Twist
+from odometry_tests.robots import twist
+from odometry_tests.tutorial import Truth, heading
+from odometry_tests.waiting import wait_for_subscribers, wait_until
+
+RATE = 20  # Hz
+CORNERS = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]  # m, in odom
+SPEED, TURN_SPEED = 0.25, 0.8  # m/s, rad/s; at most
+SLOWEST = 0.1  # of each, near the goal
+BRAKING = 10  # periods
+CLOSE, AIMED = 0.01, math.radians(0.5)  # m, rad; what the controller takes for there
+PRECISION, ANGULAR_PRECISION = 0.03, 1.0  # m, degrees; what the issue allows
+
+
+class CornerClient:
+    """Drives from corner to corner, and turns on each."""
+
+    def __init__(self):
+        """Find the robot."""
+        self._listener = tf.TransformListener()
+        self._publisher = rospy.Publisher('cmd_vel_mux/input/navi', Twist, queue_size=1)
+        wait_for_subscribers(self._publisher)
+        wait_until(self._listens, 20.0, 'base_link in tf')
+        self._rate = rospy.Rate(RATE)
+
+    def drive_to(self, x, y):
+        """Return once the robot is there."""
+        while True:
+            (here_x, here_y), yaw = self._pose()
+            distance = math.hypot(x - here_x, y - here_y)
+            if distance < CLOSE:
+                return self.stand()
+            aside = wrap(math.atan2(y - here_y, x - here_x) - yaw)
+            if abs(aside) > math.pi / 2:  # it has passed
+                return self.stand()
+            self._move(max(SLOWEST, min(SPEED, distance)), aside if distance > 0.1 else 0.0)
+
+    def turn_to(self, yaw):
+        """Return once the robot looks there."""
+        while True:
+            error = wrap(yaw - self._pose()[1])
+            if abs(error) < AIMED:
+                return self.stand()
+            self._move(0.0, math.copysign(max(SLOWEST, min(TURN_SPEED, abs(error))), error))
+
+    def stand(self):
+        """Return once the robot has had time to stop."""
+        for _ in range(BRAKING):
+            self._move(0.0, 0.0)
+
+    def _pose(self):
+        position, rotation = self._listener.lookupTransform('odom', 'base_link', rospy.Time(0))
+        return position[:2], tf.transformations.euler_from_quaternion(rotation)[2]
+
+    def _move(self, linear, angular):
+        self._publisher.publish(twist(linear, angular))
+        self._rate.sleep()
+
+    def _listens(self):
+        """Return whether time goes on, as it does after the first command, and tf has the robot."""
+        self._publisher.publish(twist(0.0))
+        return rospy.get_time() > 0 and self._listener.canTransform('odom', 'base_link', rospy.Time(0))
+
+
+class CornersTest(unittest.TestCase):
+    """Given the frames and the inputs of a TurtleBot 2, such a client gets where it wants to."""
+
+    def test_it_ends_where_it_began(self):
+        """And stands on each corner on the way, in truth and not just by its own account."""
+        truth, client = Truth(), CornerClient()
+        for number, corner in enumerate(CORNERS, 1):
+            client.drive_to(*corner)
+            client.turn_to(number * math.pi / 2)
+            there = truth.last
+            place = there.pose.pose.position
+            self.assertLess(math.dist((place.x, place.y), corner), PRECISION)
+            off = math.remainder(heading(there) - number * 90.0, 360.0)
+            self.assertLess(abs(off), ANGULAR_PRECISION)
+
+
+def wrap(angle):
+    """Return the same angle (rad) between -pi and pi."""
+    return math.remainder(angle, 2 * math.pi)
+
+
+if __name__ == '__main__':
+    rospy.init_node('corners_test')
+    rostest.rosrun('odometry_tests', 'corners', CornersTest, sys.argv)

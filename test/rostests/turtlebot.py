@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""What clients of a TurtleBot 2 find beside odometry: frames, the multiplexer's inputs, the IMU."""
+
+import math
+import sys
+import unittest
+
+import rospy
+import rostest
+import tf
+from odometry_tests.pausing import call
+from odometry_tests.robots import Robot
+from odometry_tests.waiting import Recorder, wait_until
+from sensor_msgs.msg import Imu
+from tf2_msgs.msg import TFMessage
+
+WHEELS = 'wheel_left_link', 'wheel_right_link'
+TIMEOUT_OF_TELEOP = 20  # periods; one second, turtlebot_bringup/param/mux.yaml
+TIMEOUT_OF_BASE = 12  # periods; 0.6 s, kobuki_node
+DRIFT = 0.02  # rad/s
+
+
+class TurtlebotTest(unittest.TestCase):
+    """Given two robots, each is a TurtleBot 2 in its namespace."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Hear the robots from the start on."""
+        cls.robots = cls.robot, _ = Robot('robot_2/'), Robot('robot_1/')
+        cls.imu = Recorder('/robot_2/mobile_base/sensors/imu_data', Imu)
+        cls.tf = Recorder('/tf', TFMessage)
+        for robot in cls.robots:
+            robot.wait_until_ready()
+
+    def setUp(self):
+        """Begin at time zero: nobody has commanded anything, and nothing older will be heard."""
+        recorders = self.robot.odometry, self.robot.joints, self.imu, self.tf
+        for recorder in recorders:
+            recorder.wait_for_publisher()
+            recorder.clear()
+        call('reset_simulation')
+        for recorder in recorders:
+            recorder.wait_for(lambda m: stamp(m) == 0, what='time zero')
+            recorder.clear()
+        self.number = 0
+
+    def step(self, command):
+        """Command both robots; return the odometry of the second one a period later."""
+        for robot in self.robots:
+            command(robot)
+        self.number += 1
+        return self.robot.odometry.wait_for(lambda m: m.header.seq == self.number)
+
+    def test_fixed_frames_are_there_for_whoever_comes_late(self):
+        """In one message for all robots, each frame with one parent, and none of them on /tf."""
+        fixed = Recorder('/tf_static', TFMessage).wait_for().transforms
+        tree = {frame.child_frame_id: frame.header.frame_id for frame in fixed}
+        self.assertEqual(len(tree), len(fixed))
+        for name in 'robot_1/', 'robot_2/':
+            self.assertEqual(tree[f'{name}base_link'], f'{name}base_footprint')
+            self.assertEqual(tree[f'{name}gyro_link'], f'{name}base_link')
+        self.step(lambda robot: robot.drive(0.0))
+        moving = {frame.child_frame_id for frame in self.tf.wait_for().transforms}
+        self.assertEqual(moving, {f'robot_{number}/{link}' for number in (1, 2)
+                                  for link in ('base_footprint', *WHEELS)})
+
+    def test_tf_finds_every_link_from_odom(self):
+        """The depth camera's place is that in turtlebot_description."""
+        listener = tf.TransformListener()
+
+        def found():
+            self.step(lambda robot: robot.drive(0.0))
+            return listener.canTransform('robot_2/odom', 'robot_2/camera_depth_frame', rospy.Time())
+
+        wait_until(found, 20.0, 'the depth camera')
+        place, _ = listener.lookupTransform('robot_2/base_footprint',
+                                            'robot_2/camera_depth_frame', rospy.Time())
+        for seen, expected in zip(place, (-0.087, 0.0135, 0.2972)):
+            self.assertAlmostEqual(seen, expected)
+
+    def test_wheels_turn_in_tf_as_in_joint_states(self):
+        """At the same stamp by the same angle, about the axle."""
+        for _ in range(30):
+            now = stamp(self.step(lambda robot: robot.drive(0.3, 0.5)))
+        joints = self.robot.joints.wait_for(lambda m: stamp(m) == now)
+        frames = self.tf.wait_for(lambda m: stamp(m) == now).transforms
+        rotations = {frame.child_frame_id: frame.transform.rotation for frame in frames}
+        self.assertNotAlmostEqual(*joints.position, delta=1.0)
+        for link, angle in zip(WHEELS, joints.position):
+            seen = rotations[f'robot_2/{link}']
+            expected = tf.transformations.euler_matrix(-math.pi / 2, 0.0, angle, 'rxyz')
+            error = tf.transformations.quaternion_matrix([seen.x, seen.y, seen.z, seen.w]) - expected
+            self.assertLess(abs(error).max(), 1e-9)
+
+    def test_the_imu_has_the_heading_of_the_odometry(self):
+        """It drifts, also at rest, by the same noise; the place stays where it is."""
+        for _ in range(200):
+            odometry = self.step(lambda robot: robot.drive(0.0))
+        imu = self.imu.wait_for(lambda m: stamp(m) == stamp(odometry))
+        self.assertEqual(imu.header.frame_id, 'robot_2/gyro_link')
+        self.assertEqual(imu.orientation, odometry.pose.pose.orientation)
+        self.assertEqual(imu.angular_velocity.z, odometry.twist.twist.angular.z)
+        yaw = 2 * math.atan2(imu.orientation.z, imu.orientation.w)
+        self.assertAlmostEqual(yaw, 10 * DRIFT, delta=0.15)
+        self.assertNotAlmostEqual(yaw, 10 * DRIFT, places=6)
+        self.assertEqual((odometry.pose.pose.position.x, odometry.pose.pose.position.y), (0, 0))
+        for covariance in imu.orientation_covariance, imu.angular_velocity_covariance:
+            self.assertEqual(covariance[::4], (sys.float_info.max, sys.float_info.max, 0.005))
+
+    def test_navi_is_obeyed_a_second_after_the_last_word_of_teleop(self):
+        """In robot time; by then the base has stopped, since nothing came through."""
+        self.step(lambda robot: robot.drive_through('navi', 0.1))
+        self.step(lambda robot: robot.drive_through('teleop', -0.3))
+        speeds = [self.step(lambda robot: robot.drive_through('navi', 0.2)).twist.twist.linear.x
+                  for _ in range(TIMEOUT_OF_TELEOP + 5)]
+        self.assertAlmostEqual(speeds[TIMEOUT_OF_BASE - 2], -0.3, delta=0.02)
+        self.assertAlmostEqual(speeds[TIMEOUT_OF_TELEOP - 2], 0.0, delta=0.01)
+        self.assertAlmostEqual(speeds[-1], 0.2, delta=0.02)
+
+    def test_a_command_that_the_multiplexer_keeps_out_is_an_answer_in_lockstep(self):
+        """Time goes on although nothing reaches the base, and what goes there directly does."""
+        self.step(lambda robot: robot.drive_through('teleop', 0.0))
+        for _ in range(6):
+            moving = self.step(lambda robot: robot.drive_through('navi', 0.2)).twist.twist.linear.x
+        self.assertEqual(moving, 0.0)
+        for _ in range(6):
+            moving = self.step(lambda robot: robot.drive_base(0.2)).twist.twist.linear.x
+        self.assertAlmostEqual(moving, 0.2, delta=0.02)
+
+
+def stamp(message):
+    """Return the time (s) of a message."""
+    header = message.transforms[0].header if hasattr(message, 'transforms') else message.header
+    return header.stamp.to_sec()
+
+
+if __name__ == '__main__':
+    rospy.init_node('turtlebot_test', disable_rostime=True)
+    rostest.rosrun('odometry_tests', 'turtlebot', TurtlebotTest, sys.argv)

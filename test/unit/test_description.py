@@ -1,0 +1,66 @@
+"""What tf and PyBullet make of the robot's URDF."""
+
+import math
+
+import numpy
+import pytest
+from sim_turtlebot.description import URDF, read_joints, without_frames
+from sim_turtlebot.rotations import rotate
+from tf import transformations
+
+JOINTS = {joint.child: joint for joint in read_joints(URDF.read_text())}
+PHYSICS = ['base_joint', 'wheel_left_joint', 'wheel_right_joint']
+# In base_link (m): kobuki_description and turtlebot_description.
+PLACES = {'gyro_link': (0.056, 0.062, 0.0202), 'camera_rgb_frame': (-0.087, -0.0135, 0.287),
+          'camera_depth_frame': (-0.087, 0.0135, 0.287), 'wheel_left_link': (0, 0.115, 0.025),
+          'wheel_right_link': (0, -0.115, 0.025), 'caster_front_link': (0.115, 0, 0.007)}
+
+
+def in_base_link(name):
+    """Return where a frame is in base_link, as a matrix, by tf's own arithmetic."""
+    matrix = numpy.identity(4)
+    while name != 'base_link':
+        joint = JOINTS[name]
+        matrix = (transformations.translation_matrix(joint.position)
+                  @ transformations.quaternion_matrix(joint.rotation) @ matrix)
+        name = joint.parent
+    return matrix
+
+
+@pytest.mark.parametrize('name, place', PLACES.items())
+def test_frames_are_where_a_turtlebot_has_them(name, place):
+    """Seen from base_link."""
+    assert in_base_link(name)[:3, 3] == pytest.approx(place)
+
+
+def test_the_tree_hangs_on_the_footprint():
+    """Every frame has one way to it."""
+    assert JOINTS['base_link'].parent == 'base_footprint'
+    assert {joint.parent for joint in JOINTS.values()} <= {'base_footprint', *JOINTS}
+    assert len(JOINTS) == len(read_joints(URDF.read_text()))
+
+
+def test_an_optical_frame_looks_along_z_and_has_x_to_the_right():
+    """REP-103."""
+    rotation = JOINTS['camera_depth_optical_frame'].rotation
+    assert rotate(rotation, (0.0, 0.0, 1.0)) == pytest.approx((1.0, 0.0, 0.0), abs=1e-15)
+    assert rotate(rotation, (1.0, 0.0, 0.0)) == pytest.approx((0.0, -1.0, 0.0), abs=1e-15)
+
+
+@pytest.mark.parametrize('wheel', ['wheel_left_link', 'wheel_right_link'])
+def test_a_wheel_that_turns_forwards_rolls_forwards(wheel):
+    """Its top goes ahead, after a quarter of a turn."""
+    joint = JOINTS[wheel]
+    top = rotate(joint.rotation_at(0.0), (0.0, -1.0, 0.0))
+    assert top == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
+    turned = rotate(joint.rotation_at(math.pi / 2), (0.0, -1.0, 0.0))
+    assert turned == pytest.approx((1.0, 0.0, 0.0), abs=1e-15)
+    assert joint.rotation_at(0.0) == joint.rotation
+
+
+def test_the_physics_has_the_joints_that_it_needs_and_no_more():
+    """Each would cost time; and what has mass or shape is left as it is."""
+    text = without_frames(URDF.read_text())
+    assert [joint.name for joint in read_joints(text)] == PHYSICS
+    for part in 'mass', 'collision', 'visual', 'inertia', 'contact':
+        assert text.count(f'<{part}') == URDF.read_text().count(f'<{part}')
