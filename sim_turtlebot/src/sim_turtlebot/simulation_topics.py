@@ -8,7 +8,9 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
+from sim_turtlebot.building import new_scanners
 from sim_turtlebot.robot_topics import RobotTopics
+from sim_turtlebot.scan_topic import ScanTopic
 
 QUEUE_SIZE = 10
 
@@ -26,8 +28,12 @@ class SimulationTopics:
         queue_size = QUEUE_SIZE if paced else None
         self._clock = advertise('/clock', Clock, queue_size) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage, queue_size)
+        namespaces = _namespaces(settings.robots)
         self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
-                        in zip(simulation.robots, _namespaces(settings.robots))]
+                        in zip(simulation.robots, namespaces)]
+        self._scans = [
+            ScanTopic(scanner, namespace, settings.scan_rate, settings.odom_rate, queue_size)
+            for scanner, namespace in zip(new_scanners(simulation, settings), namespaces)]
         self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
         self.warn('')
 
@@ -42,10 +48,12 @@ class SimulationTopics:
             self._clock.publish(Clock(self._stamp()))
 
     def publish_robots(self):
-        """Publish where the robots are."""
+        """Publish where the robots are, and what they see."""
         stamp = self._stamp()
         number = self._timeline.odometry_count
         self._tf.publish(TFMessage([topics.publish(stamp, number) for topics in self._robots]))
+        for scan in self._scans:
+            scan.publish(stamp, number)
 
     def warn(self, text):
         """Publish a warning; an empty one takes it back."""
