@@ -4,9 +4,10 @@ import math
 
 import numpy
 import pytest
+from odometry_common.kobuki import DEPTH_CAMERA as CAMERA
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.scanner import CAMERA, Scanner, is_scan_due
+from sim_turtlebot.scanner import Scanner, is_scan_due
 
 WORLDS = ROOT / 'sim_turtlebot' / 'worlds'
 ALL_ROUND = 2 * math.pi
@@ -148,7 +149,7 @@ def test_in_a_long_time_no_scan_is_lost(scan_rate):
 
 def test_the_corridor_has_a_door():
     """Its end is seen 5 m ahead, its walls beside it, and through the door the wall of the room."""
-    ahead = dict(beams=3, field_of_view=0.02)
+    ahead = {'beams': 3, 'field_of_view': 0.02}
     assert scan_in('corridor.urdf', **ahead) == pytest.approx(5.087, abs=CLOSE)
     left = scan_in('corridor.urdf', (0.0, 0.0, math.pi / 2), **ahead)
     assert left == pytest.approx(0.75 - CAMERA[0], abs=CLOSE)

@@ -1,5 +1,6 @@
 """The topic of one robot's laser scan."""
 
+from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import LaserScan
 
@@ -29,8 +30,8 @@ class ScanTopic:
             angle_min=-scanner.field_of_view / 2, angle_max=scanner.field_of_view / 2,
             angle_increment=scanner.field_of_view / (scanner.beams - 1), scan_time=1 / rate,
             range_min=scanner.range_min, range_max=scanner.range_max)
-        self._message.header.frame_id = f'{namespace}camera_depth_frame'
-        self._publisher = advertise(f'{namespace}scan', LaserScan, queue_size)
+        self._message.header.frame_id = f'{namespace}{DEPTH_CAMERA_FRAME}'
+        self.publisher = advertise(f'{namespace}scan', LaserScan, queue_size)
 
     def publish(self, stamp, number):
         """Publish a scan if one is due, with the odometry of the same moment.
@@ -39,8 +40,8 @@ class ScanTopic:
         :param number: how many odometry periods have passed
         """
         # Rays cost more than all else that happens between two odometries.
-        if self._publisher.get_num_connections() and is_scan_due(number, *self._rates):
+        if self.publisher.get_num_connections() and is_scan_due(number, *self._rates):
             message = self._message
             message.header.stamp, message.header.seq = stamp, number
             message.ranges = self._scanner.scan(number).tolist()
-            self._publisher.publish(message)
+            self.publisher.publish(message)

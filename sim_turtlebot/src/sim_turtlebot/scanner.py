@@ -3,10 +3,8 @@
 import math
 
 import numpy
+from odometry_common.kobuki import DEPTH_CAMERA
 
-# x, y, z (m) of camera_depth_frame in base_footprint: turtlebot_description/urdf/sensors/
-# kinect.urdf.xacro with turtlebot_properties.urdf.xacro, and base_link 0.0102 above the ground.
-CAMERA = (-0.087, 0.0125, 0.2972)
 # As turtlebot_description has it in Gazebo (turtlebot_gazebo.urdf.xacro): images 640 pixels wide,
 # 10 of them in a second.
 BEAMS = 640
@@ -36,8 +34,8 @@ class Scanner:
         self._seed = seed
         angles = numpy.linspace(-field_of_view / 2, field_of_view / 2, beams)
         directions = numpy.column_stack([numpy.cos(angles), numpy.sin(angles), numpy.zeros(beams)])
-        self._starts = [CAMERA] * beams
-        self._ends = (CAMERA + range_max * directions).tolist()
+        self._starts = [DEPTH_CAMERA] * beams
+        self._ends = (DEPTH_CAMERA + range_max * directions).tolist()
 
     def scan(self, number):
         """Return the ranges (m) from right to left: infinite as REP-117 says it, never NaN.
