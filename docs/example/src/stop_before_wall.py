@@ -17,10 +17,10 @@ def main():
     velocity = rospy.Publisher('cmd_vel', Twist, queue_size=1)
 
     def on_scan(scan):
-        # +inf is far away and -inf too close, as it should be; NaN would be neither.
-        nearest = min(distance for distance in scan.ranges if not math.isnan(distance))
+        # +inf is far away and -inf too close, as they should be; NaN says nothing.
+        ranges = [distance for distance in scan.ranges if not math.isnan(distance)]
         command = Twist()
-        if nearest > CLEARANCE:
+        if ranges and min(ranges) > CLEARANCE:
             command.linear.x = SPEED
         velocity.publish(command)
 
