@@ -19,13 +19,12 @@ def scan_points(message):
     There are none for ranges that are infinite or no number, as REP-117 has them, nor for those of
     a sensor that is not the depth camera: nobody says where on the robot it is.
     """
-    ranges = numpy.array(message.ranges, dtype=float)
-    angles = message.angle_min + message.angle_increment * numpy.arange(len(ranges))
-    with numpy.errstate(invalid='ignore'):
-        is_seen = (ranges >= message.range_min) & (ranges <= message.range_max)
     if message.header.frame_id.split('/')[-1] != DEPTH_CAMERA_FRAME:
-        is_seen[:] = False
-    ranges, angles = ranges[is_seen], angles[is_seen]
-    points = numpy.column_stack(
-        [ranges * numpy.cos(angles), ranges * numpy.sin(angles), numpy.zeros(len(ranges))])
-    return points[numpy.isfinite(points).all(axis=1)] + DEPTH_CAMERA
+        return numpy.empty((0, 3))
+    ranges = numpy.array(message.ranges, dtype=float)
+    with numpy.errstate(invalid='ignore'):  # whatever a message says
+        angles = message.angle_min + message.angle_increment * numpy.arange(len(ranges))
+        is_seen = (ranges >= message.range_min) & (ranges <= message.range_max)
+        points = numpy.column_stack(
+            [ranges * numpy.cos(angles), ranges * numpy.sin(angles), numpy.zeros(len(ranges))])
+    return points[is_seen & numpy.isfinite(points).all(axis=1)] + DEPTH_CAMERA
