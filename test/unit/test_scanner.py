@@ -140,6 +140,13 @@ def test_a_scan_is_due_at_the_first_odometry_after_its_time(scan_rate, odom_rate
     assert due == expected
 
 
+@pytest.mark.parametrize('scan_rate, odom_rate', [(13, 23), (15, 22), (30, 52)])
+def test_rounding_puts_off_no_scan(scan_rate, odom_rate):
+    """As floating point has it, 15/22 times 22 is a little less than 15."""
+    assert is_scan_due(odom_rate, scan_rate, odom_rate)
+    assert not is_scan_due(odom_rate + 1, scan_rate, odom_rate)
+
+
 @pytest.mark.parametrize('scan_rate', [0.7, 7, 10, 13, 20])
 def test_in_a_long_time_no_scan_is_lost(scan_rate):
     """An hour of odometry."""
