@@ -15,6 +15,7 @@ Publishes:
     joint_states (sensor_msgs/JointState): both wheels
     mobile_base/sensors/imu_data (sensor_msgs/Imu): the gyro's heading, zero where odom is, and
         its rate, in the frame gyro_link
+    scan (sensor_msgs/LaserScan): with ~scan, what the depth camera sees at its height
     /tf (tf2_msgs/TFMessage): odom -> base_footprint, base_link -> wheels
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
@@ -46,6 +47,15 @@ Parameters:
     ~gyro_noise (float, 0.0 rad, from 0 to 1): standard deviation of the gyro's yaw after one
         second
     ~gyro_drift (float, 0.0 rad/s, from -1 to 1): bias of the gyro, also at rest
+    ~scan (bool, false): publish scans; their beams meet whatever a robot can run into
+    ~scan_rate (float, 10.0 Hz, from 0.1 to ~odom_rate): scans per simulated second, each with an
+        odometry of the same stamp; lower if ~odom_rate is
+    ~scan_beams (int, 640, from 2 to 10000): ranges in a scan
+    ~scan_fov (float, 1.012 rad, from 0.01 to 2 pi): angle from the first beam to the last
+    ~scan_range_min (float, 0.45 m, from 0 to 100): what is nearer is -inf
+    ~scan_range_max (float, 10.0 m, above ~scan_range_min and up to 1000): where nothing is nearer,
+        +inf
+    ~scan_noise (float, 0.0 m, from 0 to 1): standard deviation of a range
     ~seed (int, 0, from -2147483648 to 2147483647): for the noise
     ~cmd_vel_timeout (float, 0.6 s, from 0 to 3600): stop when commands cease for this long; 0
         turns it off

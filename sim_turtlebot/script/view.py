@@ -8,6 +8,7 @@ Subscribes:
     odom (nav_msgs/Odometry): the odometry of each robot
     base_pose_ground_truth (nav_msgs/Odometry): where a simulated robot really is
     joint_states (sensor_msgs/JointState): the wheels
+    scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
     sim_turtlebot/warning (std_msgs/String): what the simulator warns of, shown in the panel

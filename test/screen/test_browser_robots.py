@@ -8,8 +8,11 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
+from odometry_tests.scripts import ROOT
 from odometry_tests.viewing import ROBOT_PIXELS, Motion, View, wait_for_robot
 from odometry_tests.waiting import TIMEOUT, wait_until
+
+SCAN_PIXELS = 100
 
 
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
@@ -25,6 +28,23 @@ def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
             page.dismiss_notices()
             wait_for_robot(page)
     publisher.unregister()
+
+
+def test_a_scan_is_drawn_where_there_is_one(master, browser):
+    """As dots on the walls of the room, which the page itself does not draw."""
+    def colour(page):
+        red, green, blue = page.scene().astype(int).transpose(2, 0, 1)
+        return ((red - green > 80) & (blue - green > 60)).sum()
+
+    room = f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=seeing', '_scan:=true', room), \
+            View('__ns:=seeing') as view, browser.open(view.url) as page:
+        wait_until(lambda: colour(page) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=blind', room), \
+            View('__ns:=blind') as view, browser.open(view.url) as page:
+        page.dismiss_notices()
+        wait_for_robot(page)
+        assert colour(page) < SCAN_PIXELS / 10
 
 
 def test_odometry_that_is_off_is_drawn_as_a_ghost(master, browser):

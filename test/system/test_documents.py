@@ -28,12 +28,14 @@ BEFORE = {'What the packages need': NOETIC,
 TUTORIALS, LAUNCHES = 'README.md: The tutorials', 'README.md: All at once'
 SIMULATIONS = 'docs/simulator.md: Many robots, any world'
 WORKSPACE = 'docs/workspace.md: What the packages need'
+SCAN = 'docs/scan.md: See the wall'
 REAL_ROBOT = 'docs/real_robot.md: Two machines'
 # Where a reader goes on with what is running, by heading or by single command.
 GOES_ON = {
     'Has the robot moved one metre?': TUTORIALS,
     'Rotate the robot to a heading': TUTORIALS,
     'rosrun sim_turtlebot view.py': TUTORIALS,
+    'Drive up to it': SCAN,
     'Drive the robot': REAL_ROBOT,
     'Two metres by the tape': REAL_ROBOT,
     'Ten turns': REAL_ROBOT,

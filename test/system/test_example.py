@@ -1,4 +1,4 @@
-"""The example of docs/ci.md, set up and run as its workflow does, and how its node ends."""
+"""The example of docs/ci.md, set up and run as its workflow does, and how its nodes end."""
 
 import signal
 import subprocess
@@ -7,11 +7,12 @@ import sys
 import pytest
 import yaml
 from geometry_msgs.msg import Twist
+from odometry_common.kobuki import DEPTH_CAMERA
 from odometry_tests.checkout import in_checkout, make_checkout
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
-from odometry_tests.tutorial import Truth, simulator
+from odometry_tests.tutorial import Truth, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 
 EXAMPLE = ROOT / 'docs' / 'example'
@@ -19,6 +20,10 @@ WORKFLOW = yaml.safe_load((EXAMPLE / '.github' / 'workflows' / 'robot.yml').read
 COPY, TEST = [step['run'] for step in WORKFLOW['jobs']['robot']['steps'] if 'run' in step][-2:]
 CLONE = '/robot'
 DISTANCE = 1.0  # m
+CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
+END = 5.0  # m, where the corridor ends
+CLEAR = 0.5  # m, between the camera and the end of the corridor
+BRAKES = 0.03  # m: the way of a period between two scans and of the brakes
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 # What ./ws does before a command, with the virtual environment of this project.
 RUN = """
@@ -50,12 +55,13 @@ def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, 
     assert f'RESULT: {"SUCCESS" if passes else "FAIL"}' in run.stdout, run.output
 
 
+@pytest.mark.parametrize('name', ['one_metre.py', 'stop_before_wall.py'])
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
-def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
+def test_its_robot_stops_when_the_node_ends(simulated_time, signum, name):
     """Without a watchdog of the base: whoever copies it may have none."""
     truth, commands = Truth(), Recorder('cmd_vel', Twist)
-    with simulator('_cmd_vel_timeout:=0'), \
-            Process(sys.executable, EXAMPLE / 'src' / 'one_metre.py') as node:
+    with simulator('_cmd_vel_timeout:=0', '_scan:=true', CORRIDOR), \
+            Process(sys.executable, EXAMPLE / 'src' / name) as node:
         truth.wait_until_moving()
         commands.wait_for()
 
@@ -65,3 +71,17 @@ def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
 
         assert moves_on(truth, end) <= STOPPING_TIME
         assert truth.last.pose.pose.position.x < DISTANCE, 'it had stopped before'
+
+
+def test_a_robot_with_a_scan_stops_before_the_wall(simulated_time):
+    """Half a metre before the end of the corridor, as docs/scan.md has it."""
+    truth = Truth()
+    with simulator_in_step('_real_time_factor:=0', '_scan:=true', CORRIDOR, rate=10, patience=20), \
+            Process(sys.executable, EXAMPLE / 'src' / 'stop_before_wall.py') as node:
+        truth.wait_until_moving()
+        there = truth.wait_until_resting(60.0).pose.pose.position
+        truth.wait_seconds(5.0)
+        assert truth.last.pose.pose.position.x == there.x, node.output
+    clear = END - there.x - DEPTH_CAMERA[0]
+    assert CLEAR - BRAKES < clear < CLEAR, f'{clear:.3f} m'
+    assert abs(there.y) < 0.05

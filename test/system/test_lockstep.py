@@ -11,8 +11,10 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
+from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import detector, forget_parameters, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
+from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
 
@@ -41,7 +43,7 @@ def record(rate, starts, topics, *arguments):
     :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic; repetitions of the first one do
         not count
-    :param arguments: more of the simulator's
+    :param arguments: for the simulator
     """
     with contextlib.ExitStack() as stack:
         stack.enter_context(simulator_in_step(UNPACED, *arguments, rate=rate,
@@ -81,6 +83,9 @@ MOVE = 20, [detector, mover], {
     '/odom': (Odometry, 20 * COMPARED), '/moved_distance': (Float64, 20 * COMPARED),
     # The mover's commands are all the same until it arrives, so that most are repetitions.
     '/cmd_vel': (Twist, 80)}
+SCAN = 20, [detector, mover], {'/odom': (Odometry, 20 * COMPARED),
+                               '/scan': (LaserScan, 10 * COMPARED)}, \
+    '_scan:=true', '_scan_noise:=0.01', f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf', '_x:=-1.0'
 ROTATE = 10, [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
 
 
@@ -90,7 +95,7 @@ def two_metres():
     return record(*MOVE)
 
 
-@pytest.mark.parametrize('tutorial', [MOVE, ROTATE], ids=['move', 'rotate'])
+@pytest.mark.parametrize('tutorial', [MOVE, ROTATE, SCAN], ids=['move', 'rotate', 'scan'])
 def test_two_runs_are_the_same_bytes(two_metres, tutorial):
     """Each message on each topic, from the first to the last."""
     first = two_metres if tutorial is MOVE else record(*tutorial)

@@ -1,4 +1,4 @@
-"""The workflows are well formed, and docs/ci.md shows the files of its example as they are."""
+"""The workflows are well formed, and documents show the files of their examples as they are."""
 
 import re
 
@@ -18,6 +18,13 @@ def test_the_page_shows_files_of_the_example():
     assert len(SHOWN) == 4
     for block in SHOWN:
         assert block in files, block
+
+
+def test_the_tutorial_shows_its_node():
+    """As it is."""
+    block, = re.findall(r'^```python\n(.*?)^```$', (ROOT / 'docs' / 'scan.md').read_text(),
+                        re.DOTALL | re.MULTILINE)
+    assert block == (EXAMPLE / 'src' / 'stop_before_wall.py').read_text()
 
 
 @pytest.mark.parametrize('path', WORKFLOWS, ids=lambda path: path.name)

@@ -4,6 +4,7 @@ import math
 
 import numpy
 import pytest
+from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from sim_turtlebot.description import URDF, read_joints, without_frames
 from sim_turtlebot.rotations import rotate
 from tf import transformations
@@ -31,6 +32,12 @@ def in_base_link(name):
 def test_frames_are_where_a_turtlebot_has_them(name, place):
     """Seen from base_link."""
     assert in_base_link(name)[:3, 3] == pytest.approx(place)
+
+
+def test_the_scan_is_taken_where_its_frame_is():
+    """Seen from base_footprint."""
+    base = JOINTS['base_link'].position
+    assert in_base_link(DEPTH_CAMERA_FRAME)[:3, 3] + base == pytest.approx(DEPTH_CAMERA)
 
 
 def test_the_tree_hangs_on_the_footprint():

@@ -120,9 +120,10 @@ class Page:
         self._frame_new_clients(states)
 
     def draw(self, states, rate):
-        """Draw what changes more slowly: trails, figures, plots."""
+        """Draw what changes more slowly: trails, scans, figures, plots."""
         for namespace, state in states.items():
             self._figures[namespace].draw_trail(state.trail)
+            self._figures[namespace].draw_scan(state.scan)
         state = states.get(self.chosen)
         if state:
             self._readings.show({**state._asdict(), 'real_time_factor': rate})

@@ -9,10 +9,11 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import PlanarPose, planar_pose, yaw_from_orientation
 from odometry_common.parameters import as_number
-from sensor_msgs.msg import JointState
+from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Float64
 
 from robot_view.graph import TARGET
+from robot_view.scan import Scan, scan_points
 from robot_view.track import Track
 
 EPOCH = 1e9  # s; stamps beyond this are those of a wall clock
@@ -33,6 +34,7 @@ class RobotState(NamedTuple):
     origin: PlanarPose  # of the odometry
     drift: PlanarPose  # from the odometry to the ground truth
     wheels: dict  # angles (rad) by joint
+    scan: Scan
     trail: numpy.ndarray  # rows of x, y (m)
     history: numpy.ndarray  # rows as Track.note() takes them
     stamp: float  # s
@@ -54,10 +56,12 @@ class Robot:
         self._odometry = self._ground_truth = self._moved = self._target = None
         self._first_stamp = None
         self._wheels = {}
+        self._scan = None
         topics = [('odom', Odometry, self._on_odometry),
                   ('base_pose_ground_truth', Odometry, self._on_ground_truth),
                   ('joint_states', JointState, self._on_joints),
                   ('moved_distance', Float64, self._on_moved),
+                  ('scan', LaserScan, self._on_scan),
                   (TARGET, Float64, self._on_target)]
         self._subscribers = [
             rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
@@ -87,7 +91,7 @@ class Robot:
             track.note(stamp if simulated else stamp - self._first_stamp, self._moved,
                        self._target)
             return RobotState(
-                pose=_pose_3d(self._ground_truth) if self._ground_truth else odometry,
+                pose=self._pose(), scan=self._scan,
                 odometry=odometry, origin=track.origin, drift=track.drift, wheels=self._wheels,
                 trail=track.trail.array(), history=track.history.array(), stamp=stamp,
                 simulated_time=stamp if simulated else None, moved_distance=self._moved,
@@ -116,6 +120,15 @@ class Robot:
     def _on_joints(self, message):
         with self._lock:
             self._wheels = dict(zip(message.name, message.position))
+
+    def _on_scan(self, message):
+        points = scan_points(message)
+        with self._lock:
+            if self._odometry is not None:
+                self._scan = Scan(self._pose(), points)
+
+    def _pose(self):
+        return _pose_3d(self._ground_truth or self._odometry)
 
     def _on_moved(self, message):
         self._moved = message.data if math.isfinite(message.data) else None

@@ -10,6 +10,8 @@ GHOST_COLOUR = (30, 120, 220)
 GHOST_OPACITY = 0.35
 TRAIL_COLOUR = (230, 120, 20)
 TRAIL_HEIGHT = 0.004  # m, above the floor
+SCAN_COLOUR = (210, 30, 150)
+SCAN_POINT_SIZE = 0.02  # m
 START_COLOUR = (40, 160, 70)
 GOAL_COLOUR = (210, 40, 40)
 MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
@@ -60,6 +62,10 @@ class RobotFigure:
         self._trail = scene.add_line_segments(
             f'{self._root}/trail', numpy.zeros((1, 2, 3)), TRAIL_COLOUR, thickness=3.0,
             thickness_units='screen')
+        self._scan = scene.add_point_cloud(
+            f'{self._root}/scan', numpy.zeros((1, 3)), SCAN_COLOUR, point_size=SCAN_POINT_SIZE,
+            point_shape='circle', precision='float32', point_shading='flat', visible=False)
+        self._drawn_scan = None
 
     def remove(self):
         """Remove it from the scene, with all its parts."""
@@ -88,6 +94,15 @@ class RobotFigure:
         segments = numpy.stack([line[:-1], line[1:]], axis=1)
         if not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
             self._trail.points = segments
+
+    def draw_scan(self, scan):
+        """Draw a scan.Scan where it was taken, if there is one."""
+        if scan is None or scan is self._drawn_scan:
+            return
+        self._drawn_scan = scan
+        self._scan.position, self._scan.wxyz = scan.pose
+        self._scan.points = scan.points
+        self._scan.visible = len(scan.points) > 0
 
     def _add_link(self, link):
         body, ghost = (

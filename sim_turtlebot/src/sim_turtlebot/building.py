@@ -1,6 +1,7 @@
 """The simulation that the parameters ask for."""
 
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from sim_turtlebot.scanner import Scanner
 from sim_turtlebot.simulation import Simulation, side_by_side
 
 
@@ -10,6 +11,16 @@ def new_simulation(settings, client=None):
                       lambda index: _new_odometry(settings, index), settings.odom_rate,
                       settings.cmd_vel_timeout, settings.gui, settings.world, client,
                       settings.clock_rate)
+
+
+def new_scanners(simulation, settings):
+    """Return the Scanner of each robot of a Simulation; none if they are not wanted."""
+    if not settings.scan:
+        return []
+    # Numpy's seeds are not negative.
+    return [Scanner(robot.body, settings.scan_beams, settings.scan_fov, settings.scan_range_min,
+                    settings.scan_range_max, settings.scan_noise, (settings.seed % 2**32, index))
+            for index, robot in enumerate(simulation.robots)]
 
 
 def _new_odometry(settings, index):

@@ -160,6 +160,16 @@ class TurtleBot:
         left, right = self._get_wheels()
         return (left[0], right[0]), (left[1], right[1]), (left[3], right[3])
 
+    def cast_rays(self, starts, ends):
+        """Return at which share of its length each ray meets another body; 1.0 if at none.
+
+        A ray that starts inside one of the robot's own shapes leaves it without meeting it.
+
+        :param starts, ends: lists of x, y, z (m) in the frame of the footprint
+        """
+        hits = self._client.rayTestBatch(starts, ends, parentObjectUniqueId=self._body)
+        return [hit[2] for hit in hits]
+
     def overlap(self):
         """Return how deep (m) other bodies are in the robot, except for a floor that bears it."""
         points = ((normal[2], -distance) for *_, normal, distance, _, _, _, _, _

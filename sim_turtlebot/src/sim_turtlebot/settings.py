@@ -13,6 +13,8 @@ from odometry_common.parameters import (
     get_whole,
 )
 
+from sim_turtlebot import scanner
+
 CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that
 MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
 
@@ -49,10 +51,29 @@ def read_settings():
             f'0 (off) or from 0.1 Hz to ~odom_rate, {odom_rate:g} Hz'),
         lockstep_patience=get_number(
             '~lockstep_patience', 2.0, lambda v: 0.1 <= v <= 3600, 'from 0.1 to 3600 s'),
-        use_sim_time=get_flag('/use_sim_time', False))
+        use_sim_time=get_flag('/use_sim_time', False),
+        **_read_scan(odom_rate))
     _check_wall_time(settings)
     settings.clock_rate = settings.clock_rate or _default_clock_rate(settings)
     return settings
+
+
+def _read_scan(odom_rate):
+    range_min = get_number(
+        '~scan_range_min', scanner.RANGE_MIN, lambda v: 0 <= v <= 100, 'from 0 to 100 m')
+    return {
+        'scan': get_flag('~scan', False),
+        'scan_rate': get_number(
+            '~scan_rate', min(scanner.RATE, odom_rate), lambda v: 0.1 <= v <= odom_rate,
+            f'from 0.1 to ~odom_rate, {odom_rate:g} Hz'),
+        'scan_beams': get_whole('~scan_beams', scanner.BEAMS, 2, 10000),
+        'scan_fov': get_number('~scan_fov', scanner.FIELD_OF_VIEW,
+                               lambda v: 0.01 <= v <= 2 * math.pi, 'from 0.01 to 2 pi rad'),
+        'scan_range_min': range_min,
+        'scan_range_max': get_number(
+            '~scan_range_max', scanner.RANGE_MAX, lambda v: range_min < v <= 1000,
+            'above ~scan_range_min and up to 1000 m'),
+        'scan_noise': get_number('~scan_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m')}
 
 
 def _get_coordinate(name):

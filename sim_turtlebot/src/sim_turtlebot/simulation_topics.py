@@ -9,7 +9,9 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
+from sim_turtlebot.building import new_scanners
 from sim_turtlebot.robot_topics import RobotTopics
+from sim_turtlebot.scan_topic import ScanTopic
 
 QUEUE_SIZE = 10
 
@@ -50,8 +52,12 @@ class SimulationTopics:
         self._clock = advertise('/clock', Clock, queue_size) if self._use_sim_time else None
         self._newcomers = _Newcomers()
         self._tf = advertise('/tf', TFMessage, queue_size, self._newcomers)
+        namespaces = _namespaces(settings.robots)
         self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
-                        in zip(simulation.robots, _namespaces(settings.robots))]
+                        in zip(simulation.robots, namespaces)]
+        self._scans = [
+            ScanTopic(scanner, namespace, settings.scan_rate, settings.odom_rate, queue_size)
+            for scanner, namespace in zip(new_scanners(simulation, settings), namespaces)]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
             [frame for topics in self._robots for frame in topics.fixed_frames(self._stamp())]))
@@ -73,7 +79,7 @@ class SimulationTopics:
             self._clock.publish(Clock(self._stamp()))
 
     def publish_robots(self):
-        """Publish where the robots are."""
+        """Publish where the robots are, and what they see."""
         transforms = self._publish_each()
         self._newcomers.forget()
         self._tf.publish(transforms)
@@ -103,6 +109,8 @@ class SimulationTopics:
         if self._tf.get_num_connections():
             for topics in self._robots:
                 frames += topics.wheel_frames(stamp)
+        for scan in self._scans:
+            scan.publish(stamp, number)
         return TFMessage(frames)
 
     def _stamp(self):

@@ -126,4 +126,6 @@ def _role(words):
         return 'launch'
     if words[0] == 'rosrun':
         return words[1:3]
-    return words[:2] if words[:2] == ['rostopic', 'echo'] else object()
+    if words[0] == 'python3' or words[:2] == ['rostopic', 'echo']:
+        return words[:2]
+    return object()

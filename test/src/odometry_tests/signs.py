@@ -59,7 +59,7 @@ def lacks(words, terminal, graph, nodes_before):
     """Return what a running command has not shown yet, or None if it is at work."""
     if words[0] == 'roscore':
         return None if '/rosout' in graph.nodes() else 'the node /rosout'
-    if words[0] == 'rosrun':
+    if words[0] in ('rosrun', 'python3'):
         new = graph.nodes() - nodes_before
         if len(new) != 1:
             return f'one new node in place of {sorted(new)}'

@@ -1,0 +1,72 @@
+"""The depth camera of a TurtleBot 2, turned into a laser scan by rays; no ROS."""
+
+import math
+
+import numpy
+from odometry_common.kobuki import DEPTH_CAMERA
+
+# As turtlebot_description has it in Gazebo (turtlebot_gazebo.urdf.xacro): images 640 pixels wide,
+# 10 of them in a second.
+BEAMS = 640
+RATE = 10.0  # Hz
+FIELD_OF_VIEW = 1.012  # rad; 58 degrees, data sheet of the Asus Xtion Pro; a Kinect has 57
+RANGE_MIN = 0.45  # m; turtlebot_bringup/launch/3dsensor.launch
+RANGE_MAX = 10.0  # m; the default of depthimage_to_laserscan
+
+
+class Scanner:
+    """Measures how far it is from a robot to what is around it, in a fan of level beams."""
+
+    def __init__(self, body, beams=BEAMS, field_of_view=FIELD_OF_VIEW, range_min=RANGE_MIN,
+                 range_max=RANGE_MAX, noise=0.0, seed=(0,)):
+        """Choose the beams, which are evenly spread over the field of view (rad).
+
+        :param body: sim_turtlebot.physics.TurtleBot
+        :param range_min, range_max: m
+        :param noise: standard deviation of a range (m)
+        :param seed: of the noise: whole numbers from 0 to 2**32 - 1, in a tuple
+        """
+        self.field_of_view = field_of_view
+        self.beams = beams
+        self.range_min, self.range_max = range_min, range_max
+        self._cast_rays = body.cast_rays
+        self._noise = noise
+        self._seed = seed
+        angles = numpy.linspace(-field_of_view / 2, field_of_view / 2, beams)
+        directions = numpy.column_stack([numpy.cos(angles), numpy.sin(angles), numpy.zeros(beams)])
+        self._starts = [DEPTH_CAMERA] * beams
+        self._ends = (DEPTH_CAMERA + range_max * directions).tolist()
+
+    def scan(self, number):
+        """Return the ranges (m) from right to left: infinite as REP-117 says it, never NaN.
+
+        +inf where there is nothing up to range_max, -inf where something is nearer than range_min.
+
+        :param number: of the odometry period, from 0. The noise follows from it alone: a scan that
+            is repeated is the same, whatever was taken before it.
+        """
+        shares = numpy.array(self._cast_rays(self._starts, self._ends))
+        ranges = self.range_max * shares
+        if self._noise:
+            # Of all of numpy's generators this one is to give the same numbers for ever.
+            rng = numpy.random.RandomState([*self._seed, number])
+            ranges += rng.normal(0.0, self._noise, self.beams)
+        ranges[(shares == 1.0) | (ranges > self.range_max)] = math.inf
+        ranges[ranges < self.range_min] = -math.inf
+        return ranges
+
+
+def is_scan_due(odometry_count, scan_rate, odom_rate):
+    """Return whether an odometry is the first at or after a multiple of 1/scan_rate.
+
+    :param odometry_count: how many odometry periods have passed
+    :param scan_rate, odom_rate: Hz; no scan is taken between two odometries
+    """
+    before, now = (_whole_scans(count, scan_rate / odom_rate)
+                   for count in (odometry_count - 1, odometry_count))
+    return now > before
+
+
+def _whole_scans(count, share):
+    # The small term keeps a multiple that falls on an odometry from being rounded off it.
+    return math.floor(count * share + 1e-6)

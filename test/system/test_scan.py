@@ -1,0 +1,117 @@
+"""The laser scan over ROS: what a client gets, and when there is nobody to get it."""
+
+import math
+
+import numpy
+import pytest
+import rosgraph
+import rospy
+from nav_msgs.msg import Odometry
+from odometry_tests.scripts import ROOT
+from odometry_tests.tutorial import simulator
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from sensor_msgs.msg import LaserScan
+from sim_turtlebot.scan_topic import ScanTopic
+
+ROOM = f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'
+CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
+SCANS = 20
+
+
+def published():
+    """Return the topics that have a publisher."""
+    return [topic for topic, _ in rosgraph.Master('/test').getSystemState()[0]]
+
+
+def test_without_the_parameter_there_is_no_scan(simulated_time):
+    """As ever."""
+    with simulator():
+        Recorder('odom', Odometry).wait_for()
+        assert '/scan' not in published()
+
+
+def test_a_scan_is_that_of_the_depth_camera(simulated_time):
+    """640 beams in 58 degrees, ten times a second, each with an odometry of the same moment."""
+    with simulator('_scan:=true', CORRIDOR):
+        odometry, scans = Recorder('odom', Odometry), Recorder('scan', LaserScan)
+        seen = scans.wait_for_count(SCANS)
+        wait_until(lambda: odometry.last.header.stamp > seen[-1].header.stamp, 20.0, 'odometry')
+    scan = seen[0]
+    assert scan.header.frame_id == 'camera_depth_frame'
+    assert (scan.range_min, scan.range_max) == pytest.approx((0.45, 10.0))
+    assert (scan.scan_time, scan.time_increment) == pytest.approx((0.1, 0.0))
+    assert len(scan.ranges) == 640 and not scan.intensities
+    assert scan.angle_max - scan.angle_min == pytest.approx(math.radians(58), abs=1e-3)
+    assert scan.angle_min + 639 * scan.angle_increment == pytest.approx(scan.angle_max, abs=1e-5)
+    assert scan.ranges[320] == pytest.approx(5.087, abs=0.01), 'the end of the corridor'
+    # The left wall comes last: angles are counted to the left.
+    assert scan.ranges[0] == pytest.approx((0.75 + 0.0135) / math.sin(0.506), abs=0.01)
+    assert scan.ranges[-1] == pytest.approx((0.75 - 0.0135) / math.sin(0.506), abs=0.01)
+    stamps = [message.header.stamp.to_nsec() for message in seen]
+    assert {after - before for before, after in zip(stamps, stamps[1:])} == {10**8}
+    assert set(stamps[1:]) <= {message.header.stamp.to_nsec() for message in odometry.messages}
+
+
+def test_the_parameters_shape_the_scan(simulated_time):
+    """A laser all round, at another rate and with other ranges."""
+    with simulator('_scan:=true', ROOM, '_scan_beams:=361', '_scan_fov:=6.283', '_scan_rate:=4',
+                   '_scan_range_min:=0.1', '_scan_range_max:=2.2', '_scan_noise:=0.01', '_seed:=5'):
+        first, second = Recorder('scan', LaserScan).wait_for_count(2)
+    assert len(first.ranges) == 361
+    assert first.angle_max - first.angle_min == pytest.approx(6.283)
+    assert (second.header.stamp - first.header.stamp).to_sec() == first.scan_time == 0.25
+    assert (first.range_min, first.range_max) == pytest.approx((0.1, 2.2))
+    for beam, expected in [(180, 2.087), (0, 1.913), (90, 2.0135), (270, 1.9865)]:
+        assert first.ranges[beam] == pytest.approx(expected, abs=0.05)
+    assert math.inf in first.ranges, 'the corners of the room are farther'
+    assert first.ranges != second.ranges, 'they have no noise'
+
+
+def test_an_empty_world_is_out_of_range(simulated_time):
+    """The default world."""
+    with simulator('_scan:=true'):
+        assert set(Recorder('scan', LaserScan).wait_for().ranges) == {math.inf}
+
+
+def test_each_of_many_robots_has_a_scan_of_its_own(simulated_time):
+    """In its namespace; it sees the others, and not itself."""
+    with simulator('_scan:=true', '_robots:=2', '_scan_fov:=6.283', '_scan_beams:=361',
+                   '_scan_range_min:=0.1'):
+        scans = [Recorder(f'robot_{number}/scan', LaserScan).wait_for() for number in (1, 2)]
+    for number, scan, beam in [(1, scans[0], 270), (2, scans[1], 90)]:
+        assert scan.header.frame_id == f'robot_{number}/camera_depth_frame'
+        # A metre apart; the plates are 0.34 m wide, and the camera is beside the middle.
+        assert scan.ranges[beam] == pytest.approx(0.83, abs=0.02)
+        seen = [index for index, distance in enumerate(scan.ranges) if distance < math.inf]
+        assert max(abs(index - beam) for index in seen) < 15
+
+
+class CountingScanner:
+    """A scanner that counts how often it looks."""
+
+    field_of_view, beams, range_min, range_max = 1.0, 3, 0.1, 1.0
+
+    def __init__(self):
+        """Begin at zero."""
+        self.looks = 0
+
+    def scan(self, _number):
+        """Return what a scanner does."""
+        self.looks += 1
+        return numpy.ones(self.beams)
+
+
+@pytest.mark.parametrize('queue_size', [None, 10])
+def test_nobody_looks_where_nobody_listens(master, queue_size):
+    """The rays are what a scan costs."""
+    scanner = CountingScanner()
+    topic = ScanTopic(scanner, f'queue_{queue_size}/', 10.0, 20.0, queue_size)
+    for number in range(10):
+        topic.publish(rospy.Time(), number)
+    assert scanner.looks == 0
+    scans = Recorder(f'queue_{queue_size}/scan', LaserScan)
+    wait_for_subscribers(topic.publisher)
+    for number in range(10):
+        topic.publish(rospy.Time(), number)
+    assert scanner.looks == 5
+    assert [scan.header.seq for scan in scans.wait_for_count(5)] == [0, 2, 4, 6, 8]

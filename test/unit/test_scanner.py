@@ -1,0 +1,164 @@
+"""What the depth camera sees, against walls and robots whose places are known."""
+
+import math
+
+import numpy
+import pytest
+from odometry_common.kobuki import DEPTH_CAMERA as CAMERA
+from odometry_tests.scripts import ROOT
+from odometry_tests.simulation import Simulation
+from sim_turtlebot.scanner import Scanner, is_scan_due
+
+WORLDS = ROOT / 'sim_turtlebot' / 'worlds'
+ALL_ROUND = 2 * math.pi
+CLOSE = 0.01  # m
+FAR = math.inf
+TOO_CLOSE = -math.inf
+# Faces of the room's walls (m), and of its boxes as the least and the greatest x and y.
+WALL = 2.0
+BOXES = [(1.0, 1.4, 1.0, 1.4), (-1.5, -0.9, 0.75, 1.05), (-0.95, -0.65, -1.45, -1.15)]
+
+
+def scan_in(world, *starts, robot=0, **options):
+    """Return what a robot (an index) sees from its start in a world."""
+    simulation = Simulation(*starts, world_file=world and str(WORLDS / world))
+    return Scanner(simulation.robots[robot].body, **options).scan(0)
+
+
+def range_in_box(x, y, angle, box):
+    """Return how far it is (m) along an angle (rad) to a box from within or without."""
+    least, greatest = -math.inf, math.inf
+    for place, step, low, high in ((x, math.cos(angle), *box[:2]), (y, math.sin(angle), *box[2:])):
+        bounds = sorted([(low - place) / (step or 1e-12), (high - place) / (step or 1e-12)])
+        least, greatest = max(least, bounds[0]), min(greatest, bounds[1])
+    if greatest < max(least, 0.0):
+        return math.inf
+    return greatest if least < 0 else least
+
+
+def range_in_room(x, y, angle):
+    """Return the range (m) that geometry gives for a beam in the room."""
+    return min(range_in_box(x, y, angle, box) for box in [(-WALL, WALL, -WALL, WALL), *BOXES])
+
+
+@pytest.mark.parametrize('x, y, yaw', [
+    (0.0, 0.0, 0.0), (0.0, 0.0, 0.7), (1.0, -1.0, -2.0), (-1.0, 0.0, math.pi), (0.3, 1.2, 3.0)])
+@pytest.mark.parametrize('beams, field_of_view', [(640, 1.012), (361, ALL_ROUND), (2, 0.01)])
+def test_walls_and_boxes_are_seen_where_they_are(x, y, yaw, beams, field_of_view):
+    """Each beam, to a centimetre, from any place and in any direction."""
+    seen = scan_in('room.urdf', (x, y, yaw), beams=beams, field_of_view=field_of_view,
+                   range_min=0.01)
+    sensor_x = x + CAMERA[0] * math.cos(yaw) - CAMERA[1] * math.sin(yaw)
+    sensor_y = y + CAMERA[0] * math.sin(yaw) + CAMERA[1] * math.cos(yaw)
+    angles = yaw - field_of_view / 2 + field_of_view / (beams - 1) * numpy.arange(beams)
+    # Beside an edge a beam may pass it or meet it.
+    known = numpy.array([[range_in_room(sensor_x, sensor_y, angle + beside)
+                          for beside in (-1e-4, 0.0, 1e-4)] for angle in angles])
+    nearer, farther = known.min(axis=1) - CLOSE, known.max(axis=1) + CLOSE
+    assert ((nearer <= seen) & (seen <= farther)).all(), list(zip(angles, known, seen))
+
+
+def test_an_empty_world_has_nothing_to_see():
+    """Least of all the robot itself, whose plates are around its camera."""
+    assert (scan_in('', field_of_view=ALL_ROUND, range_min=0.0) == FAR).all()
+
+
+@pytest.mark.parametrize('x, expected', [(0.0, 2.087), (1.5, 0.587), (1.63, 0.457),
+                                         (1.64, TOO_CLOSE), (1.8, TOO_CLOSE), (-1.0, FAR)])
+def test_what_is_out_of_range_is_infinite(x, expected):
+    """REP-117: +inf beyond the longest range, -inf before the shortest."""
+    seen = scan_in('room.urdf', (x, 0.0, 0.0), beams=3, field_of_view=0.02, range_max=3.0)
+    assert seen == pytest.approx(expected, abs=CLOSE)
+
+
+def test_robots_see_each_other():
+    """Their plates, at the height of the camera; one behind the other is hidden."""
+    starts = (0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (3.0, 0.0, 0.0)
+    options = {'beams': 3, 'field_of_view': 0.02}
+    rear = -0.157  # m, of the plates
+    for robot, expected in [(0, 2.0 + rear - CAMERA[0]), (1, 1.0 + rear - CAMERA[0]), (2, FAR)]:
+        assert scan_in('', *starts, robot=robot, **options) == pytest.approx(expected, abs=CLOSE)
+
+
+def test_a_robot_that_was_reset_is_seen_where_it_is():
+    """Also while nothing moves, and the physics is not stepped."""
+    simulation = Simulation((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+    scanner = Scanner(simulation.robots[0].body, beams=3, field_of_view=0.02)
+    at_start = scanner.scan(0)
+    simulation.command(0.5, 0.0, robot=1)
+    simulation.run(2.0)
+    assert (scanner.scan(0) > at_start + 0.8).all()
+    simulation.reset()
+    assert (scanner.scan(0) == at_start).all()
+
+
+def test_to_look_changes_nothing():
+    """A robot that is watched drives to the same bit."""
+    ends = []
+    for look in (False, True):
+        simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0),
+                                world_file=str(WORLDS / 'room.urdf'))
+        scanner = Scanner(simulation.robot.body, noise=0.01)
+        for _ in range(100):
+            simulation.drive(0.3, 0.5, 0.05)
+            if look:
+                scanner.scan(0)
+        ends.append(simulation.robot.ground_truth)
+    assert ends[0] == ends[1]
+
+
+def test_noise_is_as_wide_as_it_is_said_to_be():
+    """About the true range, and of its own for each beam, scan, seed and robot."""
+    true = scan_in('room.urdf', beams=2000)
+    noises = []
+    for seed, number in [((0, 0), 0), ((0, 0), 1), ((1, 0), 0), ((0, 1), 0)]:
+        simulation = Simulation(world_file=str(WORLDS / 'room.urdf'))
+        scanner = Scanner(simulation.robot.body, beams=2000, noise=0.02, seed=seed)
+        noises.append(scanner.scan(number) - true)
+        assert (scanner.scan(number) - true == noises[-1]).all(), 'repeated'
+        assert noises[-1].mean() == pytest.approx(0.0, abs=0.002)
+        assert noises[-1].std() == pytest.approx(0.02, rel=0.1)
+    correlations = numpy.corrcoef(noises) - numpy.eye(len(noises))
+    assert numpy.abs(correlations).max() < 0.1
+
+
+def test_noise_takes_no_range_beyond_its_limits():
+    """A range is within them, or infinite."""
+    seen = scan_in('room.urdf', beams=1000, field_of_view=0.02, range_min=2.05, range_max=2.12,
+                   noise=0.05)
+    finite = seen[numpy.isfinite(seen)]
+    assert {FAR, TOO_CLOSE} < set(seen) and len(finite) > 100
+    assert finite.min() >= 2.05 and finite.max() <= 2.12
+
+
+@pytest.mark.parametrize('scan_rate, odom_rate, expected', [
+    (10, 20, [0, 2, 4, 6, 8]), (20, 20, [0, 1, 2, 3, 4]), (8, 20, [0, 3, 5, 8, 10]),
+    (30, 50, [0, 2, 4, 5, 7]), (0.1, 20, [0, 200, 400, 600, 800]), (1 / 3, 1, [0, 3, 6, 9, 12])])
+def test_a_scan_is_due_at_the_first_odometry_after_its_time(scan_rate, odom_rate, expected):
+    """Never late by more than one odometry period, whatever the rates."""
+    due = [count for count in range(expected[-1] + 1) if is_scan_due(count, scan_rate, odom_rate)]
+    assert due == expected
+
+
+@pytest.mark.parametrize('scan_rate, odom_rate', [(13, 23), (15, 22), (30, 52)])
+def test_rounding_puts_off_no_scan(scan_rate, odom_rate):
+    """As floating point has it, 15/22 times 22 is a little less than 15."""
+    assert is_scan_due(odom_rate, scan_rate, odom_rate)
+    assert not is_scan_due(odom_rate + 1, scan_rate, odom_rate)
+
+
+@pytest.mark.parametrize('scan_rate', [0.7, 7, 10, 13, 20])
+def test_in_a_long_time_no_scan_is_lost(scan_rate):
+    """An hour of odometry."""
+    due = sum(is_scan_due(count, scan_rate, 20) for count in range(20 * 3600))
+    assert due == pytest.approx(3600 * scan_rate, abs=1)
+
+
+def test_the_corridor_has_a_door():
+    """Its end is seen 5 m ahead, its walls beside it, and through the door the wall of the room."""
+    ahead = {'beams': 3, 'field_of_view': 0.02}
+    assert scan_in('corridor.urdf', **ahead) == pytest.approx(5.087, abs=CLOSE)
+    left = scan_in('corridor.urdf', (0.0, 0.0, math.pi / 2), **ahead)
+    assert left == pytest.approx(0.75 - CAMERA[0], abs=CLOSE)
+    through = scan_in('corridor.urdf', (2.95, 0.0, math.pi / 2), **ahead)
+    assert through == pytest.approx(2.85 - CAMERA[0], abs=CLOSE)
