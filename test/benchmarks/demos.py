@@ -11,7 +11,10 @@ from odometry_tests.waiting import wait_until
 
 ROOT = Path(__file__).resolve().parents[2]
 BARE = Path(__file__).with_name('bare.launch')
-NODES = BARE.read_text().count('<node ')
+SCRIPTS = {'demo': 'launch/src/odometry_launch/following.py',
+           'simulator': 'sim_turtlebot/script/sim_turtlebot_node.py',
+           'detector': 'odom_movement_detector/src/odom_movement_detector.py',
+           'mover': 'test_movement/src/test_movement.py'}
 TIMEOUT = 60.0  # s
 UNIT = 's'
 TARGET = Target('<=', 1.25)
@@ -72,13 +75,14 @@ def _start_bare():
 
 
 def _bare(port):
-    return Process('roslaunch', '-p', port, BARE,
+    scripts = [f'{name}:={ROOT / script}' for name, script in SCRIPTS.items()]
+    return Process('roslaunch', '-p', port, BARE, *scripts,
                    env={'ROS_MASTER_URI': f'http://localhost:{port}'})
 
 
 def _wait_for_nodes(process):
-    wait_until(lambda: process.stdout.count('seen') == NODES, TIMEOUT,
-               lambda: f'{NODES} nodes; roslaunch printed:\n{process.output}')
+    wait_until(lambda: process.stdout.count('seen') == len(SCRIPTS), TIMEOUT,
+               lambda: f'{len(SCRIPTS)} nodes; roslaunch printed:\n{process.output}')
 
 
 def _odometry(path):

@@ -51,8 +51,9 @@ def robot():
 
     windows = queue.Queue()
     rospy.Subscriber('ring/run', Float64, windows.put)
-    while True:
-        run(windows.get().data)
+    rospy.on_shutdown(lambda: windows.put(None))
+    while (message := windows.get()) is not None:
+        run(message.data)
 
 
 def relay(question, question_class, answer, answer_class):

@@ -1,5 +1,7 @@
 """The topics of one robot."""
 
+from functools import partial
+
 import rospy
 from geometry_msgs.msg import TransformStamped, Twist
 from nav_msgs.msg import Odometry
@@ -56,13 +58,13 @@ class RobotTopics:
         :param on_velocity: function of linear (m/s) and angular (rad/s) velocity, and of the input
             of the multiplexer that they came through; None if they bypass it
         """
-        def on_twist(message, mux_input):
+        def on_twist(mux_input, message):
             on_velocity(message.linear.x, message.angular.z, mux_input)
 
         inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
                   **{name: name for name in INPUTS}}
         self.command_topics = [
-            rospy.Subscriber(f'{self._namespace}{topic}', Twist, on_twist, mux_input,
+            rospy.Subscriber(f'{self._namespace}{topic}', Twist, partial(on_twist, mux_input),
                              tcp_nodelay=True).resolved_name
             for topic, mux_input in inputs.items()]
         rospy.Subscriber(f'{self._namespace}mobile_base/commands/reset_odometry', Empty,
