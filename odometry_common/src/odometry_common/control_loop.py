@@ -1,6 +1,8 @@
 """When a controller acts: as its input arrives, and at its own period where that is slow."""
 
 import contextlib
+import threading
+import time
 
 import rospy
 
@@ -8,7 +10,7 @@ from odometry_common.subscribing import one_at_a_time
 from odometry_common.timing import Metronome, Watchdog
 
 PERIODS_UNTIL_SLOW = 2.5  # without input; the clock may be heard a period after it
-LOOK_PERIOD = 0.1  # s between two looks after a controller without a period
+LOOK_PERIOD = 0.1  # s of real time between two looks after a controller without a period
 REAL_SILENCE = 0.2  # s; at up to five times real time the usual timeout is longer
 CLOCK_LAG = 60.0  # s of simulated time, by which a busy machine may hear the clock late
 
@@ -29,7 +31,11 @@ class ControlLoop:
         self._slow = Watchdog(PERIODS_UNTIL_SLOW * period)
         self._silent = Watchdog(timeout, min(timeout, REAL_SILENCE))
         self._input, self._stamp = None, 0.0
-        rospy.Timer(rospy.Duration(period or LOOK_PERIOD), self._look, reset=True)
+        if period:
+            rospy.Timer(rospy.Duration(period), self._look, reset=True)
+        else:
+            # A timer of rospy would wake with each tick of the clock, which slows lockstep down.
+            threading.Thread(target=self._look_again_and_again, daemon=True).start()
 
     def hear(self, value, stamp=0.0):
         """Take an input, measured at `stamp` (s; 0: unknown), and control at once if it is time.
@@ -43,7 +49,12 @@ class ControlLoop:
         if self._metronome.is_due(stamp or now):
             self._control(value, now)
 
-    def _look(self, _event):
+    def _look_again_and_again(self):
+        while not rospy.is_shutdown():
+            time.sleep(LOOK_PERIOD)
+            self._look()
+
+    def _look(self, _event=None):
         with one_at_a_time, contextlib.ExitStack() as failure:
             # An error ends the timer, and nobody would notice silence any more.
             failure.callback(rospy.signal_shutdown, 'the controller has failed')
