@@ -58,13 +58,15 @@ def mean_twist(before, after, duration):
     :return: linear (m/s) and angular (rad/s) velocity in the robot's own frame, three of each
     """
     (start, orientation), (end, turned) = before, after
-    *axis, w = compose(inverse(orientation), turned)
+    x, y, z, w = compose(inverse(orientation), turned)
     if w < 0:
-        axis, w = [-part for part in axis], -w
-    sine = math.hypot(*axis)  # of half the angle
+        x, y, z, w = -x, -y, -z, -w
+    sine = math.hypot(x, y, z)  # of half the angle
     # An arc is longer than its chord, and an angle than its sine, by the same share.
     scale = (math.asin(min(1.0, sine)) / sine if sine else 1.0) / duration
     half = math.hypot(sine, 1 + w)
-    halfway = compose(orientation, (*(part / half for part in axis), (1 + w) / half))
-    way = rotate(inverse(halfway), tuple(b - a for a, b in zip(start, end)))
-    return tuple(scale * part for part in way), tuple(2 * scale * part for part in axis)
+    halfway = compose(orientation, (x / half, y / half, z / half, (1 + w) / half))
+    way = (end[0] - start[0], end[1] - start[1], end[2] - start[2])
+    forwards, aside, up = rotate(inverse(halfway), way)
+    return ((scale * forwards, scale * aside, scale * up),
+            (2 * scale * x, 2 * scale * y, 2 * scale * z))
