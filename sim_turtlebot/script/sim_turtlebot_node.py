@@ -5,6 +5,9 @@ Subscribes:
     cmd_vel, mobile_base/commands/velocity (geometry_msgs/Twist): linear.x up to 0.7 m/s,
         angular.z up to 180 degrees/s; the rest is ignored
     mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
+    ~set_pose (geometry_msgs/PoseStamped): puts the robot there, at rest; z is 0 where it stands on
+        the floor, and frame_id world or empty. Of several robots ~robot_k/set_pose; where there is
+        no room, it is refused with a warning
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
@@ -13,7 +16,7 @@ Publishes:
     /tf (tf2_msgs/TFMessage): odom -> base_footprint
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
     ~warning (std_msgs/String): latched; that the machine is too slow for the real-time factor,
-        and which one it reaches; empty otherwise
+        and which one it reaches; which robot lies on its side, and where; empty otherwise
 
 Services:
     ~pause_physics, ~unpause_physics, ~reset_simulation (std_srvs/Empty): as Gazebo's

@@ -11,7 +11,8 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
+from odometry_tests.placing import Placer
+from odometry_tests.tutorial import Truth, detector, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
 
@@ -27,12 +28,13 @@ def simulated_clock(master):
     rospy.set_param('/use_sim_time', True)
 
 
-def record(rate, starts, topics):
+def record(rate, starts, topics, prepare=lambda: None):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
     :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic; repetitions of the first one do
         not count
+    :param prepare: function that is called before time begins
     """
     with contextlib.ExitStack() as stack:
         stack.enter_context(simulator_in_step(UNPACED, rate=rate, patience=PATIENCE))
@@ -42,6 +44,7 @@ def record(rate, starts, topics):
         recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in topics.items()}
         for recorder in recorders.values():
             recorder.wait_for_publisher()
+        prepare()
         call('unpause_physics')
         for topic, (_, count) in topics.items():
             wait_until(lambda topic=topic, count=count:
@@ -67,10 +70,19 @@ def bytes_of(message):
     return buffer.getvalue()
 
 
+def put_elsewhere():
+    """Put the robot at another place, and look to another side."""
+    truth = Truth()
+    placer = Placer()
+    placer.put(1.5, -2.0, yaw=2.0)
+    truth.wait_for(lambda m: m.pose.pose.position.x == 1.5, what='a robot at x 1.5 m')
+
+
 MOVE = 20, [detector, mover], {
     '/odom': (Odometry, 20 * COMPARED), '/moved_distance': (Float64, 20 * COMPARED),
     # The mover's commands are all the same until it arrives, so that most are repetitions.
     '/cmd_vel': (Twist, 80)}
+ELSEWHERE = *MOVE, put_elsewhere
 ROTATE = 10, [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
 
 
@@ -80,7 +92,7 @@ def two_metres():
     return record(*MOVE)
 
 
-@pytest.mark.parametrize('tutorial', [MOVE, ROTATE], ids=['move', 'rotate'])
+@pytest.mark.parametrize('tutorial', [MOVE, ELSEWHERE, ROTATE], ids=['move', 'elsewhere', 'rotate'])
 def test_two_runs_are_the_same_bytes(two_metres, tutorial):
     """Each message on each topic, from the first to the last."""
     first = two_metres if tutorial is MOVE else record(*tutorial)

@@ -5,7 +5,15 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.rotations import about_z, compose, inverse, rotate, yaw_of
+from sim_turtlebot.rotations import (
+    about_z,
+    compose,
+    height_of_z,
+    inverse,
+    is_upright,
+    rotate,
+    yaw_of,
+)
 from tf import transformations
 
 angles = st.floats(-math.pi, math.pi)
@@ -52,3 +60,21 @@ def test_the_yaw_of_a_rotation_about_z_is_its_angle(yaw):
     """All the way round."""
     assert about_z(yaw) == close(transformations.quaternion_about_axis(yaw, (0, 0, 1)))
     assert math.remainder(yaw_of(about_z(yaw)) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-14)
+
+
+@given(rotations)
+def test_the_height_of_z_is_that_of_the_turned_axis(rotation):
+    """The last number of the matrix."""
+    expected = transformations.quaternion_matrix(rotation)[2, 2]
+    assert height_of_z(rotation) == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.parametrize('degrees, upright', [
+    (0, True), (59.9, True), (-59.9, True), (60.1, False), (90, False), (180, False), (-90, False)])
+@pytest.mark.parametrize('axis', [(1, 0, 0), (0, 1, 0), (0.6, 0.8, 0)])
+@pytest.mark.parametrize('yaw', [0.0, 2.0])
+def test_what_leans_more_than_60_degrees_is_not_upright(degrees, upright, axis, yaw):
+    """To any side, whichever way it looks."""
+    half = math.radians(degrees) / 2
+    lean = *(math.sin(half) * part for part in axis), math.cos(half)
+    assert is_upright(compose(lean, about_z(yaw))) == upright

@@ -48,6 +48,10 @@ class WorldOdometry:
                       compose(self._to_odom, ground_truth.orientation),
                       ground_truth.linear, ground_truth.angular)
 
+    def carry(self, ground_truth):
+        """Return the Motion in the odom frame of a robot that was put down elsewhere."""
+        return self.update(ground_truth, None, 0.0)
+
 
 class EncoderOdometry:
     """Dead reckoning from wheel ticks, with the errors of a real base."""
@@ -95,6 +99,17 @@ class EncoderOdometry:
         self._yaw = math.remainder(self._yaw + rotation, 2 * math.pi)
         return Motion((self._x, self._y, 0.0), about_z(self._yaw),
                       (travel / duration, 0.0, 0.0), (0.0, 0.0, rotation / duration))
+
+    def carry(self, ground_truth):
+        """Return the Motion in the odom frame of a robot that was put down elsewhere.
+
+        No wheel has turned, so that it is where it was. Only a gyro notices that it was turned.
+        """
+        yaw = yaw_of(ground_truth.orientation)
+        if self._gyro:
+            self._yaw = math.remainder(self._yaw + yaw - self._true_yaw, 2 * math.pi)
+        self._true_yaw = yaw
+        return Motion((self._x, self._y, 0.0), about_z(self._yaw), STILL, STILL)
 
     def _wheel_travel(self, wheel_angles):
         ticks = [_ticks(angle) for angle in wheel_angles]

@@ -1,7 +1,7 @@
 """The topics of one robot."""
 
 import rospy
-from geometry_msgs.msg import TransformStamped, Twist
+from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import JointState
@@ -44,15 +44,26 @@ class RobotTopics:
              advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size))]
         self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
 
-    def subscribe(self, on_velocity, on_reset_odometry):
-        """Listen for commands: on_velocity(linear, angular) in m/s and rad/s, and resets."""
+    def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
+        """Listen for commands.
+
+        :param on_velocity: function of a linear (m/s) and an angular velocity (rad/s)
+        :param on_reset_odometry: function without arguments
+        :param on_set_pose: function of a frame_id, a position and an orientation, as tuples
+        """
         def on_twist(message):
             on_velocity(message.linear.x, message.angular.z)
+
+        def on_pose(message):
+            position, orientation = message.pose.position, message.pose.orientation
+            on_set_pose(message.header.frame_id, (position.x, position.y, position.z),
+                        (orientation.x, orientation.y, orientation.z, orientation.w))
 
         commands = f'{self._namespace}mobile_base/commands'
         for topic in (f'{self._namespace}cmd_vel', f'{commands}/velocity'):
             rospy.Subscriber(topic, Twist, on_twist, tcp_nodelay=True)
         rospy.Subscriber(f'{commands}/reset_odometry', Empty, lambda _: on_reset_odometry())
+        rospy.Subscriber(f'~{self._namespace}set_pose', PoseStamped, on_pose, tcp_nodelay=True)
 
     def publish(self, stamp, number):
         """Publish the robot's state; return the transform from odom to base_footprint.

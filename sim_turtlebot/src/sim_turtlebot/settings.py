@@ -13,6 +13,8 @@ from odometry_common.parameters import (
     get_whole,
 )
 
+from sim_turtlebot.poses import COORDINATES, MAX_COORDINATE
+
 
 def read_settings():
     """Return all parameters by their names; raise ParameterError for the first unusable one."""
@@ -47,7 +49,7 @@ def read_settings():
 
 
 def _get_coordinate(name):
-    return get_number(name, 0.0, lambda v: abs(v) <= 1e4, 'from -10000 to 10000 m')
+    return get_number(name, 0.0, lambda v: abs(v) <= MAX_COORDINATE, COORDINATES)
 
 
 def _check_wall_time(settings):

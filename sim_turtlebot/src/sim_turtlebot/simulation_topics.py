@@ -27,14 +27,13 @@ class SimulationTopics:
         self._clock = advertise('/clock', Clock, queue_size) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage, queue_size)
         self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
-                        in zip(simulation.robots, _namespaces(settings.robots))]
+                        in zip(simulation.robots, namespaces(settings.robots))]
         self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
-        self.warn('')
 
-    def subscribe(self, on_velocity, on_reset_odometry):
-        """Listen for on_velocity(robot, linear, angular), an index, m/s, rad/s, and for resets."""
+    def subscribe(self, *callbacks):
+        """Listen as RobotTopics.subscribe() does; each callback takes the robot's index first."""
         for index, topics in enumerate(self._robots):
-            topics.subscribe(partial(on_velocity, index), partial(on_reset_odometry, index))
+            topics.subscribe(*(partial(callback, index) for callback in callbacks))
 
     def publish_clock(self):
         """Publish the simulated time, if it rules."""
@@ -48,7 +47,7 @@ class SimulationTopics:
         self._tf.publish(TFMessage([topics.publish(stamp, number) for topics in self._robots]))
 
     def warn(self, text):
-        """Publish a warning; an empty one takes it back."""
+        """Publish what there is to warn of; empty: nothing."""
         self._warning.publish(text)
 
     def _stamp(self):
@@ -57,5 +56,6 @@ class SimulationTopics:
         return rospy.Time.now()
 
 
-def _namespaces(robots):
+def namespaces(robots):
+    """Return the namespace of each of so many robots, '' or one that ends in a slash."""
     return [''] if robots == 1 else [f'robot_{number}/' for number in range(1, robots + 1)]
