@@ -4,6 +4,7 @@ import shutil
 import subprocess
 
 import pytest
+import rosgraph
 import rosnode
 from odometry_tests.processes import Process
 from odometry_tests.screen import Screen
@@ -24,6 +25,12 @@ def screen():
         yield virtual
 
 
+def partners(topic):
+    """Return the nodes that publish a topic, and those that subscribe to it."""
+    published, subscribed, _ = rosgraph.Master('/test').getSystemState()
+    return dict(published).get(topic), dict(subscribed).get(topic)
+
+
 def wait_for_odometry(process):
     """Return once the process has a robot."""
     truth = Truth()
@@ -36,12 +43,13 @@ def wait_for_robot(screen):
 
 
 def test_rviz_shows_the_robot_and_ends_cleanly(screen):
-    """With our configuration: robot model, odometry, truth, and no complaint."""
+    """With our configuration: robot model, odometry, truth, 2D Pose Estimate, and no complaint."""
     if subprocess.run(['rospack', 'find', 'rviz'], capture_output=True, check=False).returncode:
         pytest.skip('rviz is not installed')
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', 'rviz:=true') as launch:
         Truth().wait_until_moving(40.0)
         wait_for_robot(screen)
+        assert partners('/initialpose') == (['/rviz'], ['/world_frame'])
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
 
