@@ -107,14 +107,17 @@ class Simulator:
         if self._timeline.clock_is_due:
             self._topics.publish_clock()
         if new_odometry:
-            self._topics.publish_robots()
-            self._falls.look()
+            self._publish_robots()
             if self._settings.gui:
                 self._update_window()
 
     def _publish(self):
         self._topics.publish_clock()
+        self._publish_robots()
+
+    def _publish_robots(self):
         self._topics.publish_robots()
+        self._falls.look()
 
     def _update_window(self):
         if self._simulation.world.window.closed:
@@ -152,9 +155,8 @@ class Simulator:
             namespace = namespaces(self._settings.robots)[index]
             rospy.logwarn_throttle(1.0, f'~{namespace}set_pose refused: {error}')
             return
-        self._falls.look()
         if self._paused:
-            self._topics.publish_robots()
+            self._publish_robots()
 
     def _report_fall(self, name, text):
         """Warn, in the log and for the page, of a robot on its side, or take that back."""
@@ -189,7 +191,6 @@ class Simulator:
         if self._lockstep:
             self._lockstep.restart()
         self._pacer.restart(self._timeline.now)
-        self._falls.look()
         self._publish()
 
     def _stop(self):
