@@ -6,10 +6,14 @@ unset file
 
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
 PYTHON_PARTS=(python3-venv)
+# The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
+# lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
 DEBIAN_PARTS=(catkin g++ make python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
-    python3-roslaunch python3-rosnode python3-rospy python3-rosservice python3-rostest python3-rostopic
-    python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
-    librostest-dev ros-environment rosbash rosout)
+    python3-roslaunch python3-rosmsg python3-rosnode python3-rospy python3-rosservice python3-rostest
+    python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
+    librostest-dev ros-environment rosbash rosout
+    ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs ros-std-msgs
+    ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
 COMPILER_PARTS=(python3-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)

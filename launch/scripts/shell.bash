@@ -8,6 +8,11 @@ unset address
 . "$ODOMETRY_ROOT/launch/scripts/enter.bash"
 PS1="(ws) $PS1"
 
+# Debian has completion of ROS's commands only beside the package bash-completion.
+completions=/usr/share/bash-completion/completions/rosbash
+complete -p rostopic &>/dev/null || [ ! -f $completions ] || . $completions
+unset completions
+
 # view:=true, rviz:=true and gui:=true need parts that are installed when they are first asked for.
 roslaunch() { "$ODOMETRY_ROOT/ws" --set-up roslaunch "$@" && command roslaunch "$@"; }
 rosrun() { "$ODOMETRY_ROOT/ws" --set-up rosrun "$@" && command rosrun "$@"; }

@@ -8,6 +8,9 @@ Subscribes:
         TurtleBot 2's multiplexer: nothing comes through navi while teleop speaks, and for one
         second after
     mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
+    ~set_pose (geometry_msgs/PoseStamped): puts the robot there, at rest; z is 0 where it stands on
+        the floor, and frame_id world or empty. Of several robots ~robot_k/set_pose; where there is
+        no room, it is refused with a warning
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
@@ -20,7 +23,7 @@ Publishes:
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
     ~warning (std_msgs/String): latched; that the machine is too slow for the real-time factor,
-        and which one it reaches; empty otherwise
+        and which one it reaches; which robot lies on its side, and where; empty otherwise
 
 Services:
     ~pause_physics, ~unpause_physics, ~reset_simulation (std_srvs/Empty): as Gazebo's

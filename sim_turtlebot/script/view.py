@@ -15,6 +15,8 @@ Subscribes:
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
+    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): where the
+        panel's button puts a simulated robot
 
 Calls:
     sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,

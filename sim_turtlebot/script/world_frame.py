@@ -1,16 +1,26 @@
 #!/usr/bin/env python3
-"""Publish where the odom frame is in the world, as a perfect localisation would.
+"""Be to RViz what a perfect localisation would be: say where the odom frame is in the world.
 
-RViz needs it to show the robot's odometry and its true pose in one picture.
+RViz needs that to show the robot's odometry and its true pose in one picture. And where somebody
+says that the robot is, it is put.
 
 Subscribes:
     odom, base_pose_ground_truth (nav_msgs/Odometry): of the same robot
+    initialpose (geometry_msgs/PoseWithCovarianceStamped): from RViz's 2D Pose Estimate
 
 Publishes:
     /tf (tf2_msgs/TFMessage): world -> odom
+    sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose
 """
 
-from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
+from geometry_msgs.msg import (
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    Quaternion,
+    Transform,
+    TransformStamped,
+    Vector3,
+)
 from nav_msgs.msg import Odometry
 from odometry_common.ending import spin
 from odometry_common.node import run_node
@@ -27,8 +37,10 @@ class WorldFrame:
         """Publish with each true pose from the first odometry on."""
         self._odometry = None
         self._publisher = ClosingPublisher('/tf', TFMessage)
+        self._set_pose = ClosingPublisher('sim_turtlebot/set_pose', PoseStamped)
         Subscriber('odom', Odometry, self._on_odometry, 'odometry')
         Subscriber('base_pose_ground_truth', Odometry, self._on_ground_truth, 'ground truth')
+        Subscriber('initialpose', PoseWithCovarianceStamped, self._on_initial_pose)
 
     def _on_odometry(self, message):
         self._odometry = message
@@ -41,6 +53,9 @@ class WorldFrame:
                               Quaternion(*transformations.quaternion_from_matrix(frame)))
         self._publisher.publish(TFMessage([TransformStamped(
             ground_truth.header, self._odometry.header.frame_id, transform)]))
+
+    def _on_initial_pose(self, message):
+        self._set_pose.publish(PoseStamped(message.header, message.pose.pose))
 
 
 def _matrix(message):

@@ -8,6 +8,7 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
+from odometry_tests.robots import place
 from odometry_tests.scripts import ROOT
 from odometry_tests.viewing import ROBOT_PIXELS, Motion, View, wait_for_robot
 from odometry_tests.waiting import TIMEOUT, wait_until
@@ -64,6 +65,20 @@ def test_odometry_that_is_off_is_drawn_as_a_ghost(master, browser):
         page.wait_for_reading('speed', lambda speed: speed == 0)
         wait_until(lambda: blue_pixels(page.scene()) > ROBOT_PIXELS, TIMEOUT,
                    'a blue robot beside the dark one')
+
+
+def test_a_robot_is_put_where_the_page_says(master, browser):
+    """Typed, as numbers with a sign and a point."""
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=put'), \
+            View('__ns:=put') as view, browser.open(view.url) as page:
+        motion = Motion('/put/')
+        page.unfold('put the robot')
+        for label, text in ('x (m)', '1.5'), ('y (m)', '-0.25'), ('heading (degrees)', '-90'):
+            page.type(label, text)
+        page.click('put here')
+        motion.wait_for(lambda m: place(m) == (1.5, -0.25, -1.57), what='a robot that was put')
+        page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(-90))
+        assert 'ignored' not in view.process.output
 
 
 def test_all_robots_of_a_world_are_shown_and_each_can_be_driven(master, browser):

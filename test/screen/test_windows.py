@@ -4,6 +4,7 @@ import shutil
 import subprocess
 
 import pytest
+import rosgraph
 import rosnode
 from odometry_tests.processes import Process
 from odometry_tests.screen import Screen
@@ -25,6 +26,12 @@ def screen():
         yield virtual
 
 
+def partners(topic):
+    """Return the nodes that publish a topic, and those that subscribe to it."""
+    published, subscribed, _ = rosgraph.Master('/test').getSystemState()
+    return dict(published).get(topic), dict(subscribed).get(topic)
+
+
 def wait_for_odometry(process):
     """Return once the process has a robot."""
     truth = Truth()
@@ -37,7 +44,7 @@ def wait_for_robot(screen):
 
 
 def test_rviz_shows_the_robot_and_ends_cleanly(screen):
-    """With our configuration: robot model, odometry, truth; each frame comes from one node."""
+    """With our configuration, without a complaint; each frame comes from one node."""
     if subprocess.run(['rospack', 'find', 'rviz'], capture_output=True, check=False).returncode:
         pytest.skip('rviz is not installed')
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', 'rviz:=true') as launch:
@@ -47,6 +54,7 @@ def test_rviz_shows_the_robot_and_ends_cleanly(screen):
         senders = {(frame.child_frame_id, message._connection_header['callerid'])
                    for recorder in recorders for message in recorder.messages
                    for frame in message.transforms}
+        assert partners('/initialpose') == (['/rviz'], ['/world_frame'])
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
     frames = [frame for frame, _ in senders]

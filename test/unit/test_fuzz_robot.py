@@ -10,7 +10,7 @@ from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import yaw_of
+from sim_turtlebot.rotations import about_z, yaw_of
 
 from odometry_common import kobuki
 
@@ -32,6 +32,7 @@ SOURCES = {
 }
 
 yaws = st.floats(-math.pi, math.pi)
+places = st.floats(-2.5, 2.5)  # m, also within and behind a wall
 robots = st.integers(0, 1)
 speeds = st.one_of(st.sampled_from([0.7, -0.7, 0.1, 0.0]), st.floats(-1, 1), any_number)
 turn_speeds = st.one_of(st.sampled_from([math.pi, -math.pi, 0.0]), st.floats(-4, 4), any_number)
@@ -81,6 +82,19 @@ class RobotMachine(RuleBasedStateMachine):
         self.origins[robot] = self.simulation.robots[robot].ground_truth
         x, y, _ = self.simulation.robots[robot].odometry.position
         assert (x, y) == (0.0, 0.0)
+
+    @rule(robot=robots, x=places, y=places, yaw=yaws)
+    def set_pose(self, robot, x, y, yaw):
+        """Put a robot somewhere, where there may be no room."""
+        robot = self.simulation.robots[robot]
+        before, _ = robot.body.pose()
+        try:
+            robot.set_pose((x, y, 0.0), about_z(yaw))
+        except ValueError:
+            assert robot.body.pose()[0] == before
+        else:
+            assert robot.ground_truth.position[:2] == (x, y)
+            assert robot.resting
 
     @rule()
     def reset_simulation(self):

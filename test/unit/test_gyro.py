@@ -56,3 +56,12 @@ def test_without_use_of_the_gyro_the_wheels_keep_their_yaw():
     odometry = EncoderOdometry(gyro=False, gyro_drift=0.01)
     assert yaw_of(drive(odometry, 0.5)[-1].orientation) == 0.0
     assert odometry.gyro.heading == pytest.approx(0.1)
+
+
+def test_a_robot_that_is_carried_is_seen_to_turn_in_no_time():
+    """Without noise, and without a rate."""
+    gyro = Gyro(noise=0.1, drift=0.1)
+    gyro.reset(about_z(0.2))
+    assert gyro.carry(about_z(1.7)) == pytest.approx(1.5)
+    assert gyro.heading == pytest.approx(1.5)
+    assert gyro.rate == 0.0

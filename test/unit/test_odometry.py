@@ -128,6 +128,28 @@ def test_a_reset_while_driving_does_not_show_in_the_velocity(gyro):
     assert now.angular[2] == pytest.approx(0.4, abs=2 * TICK / WHEEL_SEPARATION / PERIOD)
 
 
+@pytest.mark.parametrize('gyro', [False, True])
+def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
+    """Its gyro, if it has one, notices that it was turned; nothing has a speed."""
+    odometry = EncoderOdometry(gyro)
+    odometry.reset(motion(1.0, 2.0, 0.5), at_zero())
+    before = odometry.update(motion(1.5, 2.0, 0.5), lambda: wheel_angles(0.5, 0.0), PERIOD)
+    carried = odometry.carry(motion(-3.0, 7.0, 2.5))
+    assert carried.position == before.position
+    assert yaw_of(carried.orientation) == pytest.approx(2.0 if gyro else 0.0)
+    assert (carried.linear, carried.angular) == (STILL, STILL)
+    after = odometry.update(motion(-3.0, 7.0, 2.5), lambda: wheel_angles(0.5, 0.0), PERIOD)
+    assert after == carried._replace(linear=after.linear, angular=after.angular)
+    assert (after.linear, after.angular) == (STILL, STILL)
+
+
+def test_world_odometry_jumps_with_the_robot():
+    """As Gazebo's does."""
+    odometry = WorldOdometry()
+    odometry.reset(motion(1.0, 2.0, 0.0))
+    assert odometry.carry(motion(4.0, 2.0, 1.0)).position == (3.0, 0.0, 0.0)
+
+
 @pytest.mark.parametrize('odometry, variances', [
     (WorldOdometry(), (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)),
     (EncoderOdometry(gyro=False), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2)),

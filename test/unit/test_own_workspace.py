@@ -11,6 +11,10 @@ MANIFESTS = [*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')]
 DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
           'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
 TO_BUILD = {'g++', 'git', 'make', 'python3-dev', 'python3-venv', 'ros-environment'}
+# Of messages and services, for rosmsg, rossrv and completion.
+DEFINITIONS = {'libnav-msgs-dev', 'libsensor-msgs-dev', 'libstd-srvs-dev', 'ros-geometry-msgs',
+               'ros-nav-msgs', 'ros-rosgraph-msgs', 'ros-roscpp-msg', 'ros-sensor-msgs',
+               'ros-std-msgs', 'ros-std-srvs', 'ros-tf2-msgs'}
 FOR_A_WINDOW = {'libgl1', 'libx11-6'}
 
 
@@ -31,4 +35,4 @@ def test_the_page_installs_what_the_packages_depend_on():
     """Neither less nor more."""
     lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)', PAGE)
     installed = {word for line in lines for word in line.split()}
-    assert installed == debian_packages() | TO_BUILD | FOR_A_WINDOW
+    assert installed == debian_packages() | TO_BUILD | DEFINITIONS | FOR_A_WINDOW

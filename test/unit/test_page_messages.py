@@ -28,6 +28,8 @@ INPUTS = {
     'hidden': handle(viser.GuiButtonHandle, visible=False),
     'disabled': handle(viser.GuiButtonHandle, disabled=True),
     'slider': handle(viser.GuiSliderHandle, min=0.05, max=0.7),
+    'number': handle(viser.GuiNumberHandle, min=-1e4, max=1e4),
+    'hidden number': handle(viser.GuiNumberHandle, min=-1e4, max=1e4, visible=False),
     'list': handle(viser.GuiDropdownHandle, options=('robot_1', 'robot_2')),
     'group': handle(viser.GuiButtonGroupHandle, options=('pause', 'resume')),
     'text': handle(viser.GuiTextHandle),
@@ -47,7 +49,8 @@ def hold(uuid, frequency=10.0):
 
 @pytest.mark.parametrize('message', [
     CAMERA, hold('button'), hold('button', 10), update('button', True), update('slider', 0.05),
-    update('slider', 0.7), update('list', 'robot_2'), update('group', 'pause')])
+    update('slider', 0.7), update('number', -1e4), update('number', 3), update('list', 'robot_2'),
+    update('group', 'pause')])
 def test_what_a_page_says_is_passed_on(message):
     """Unchanged."""
     passed = checked(msgspec.msgpack.encode(message), INPUTS)
@@ -57,6 +60,9 @@ def test_what_a_page_says_is_passed_on(message):
 @pytest.mark.parametrize('message', [
     *(update('slider', value) for value in (-5, 0, 0.0499, 0.701, 1e9, NAN, INFINITY, -INFINITY,
                                             '0.3', True, False, None, [0.3], {}, 2 ** 63)),
+    *(update('number', value) for value in (-10001, 1e9, NAN, INFINITY, '3', True, None, [3.0],
+                                            {})),
+    update('hidden number', 3.0), hold('number'), update('number', 3.0, min=-1e9),
     *(update('list', value) for value in ('../evil', '', 'robot_3', 'ROBOT_1', 1, None, True,
                                           ['robot_1'])),
     *(update('group', value) for value in ('reset', '', 0, None)),

@@ -10,7 +10,9 @@ from sim_turtlebot.rotations import (
     about_z,
     compose,
     from_rpy,
+    height_of_z,
     inverse,
+    is_upright,
     mean_twist,
     rotate,
     yaw_of,
@@ -96,3 +98,21 @@ def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
     expected = transformations.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
     for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
         assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)
+
+
+@given(rotations)
+def test_the_height_of_z_is_that_of_the_turned_axis(rotation):
+    """The last number of the matrix."""
+    expected = transformations.quaternion_matrix(rotation)[2, 2]
+    assert height_of_z(rotation) == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.parametrize('degrees, upright', [
+    (0, True), (59.9, True), (-59.9, True), (60.1, False), (90, False), (180, False), (-90, False)])
+@pytest.mark.parametrize('axis', [(1, 0, 0), (0, 1, 0), (0.6, 0.8, 0)])
+@pytest.mark.parametrize('yaw', [0.0, 2.0])
+def test_what_leans_more_than_60_degrees_is_not_upright(degrees, upright, axis, yaw):
+    """To any side, whichever way it looks."""
+    half = math.radians(degrees) / 2
+    lean = *(math.sin(half) * part for part in axis), math.cos(half)
+    assert is_upright(compose(lean, about_z(yaw))) == upright

@@ -7,13 +7,11 @@ from typing import NamedTuple
 from sim_turtlebot.building import new_simulation
 from sim_turtlebot.odometry import Motion
 from sim_turtlebot.physics import connect
-from sim_turtlebot.rotations import rotate
+from sim_turtlebot.rotations import is_upright
 
 from odometry_sweep.reading import read
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
-UPWARDS = (0.0, 0.0, 1.0)
-UPRIGHT = 0.5  # height of a standing robot's upper end, over that of one that is not inclined
 
 # A process has one PyBullet and one source of parameters, but a Dask worker several threads.
 _one_at_a_time = threading.Lock()
@@ -49,7 +47,7 @@ def follow(part, ticks, command):
         arrived = part.arrived(ground_truth)
         if arrived or stamp > part.longest:
             break
-    upright = rotate(ground_truth.orientation, UPWARDS)[2] > UPRIGHT
+    upright = is_upright(ground_truth.orientation)
     ended = ARRIVED if arrived else LATE if upright else FALLEN
     return {**part.figures(start, ground_truth), 'time': stamp, 'ended': ended}
 

@@ -89,7 +89,7 @@ def _accepts(handle, value):
     """Return whether an input can have a value."""
     if isinstance(handle, viser.GuiButtonHandle):
         return value is True
-    if isinstance(handle, viser.GuiSliderHandle):
+    if isinstance(handle, (viser.GuiSliderHandle, viser.GuiNumberHandle)):
         is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
         return is_number and handle.min <= value <= handle.max
     if isinstance(handle, (viser.GuiDropdownHandle, viser.GuiButtonGroupHandle)):

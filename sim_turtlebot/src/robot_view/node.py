@@ -65,12 +65,12 @@ class Viewer:
             for namespace, robot in self._robots.items():
                 robot.set_rotating(namespace in graph.rotating)
         except (OSError, rosgraph.MasterException):
-            self._page.simulation.update(set(), 'the ROS master does not answer')
+            self._page.update_simulation(set(), 'the ROS master does not answer')
             return
         complaint = self._warning if self._warnings.get_num_connections() else ''
         if not graph.robots:
             complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
-        self._page.simulation.update(graph.services, complaint)
+        self._page.update_simulation(graph.services, complaint)
 
     def _on_warning(self, message):
         self._warning = message.data

@@ -15,6 +15,7 @@ from robot_view.guard import guarded
 from robot_view.messages import checked
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import Readings, SimulationButtons
+from robot_view.placing import PlacingInputs
 from robot_view.plots import Plots
 from robot_view.scene import TWO_METRES, RobotFigure, add_floor_and_lights
 
@@ -58,13 +59,14 @@ class Page:
         self._readings = Readings(gui)
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
         self._choice.on_update(lambda _: self.pad.choose(self.chosen))
-        self.simulation = SimulationButtons(gui)
+        self._simulation = SimulationButtons(gui)
         with gui.add_folder('drive: hold a button or an arrow key'):
             self.pad = Pad(lambda: (self._linear.value, math.radians(self._angular.value)))
             add_pad(gui, self.pad)
             self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2)
             self._angular = gui.add_slider(
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45)
+        self._placing = PlacingInputs(gui, lambda: self.chosen)
         panel = gui.add_panel()
         self._plots = Plots(gui, panel.add_tab('plots'))
         panel.dock_left()
@@ -92,6 +94,10 @@ class Page:
     def wake(self):
         """End a wait()."""
         self._changed.set()
+
+    def update_simulation(self, services, complaint=''):
+        """Show what there is for a simulation, as SimulationButtons.update() does."""
+        self._placing.show(self._simulation.update(services, complaint))
 
     def set_robots(self, namespaces):
         """Show these robots and no others."""

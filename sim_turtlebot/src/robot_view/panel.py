@@ -44,12 +44,16 @@ class SimulationButtons:
         self._buttons.on_click(self._call)
 
     def update(self, services, complaint=''):
-        """Offer the services (full names) that there are, and say what is wrong, if anything is."""
+        """Offer the services (full names) that there are, and say what is wrong, if anything is.
+
+        :return: whether they are a simulator's
+        """
         names = {rospy.resolve_name(name) for name in SERVICES.values()}
         self._buttons.visible = names <= services
         if not complaint and not self._buttons.visible:
             complaint = 'no simulator here: no pause, resume and reset'
         self._status.content = f'<div id="status">{html.escape(complaint)}</div>'
+        return self._buttons.visible
 
     @staticmethod
     def _call(event):

@@ -27,10 +27,20 @@ class Gyro:
 
     def update(self, orientation, duration):
         """Sense the rotation since the last call, `duration` seconds ago; return it (rad)."""
-        yaw = yaw_of(orientation)
-        rotation = math.remainder(yaw - self._true_yaw, 2 * math.pi)
+        rotation = self._true_rotation(orientation)
         rotation += self._rng.gauss(self._drift * duration, self._noise * math.sqrt(duration))
-        self._true_yaw = yaw
         self.heading = math.remainder(self.heading + rotation, 2 * math.pi)
         self.rate = rotation / duration
         return rotation
+
+    def carry(self, orientation):
+        """Sense the rotation of a robot that was put down elsewhere, in no time; return it (rad)."""
+        rotation = self._true_rotation(orientation)
+        self.heading = math.remainder(self.heading + rotation, 2 * math.pi)
+        self.rate = 0.0
+        return rotation
+
+    def _true_rotation(self, orientation):
+        """Return the rotation since the last call (rad)."""
+        before, self._true_yaw = self._true_yaw, yaw_of(orientation)
+        return math.remainder(self._true_yaw - before, 2 * math.pi)

@@ -68,6 +68,12 @@ class WorldOdometry:
         return Motion(rotate(self._to_odom, from_origin),
                       compose(self._to_odom, ground_truth.orientation), *twist)
 
+    def carry(self, ground_truth):
+        """Return the Motion in the odom frame of a robot that was put down elsewhere."""
+        self.gyro.carry(ground_truth.orientation)
+        self._last = ground_truth
+        return self._in_odom(ground_truth, (STILL, STILL))
+
 
 class EncoderOdometry:
     """Dead reckoning from wheel ticks, with the errors of a real base."""
@@ -117,6 +123,16 @@ class EncoderOdometry:
         self._yaw = math.remainder(self._yaw + rotation, 2 * math.pi)
         return Motion((self._x, self._y, 0.0), about_z(self._yaw),
                       (travel / duration, 0.0, 0.0), (0.0, 0.0, rotation / duration))
+
+    def carry(self, ground_truth):
+        """Return the Motion in the odom frame of a robot that was put down elsewhere.
+
+        No wheel has turned, so that it is where it was. Only a gyro notices that it was turned.
+        """
+        rotation = self.gyro.carry(ground_truth.orientation)
+        if self._use_gyro:
+            self._yaw = math.remainder(self._yaw + rotation, 2 * math.pi)
+        return Motion((self._x, self._y, 0.0), about_z(self._yaw), STILL, STILL)
 
     def _wheel_travel(self, wheel_angles):
         ticks = [_ticks(angle) for angle in wheel_angles]

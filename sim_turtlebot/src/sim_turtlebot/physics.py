@@ -22,7 +22,7 @@ GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
-LARGEST_OVERLAP = 1e-3  # m, of a robot and the world at its start; more would throw it away
+LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more would throw it away
 UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
 HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
@@ -183,6 +183,24 @@ class TurtleBot:
         self._client.resetBaseVelocity(self._body, [0, 0, 0], [0, 0, 0])
         for wheel, angle in zip(self._wheels, wheel_angles):
             self._client.resetJointState(self._body, wheel, angle, 0.0)
+
+    def put(self, position, orientation, wheel_angles):
+        """Put the robot there, at rest, unless there is no room; then stop it where it is.
+
+        :param position: x, y, z (m); z is 0 where it stands on the floor
+        :param orientation, wheel_angles: as for place()
+        :raises ValueError: if it would be in something
+        """
+        here = self.pose()
+        x, y, z = position
+        self.place([x, y, z + self._settled_height], orientation, wheel_angles)
+        self.drive(0.0, 0.0)
+        self._client.performCollisionDetection()
+        overlap = self.overlap()
+        if overlap > LARGEST_OVERLAP:
+            self.place(*here, wheel_angles)
+            raise ValueError(f'at x {x:g}, y {y:g}, z {z:g} the robot would be {overlap:.3f} m '
+                             'deep in something, but there must be room for it')
 
     def place_at_start(self):
         """Go back to where the robot was added, with its wheels at zero and at rest."""

@@ -4,11 +4,14 @@ import math
 
 from odometry_common import kobuki
 from sim_turtlebot.odometry import STILL, true_motion
+from sim_turtlebot.rotations import height_of_z
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
 REST_TIME = 0.25  # s, until a slow robot counts as standing
 HOLD_SPEED = 1e-3  # m/s; a standing robot that is moved faster than this was pushed
+STANDING_HEIGHT = 1e-4  # m; a robot that is put this near to the floor, and
+STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this straight (0.08 degrees), stands
 
 
 class Robot:
@@ -85,6 +88,22 @@ class Robot:
             self._settle(now)
         self.odometry = self._odometry.update(self.ground_truth, lambda: self.wheels[0], duration)
 
+    def set_pose(self, position, orientation):
+        """Put the robot there, at rest; its wheels do not turn.
+
+        :param position: x, y, z (m) in the world; z is 0 where it stands on the floor
+        :param orientation: quaternion x, y, z, w of length 1
+        :raises ValueError: if there is no room; the robot stays where it is, at rest
+        """
+        wheel_angles = self.wheels[0]
+        self._forget_commands()
+        self.body.put(position, orientation, wheel_angles)
+        self.ground_truth = true_motion(self.body)
+        stands = (abs(position[2]) <= STANDING_HEIGHT
+                  and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z)
+        self._anchor = self._standing() if stands else None
+        self.odometry = self._odometry.carry(self.ground_truth)
+
     def reset_odometry(self):
         """Let the odometry start from zero at the last known place."""
         self.odometry = self._odometry.reset(self.ground_truth)
@@ -96,12 +115,16 @@ class Robot:
 
     def _begin(self):
         """Start at rest where the body was put."""
-        self._commanded = self._driven = (0.0, 0.0)
-        self._deadline = math.inf
-        self._slow_since = None
+        self._forget_commands()
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()
         self.odometry = self._odometry.reset(self.ground_truth, self.wheels[0])
+
+    def _forget_commands(self):
+        """Neither command the robot to move nor drive it."""
+        self._commanded = self._driven = (0.0, 0.0)
+        self._deadline = math.inf
+        self._slow_since = None
 
     def _obey(self, linear, angular):
         if (linear, angular) != self._commanded:

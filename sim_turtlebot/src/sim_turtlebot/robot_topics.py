@@ -3,7 +3,7 @@
 from functools import partial
 
 import rospy
-from geometry_msgs.msg import TransformStamped, Twist
+from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import JointState
@@ -52,14 +52,21 @@ class RobotTopics:
         self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
         self._imu = ImuTopic(robot.gyro, namespace, queue_size)
 
-    def subscribe(self, on_velocity, on_reset_odometry):
-        """Listen for commands and resets.
+    def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
+        """Listen for commands.
 
         :param on_velocity: function of linear (m/s) and angular (rad/s) velocity, and of the input
             of the multiplexer that they came through; None if they bypass it
+        :param on_reset_odometry: function without arguments
+        :param on_set_pose: function of a frame_id, a position and an orientation, as tuples
         """
         def on_twist(mux_input, message):
             on_velocity(message.linear.x, message.angular.z, mux_input)
+
+        def on_pose(message):
+            position, orientation = message.pose.position, message.pose.orientation
+            on_set_pose(message.header.frame_id, (position.x, position.y, position.z),
+                        (orientation.x, orientation.y, orientation.z, orientation.w))
 
         inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
                   **{name: name for name in INPUTS}}
@@ -69,6 +76,7 @@ class RobotTopics:
             for topic, mux_input in inputs.items()]
         rospy.Subscriber(f'{self._namespace}mobile_base/commands/reset_odometry', Empty,
                          lambda _: on_reset_odometry())
+        rospy.Subscriber(f'~{self._namespace}set_pose', PoseStamped, on_pose, tcp_nodelay=True)
 
     def publish(self, stamp, number):
         """Publish the robot's state; return the transform from odom to base_footprint.

@@ -6,6 +6,8 @@ tremble by a millimetre; tf's import rospy, which the simulation does without.
 
 import math
 
+UPRIGHT = 0.5  # cosine of 60 degrees, from which on a TurtleBot has fallen, or will
+
 
 def about_z(yaw):
     """Return the rotation by a yaw (rad)."""
@@ -27,6 +29,17 @@ def yaw_of(rotation):
     """Return the yaw (rad), from -pi to pi."""
     x, y, z, w = rotation
     return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def height_of_z(rotation):
+    """Return how high a unit vector along z still is: 1 upright, 0 lying, -1 upside down."""
+    x, y, _, _ = rotation
+    return 1 - 2 * (x * x + y * y)
+
+
+def is_upright(rotation):
+    """Return whether what is rotated leans less than 60 degrees from the vertical."""
+    return height_of_z(rotation) > UPRIGHT
 
 
 def inverse(rotation):

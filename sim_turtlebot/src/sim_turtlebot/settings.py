@@ -14,6 +14,7 @@ from odometry_common.parameters import (
 )
 
 from sim_turtlebot import scanner
+from sim_turtlebot.poses import COORDINATES, MAX_COORDINATE
 
 CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that
 MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
@@ -77,7 +78,7 @@ def _read_scan(odom_rate):
 
 
 def _get_coordinate(name):
-    return get_number(name, 0.0, lambda v: abs(v) <= 1e4, 'from -10000 to 10000 m')
+    return get_number(name, 0.0, lambda v: abs(v) <= MAX_COORDINATE, COORDINATES)
 
 
 def _default_clock_rate(settings):

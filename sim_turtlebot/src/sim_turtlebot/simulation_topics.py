@@ -52,26 +52,21 @@ class SimulationTopics:
         self._clock = advertise('/clock', Clock, queue_size) if self._use_sim_time else None
         self._newcomers = _Newcomers()
         self._tf = advertise('/tf', TFMessage, queue_size, self._newcomers)
-        namespaces = _namespaces(settings.robots)
+        names = namespaces(settings.robots)
         self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
-                        in zip(simulation.robots, namespaces)]
+                        in zip(simulation.robots, names)]
         self._scans = [
             ScanTopic(scanner, namespace, settings.scan_rate, settings.odom_rate, queue_size)
-            for scanner, namespace in zip(new_scanners(simulation, settings), namespaces)]
+            for scanner, namespace in zip(new_scanners(simulation, settings), names)]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
             [frame for topics in self._robots for frame in topics.fixed_frames(self._stamp())]))
         self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
-        self.warn('')
 
-    def subscribe(self, on_velocity, on_reset_odometry):
-        """Listen for commands and resets.
-
-        :param on_velocity: function of a robot (an index), and of what RobotTopics.subscribe() says
-        :param on_reset_odometry: function of a robot (an index)
-        """
+    def subscribe(self, *callbacks):
+        """Listen as RobotTopics.subscribe() does; each callback takes the robot's index first."""
         for index, topics in enumerate(self._robots):
-            topics.subscribe(partial(on_velocity, index), partial(on_reset_odometry, index))
+            topics.subscribe(*(partial(callback, index) for callback in callbacks))
 
     def publish_clock(self):
         """Publish the simulated time, if it rules."""
@@ -98,7 +93,7 @@ class SimulationTopics:
         return [topic for robot in self._robots for topic in robot.command_topics]
 
     def warn(self, text):
-        """Publish a warning; an empty one takes it back."""
+        """Publish what there is to warn of; empty: nothing."""
         self._warning.publish(text)
 
     def _publish_each(self):
@@ -119,5 +114,6 @@ class SimulationTopics:
         return rospy.Time.now()
 
 
-def _namespaces(robots):
+def namespaces(robots):
+    """Return the namespace of each of so many robots, '' or one that ends in a slash."""
     return [''] if robots == 1 else [f'robot_{number}/' for number in range(1, robots + 1)]

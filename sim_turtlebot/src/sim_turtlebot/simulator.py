@@ -11,10 +11,13 @@ import rospy
 from odometry_common.ending import LONGEST_WAIT
 from std_srvs.srv import Empty, EmptyResponse
 
+from sim_turtlebot.current_warnings import CurrentWarnings
+from sim_turtlebot.falls import Falls
 from sim_turtlebot.lockstep import Lockstep
 from sim_turtlebot.pacing import Pacer
+from sim_turtlebot.poses import checked_pose
 from sim_turtlebot.request_queue import RequestQueue
-from sim_turtlebot.simulation_topics import SimulationTopics
+from sim_turtlebot.simulation_topics import SimulationTopics, namespaces
 
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
 REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
@@ -41,6 +44,8 @@ class Simulator:
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
         self._topics = SimulationTopics(simulation, settings)
+        self._warnings = CurrentWarnings(self._topics.warn)
+        self._falls = Falls(simulation.robots, self._report_fall)
         self._listen()
 
     def run(self):
@@ -116,13 +121,17 @@ class Simulator:
         if self._timeline.clock_is_due:
             self._topics.publish_clock()
         if new_odometry:
-            self._topics.publish_robots()
+            self._publish_robots()
             if self._settings.gui:
                 self._update_window()
 
     def _publish(self):
         self._topics.publish_clock()
+        self._publish_robots()
+
+    def _publish_robots(self):
         self._topics.publish_robots()
+        self._falls.look()
 
     def _update_window(self):
         if self._simulation.world.window.closed:
@@ -134,7 +143,8 @@ class Simulator:
     def _listen(self):
         robots, put = self._simulation.robots, self._requests.put
         self._topics.subscribe(lambda *command: put(lambda: self._command(*command)),
-                               lambda index: put(robots[index].reset_odometry))
+                               lambda index: put(robots[index].reset_odometry),
+                               lambda *pose: put(lambda: self._set_pose(*pose)))
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
             rospy.Service(name, Empty, lambda _, action=action: self._answer(action))
@@ -152,6 +162,25 @@ class Simulator:
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
 
+    def _set_pose(self, index, *pose):
+        """Put a robot elsewhere; while time stands still, show it there."""
+        try:
+            self._simulation.robots[index].set_pose(*checked_pose(*pose))
+        except ValueError as error:
+            namespace = namespaces(self._settings.robots)[index]
+            rospy.logwarn_throttle(1.0, f'~{namespace}set_pose refused: {error}')
+            return
+        if self._paused:
+            self._publish_robots()
+
+    def _report_fall(self, name, text):
+        """Warn, in the log and for the page, of a robot on its side, or take that back."""
+        if text:
+            rospy.logwarn(text)
+        else:
+            rospy.loginfo(f'{name} stands upright again')
+        self._warnings.set(name, text)
+
     def _report_pace(self, reached):
         """Warn, in the log and for the page, that the machine is too slow, or has caught up."""
         wanted = self._settings.real_time_factor
@@ -162,7 +191,7 @@ class Simulator:
             text = (f'this machine is too slow: it reaches a real-time factor of {reached:.2g} '
                     f'instead of {wanted:g}')
             rospy.logwarn(f'{text}; fewer robots, a lower ~odom_rate or ~real_time_factor help')
-        self._topics.warn(text)
+        self._warnings.set('pace', text)
 
     def _pause(self):
         self._paused = True

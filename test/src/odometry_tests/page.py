@@ -85,6 +85,20 @@ class Page:
         """Click a button."""
         self._button(label).click()
 
+    def type(self, label, text):
+        """Type into an input, in place of what it says."""
+        field = self._wait_until(lambda: self.driver.find_elements(
+            By.XPATH, f'//label[.="{label}"]/following::input'), f'an input {label!r}')[0]
+        self._wait_until(field.is_displayed, f'{label!r} in sight')
+        field.send_keys(Keys.CONTROL, 'a')
+        field.send_keys(text)
+
+    def unfold(self, label):
+        """Open a folder by its heading."""
+        headings = self._wait_until(lambda: self.driver.find_elements(
+            By.XPATH, f'//div[text()="{label}"]'), f'a folder {label!r}')
+        headings[0].click()
+
     def hold(self, label):
         """Press a button and hold it."""
         ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()

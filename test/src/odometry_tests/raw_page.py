@@ -61,6 +61,13 @@ class RawPage:
         """Give an input another value, which is a click for a button, or another property."""
         self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={name: value})
 
+    def click_hidden(self, label):
+        """Say that a button was clicked that the page has, but does not show."""
+        wait_until(lambda: label in self._inputs, TIMEOUT,
+                   lambda: f'{label!r} in the page, which has {self._inputs}')
+        assert not self._inputs[label]['visible']
+        self.send(type='GuiUpdateMessage', uuid=self._inputs[label]['uuid'], updates={'value': True})
+
     def send(self, **message):
         """Send a message."""
         self.send_raw(msgspec.msgpack.encode(message))

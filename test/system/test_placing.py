@@ -1,0 +1,181 @@
+"""A robot that is put somewhere, by a topic or by RViz's button: upright, on its side, not at all."""
+
+import itertools
+import math
+
+import pytest
+import rospy
+from geometry_msgs.msg import PoseWithCovarianceStamped, Quaternion, Twist
+from nav_msgs.msg import Odometry
+from odometry_tests.pausing import call, pause
+from odometry_tests.placing import ON_ITS_SIDE, Placer, pose
+from odometry_tests.processes import rosrun
+from odometry_tests.robots import place, twist
+from odometry_tests.tutorial import Distance, Truth, detector, simulator
+from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from std_msgs.msg import String
+
+THERE = 3.0, -1.0, 1.2  # m, m, rad
+START = 0.0, 0.0, 0.0
+# 0.3 m high, from x 2.5 to 3.5 m
+TABLE = """<robot name="table"><link name="top"><collision><origin xyz="3 0 0.15"/>
+<geometry><box size="1 1 0.3"/></geometry></collision></link></robot>"""
+PERIOD = 0.05  # s, of the odometry
+CASES = itertools.count(1)
+
+
+@pytest.fixture
+def ns(simulated_time, monkeypatch):
+    """Give each test's nodes a namespace of their own: no connection is left from another one."""
+    name = f'put_{next(CASES)}'
+    monkeypatch.setenv('ROS_NAMESPACE', name)
+    return f'/{name}/'
+
+
+def wait_until_at(recorder, expected):
+    """Return the first message of a robot there (m, m, rad)."""
+    return recorder.wait_for(lambda m: place(m) == expected, what=f'a robot at {expected}')
+
+
+@pytest.mark.parametrize('source, believed', [
+    ('encoder', START), ('world', THERE)])
+def test_it_is_there_and_nothing_counts_it(ns, source, believed):
+    """Encoders notice nothing, and the jump of the world's odometry is no movement."""
+    with simulator(f'_odometry_source:={source}', '_gyro:=false'), detector():
+        truth, odometry, distance = Truth(ns), Recorder(f'{ns}odom', Odometry), Distance(ns)
+        distance.wait_for(lambda m: m.data == 0.0, what='a distance')
+        Placer(ns).put(*THERE[:2], yaw=THERE[2])
+        jump = wait_until_at(truth, THERE).header.stamp
+        truth.wait_seconds(1.0)
+        seen = [place(m) for m in odometry.messages if m.header.stamp > jump]
+        assert seen and set(seen) == {believed}
+        distance.clear()
+        assert {m.data for m in distance.wait_for_count(20)} == {0.0}
+        assert place(truth.last) == THERE
+
+
+def test_a_gyro_notices_the_turn(ns):
+    """As that of a real base that is carried."""
+    with simulator('_odometry_source:=encoder', '_gyro:=true'):
+        odometry = Recorder(f'{ns}odom', Odometry)
+        odometry.wait_for()
+        Placer(ns).put(*THERE[:2], yaw=THERE[2])
+        wait_until_at(odometry, (0.0, 0.0, THERE[2]))
+
+
+def test_while_time_stands_still_it_is_shown_there_at_once(ns):
+    """And stays there when time goes on."""
+    with simulator():
+        truth = Truth(ns)
+        pause(truth, namespace=ns)
+        paused = truth.stamp
+        Placer(ns).put(*THERE[:2], yaw=THERE[2])
+        shown = wait_until_at(truth, THERE).header.stamp.to_sec()
+        assert paused <= shown < paused + PERIOD
+        call('unpause_physics', ns)
+        truth.wait_seconds(1.0)
+        assert place(truth.last) == THERE
+
+
+def test_of_two_robots_only_the_one_is_moved(ns):
+    """Each has a topic of its own."""
+    with simulator('_robots:=2'):
+        first, second = (Truth(f'{ns}robot_{number}/') for number in (1, 2))
+        Placer(ns, 'robot_2/').put(*THERE[:2], yaw=THERE[2])
+        wait_until_at(second, THERE)
+        first.wait_seconds(0.5)
+        assert {place(m) for m in first.messages} == {START}
+
+
+REFUSED = {
+    'frame_id is \'map\', but must be': {'frame': 'map'},
+    'x is nan m, but must be': {'x': math.nan},
+    'y is -inf m, but must be': {'y': -math.inf},
+    'z is 20000 m, but must be': {'z': 2e4},
+    'orientation is [0 0 0 0], but must be': {'orientation': Quaternion()},
+    'would be 0.179 m deep in something': {'orientation': ON_ITS_SIDE},
+}
+
+
+def test_what_is_no_place_for_it_is_refused_in_one_line(ns):
+    """The robot stays as it was, and can be put elsewhere later."""
+    with simulator() as node:
+        truth = Truth(ns)
+        placer = Placer(ns)
+
+        def is_refused(words, wrong):
+            placer.put(**{'x': 1.0, 'y': 1.0, **wrong})
+            return words in node.output
+
+        for words, wrong in REFUSED.items():
+            wait_until(lambda words=words, wrong=wrong: is_refused(words, wrong), TIMEOUT,
+                       lambda words=words: f'{words!r} in:\n{node.output}', period=0.1)
+        assert {place(m) for m in truth.messages} == {START}
+        placer.put(*THERE[:2], yaw=THERE[2])
+        wait_until_at(truth, THERE)
+        assert node.end() == 0, node.output
+    assert all('~set_pose refused: ' in line for line in node.stderr.splitlines()), node.stderr
+
+
+def test_rviz_puts_it_where_it_is_said_to_be(ns):
+    """By its button 2D Pose Estimate, in the frame world; in another one there is a line."""
+    with simulator() as node, rosrun('sim_turtlebot', 'world_frame.py'):
+        truth = Truth(ns)
+        rviz = rospy.Publisher(f'{ns}initialpose', PoseWithCovarianceStamped, queue_size=10)
+        wait_for_subscribers(rviz)
+        message = PoseWithCovarianceStamped()
+        message.pose.pose = pose(*THERE[:2], yaw=THERE[2]).pose
+        message.header.frame_id = 'odom'
+
+        def is_refused():
+            rviz.publish(message)
+            return "frame_id is 'odom', but must be world" in node.output
+
+        wait_until(is_refused, TIMEOUT, lambda: f'a line in:\n{node.output}', period=0.1)
+        assert {place(m) for m in truth.messages} == {START}
+        message.header.frame_id = 'world'
+        rviz.publish(message)
+        wait_until_at(truth, THERE)
+
+
+def test_a_robot_on_its_side_is_warned_of_until_it_stands(ns):
+    """In the log and for the page, which of them; at once also while time stands still."""
+    with simulator('_robots:=2', '_odometry_source:=encoder') as node:
+        warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
+        warnings.wait_for(lambda m: m.data == '', what='no warning')
+        first, second = Placer(ns, 'robot_1/'), Placer(ns, 'robot_2/')
+        second.put(2.0, 3.0, 0.3, orientation=ON_ITS_SIDE)
+        alone = warnings.wait_for(lambda m: m.data, what='a warning').data
+        assert alone == 'robot_2 lies on its side at x 2, y 3; ~reset_simulation brings it back'
+        Truth(f'{ns}robot_2/').wait_seconds(1.0)
+        first.put(0.0, -2.0, 0.3, orientation=ON_ITS_SIDE)
+        both = warnings.wait_for(lambda m: 'robot_1' in m.data, what='a second one').data
+        assert both == f'{alone}; {alone.replace("robot_2", "robot_1").replace("x 2, y 3", "x 0, y -2")}'
+        second.put(2.0, 3.0)
+        warnings.wait_for(lambda m: 'robot_1' in m.data and 'robot_2' not in m.data,
+                          what='robot_1 alone')
+        call('pause_physics', ns)
+        warnings.clear()
+        call('reset_simulation', ns)
+        warnings.wait_for(lambda m: m.data == '', what='no warning')
+        assert node.end() == 0, node.output
+    assert node.output.count('robot_2 lies on its side') == 1
+    assert node.output.count('robot_1 lies on its side') == 1
+
+
+def test_a_robot_that_drives_over_an_edge_is_warned_of(ns, tmp_path):
+    """Its encoders count what its wheels spin in the air, and the truth does not."""
+    world = tmp_path / 'table.urdf'
+    world.write_text(TABLE)
+    with simulator(f'_world:={world}', '_odometry_source:=encoder', '_gyro:=false',
+                   '_cmd_vel_timeout:=0') as node:
+        truth, odometry = Truth(ns), Recorder(f'{ns}odom', Odometry)
+        Placer(ns).put(3.0, 0.0, 0.3)
+        truth.wait_for(lambda m: m.pose.pose.position.z > 0.29, what='a robot on the table')
+        velocity = rospy.Publisher(f'{ns}cmd_vel', Twist, queue_size=1)
+        wait_for_subscribers(velocity)
+        velocity.publish(twist(0.1))
+        node.wait_for_output('the robot lies on its side at x 3.')
+        before = odometry.last.pose.pose.position.x
+        odometry.wait_for(lambda m: m.pose.pose.position.x > before + 0.1, what='10 cm more')
+        assert truth.last.pose.pose.orientation.y > 0.5

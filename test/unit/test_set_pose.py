@@ -1,0 +1,151 @@
+"""A robot that is put somewhere: where it is then, what it believes, and where it cannot be put."""
+
+import math
+
+import pytest
+from odometry_tests.scripts import ROOT
+from odometry_tests.simulation import Simulation, lean
+from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry
+from sim_turtlebot.poses import checked_pose
+from sim_turtlebot.rotations import about_z, yaw_of
+
+ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
+LEVEL = about_z(0.0)
+ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
+UPSIDE_DOWN = 1.0, 0.0, 0.0, 0.0
+SOURCES = [WorldOdometry, EncoderOdometry, lambda: EncoderOdometry(gyro=True)]
+
+
+def driving(odometry=WorldOdometry, **others):
+    """Return a simulation whose robot has driven a curve, and drives on."""
+    simulation = Simulation(odometry=odometry, **others)
+    simulation.drive(0.3, 0.5, 2.0)
+    return simulation
+
+
+@pytest.mark.parametrize('odometry', SOURCES)
+def test_it_stands_where_it_was_put(odometry):
+    """At once and to the bit, whatever it was commanded before, with its wheels as they were."""
+    simulation = driving(odometry)
+    robot = simulation.robot
+    angles = robot.wheels[0]
+    robot.set_pose((3.0, -1.0, 0.0), about_z(1.2))
+    there, wheels = robot.ground_truth, robot.wheels
+    assert there.position[:2] == (3.0, -1.0)
+    assert there.position[2] == pytest.approx(0.0, abs=5e-4)
+    assert there.orientation == pytest.approx(about_z(1.2), abs=1e-15)
+    assert (there.linear, there.angular, wheels[:2]) == (STILL, STILL, (angles, (0.0, 0.0)))
+    assert robot.resting
+    simulation.run(2.0)
+    assert (robot.ground_truth, robot.wheels) == (there, wheels)
+
+
+@pytest.mark.parametrize('odometry', SOURCES)
+def test_it_drives_on_from_there(odometry):
+    """Straight ahead, by as much as from its start."""
+    simulation = driving(odometry)
+    simulation.robot.set_pose((3.0, -1.0, 0.0), about_z(math.pi / 2))
+    before = simulation.robot.odometry
+    simulation.drive(0.3, 0.0, 2.0)
+    x, y, _ = simulation.robot.ground_truth.position
+    assert (x, y) == pytest.approx((3.0, -1.0 + 0.584), abs=2e-3)
+    moved = math.dist(simulation.robot.odometry.position[:2], before.position[:2])
+    assert moved == pytest.approx(0.584, abs=2e-3)
+
+
+def test_encoders_do_not_notice_and_a_gyro_only_the_turn():
+    """As of a real base that is carried; the world's odometry jumps."""
+    for odometry, believed in zip(SOURCES, [(3.0, -1.0, 1.2), (0.0, 0.0, 0.0), (0.0, 0.0, 1.2)]):
+        simulation = Simulation(odometry=odometry)
+        simulation.robot.set_pose((3.0, -1.0, 0.0), about_z(1.2))
+        for motion in [simulation.robot.odometry, *simulation.run(1.0).odometry]:
+            assert (*motion.position[:2], yaw_of(motion.orientation)) == pytest.approx(believed)
+            assert (motion.linear, motion.angular) == (STILL, STILL)
+
+
+def test_in_the_air_it_falls_and_settles():
+    """On its wheels, at the height at which it stands elsewhere."""
+    simulation = Simulation()
+    height = simulation.robot.ground_truth.position[2]
+    simulation.robot.set_pose((1.0, 1.0, 0.2), LEVEL)
+    assert not simulation.robot.resting
+    simulation.run(0.1)
+    assert simulation.robot.ground_truth.linear[2] < -0.5
+    simulation.run(2.0)
+    assert simulation.robot.resting
+    assert simulation.robot.ground_truth.position == pytest.approx((1.0, 1.0, height), abs=1e-3)
+
+
+def test_it_can_be_laid_on_its_side_and_put_upright():
+    """It settles there, too, and its wheels take it nowhere."""
+    simulation = Simulation()
+    simulation.robot.set_pose((1.0, 1.0, 0.3), ON_ITS_SIDE)
+    simulation.run(3.0)
+    assert lean(simulation.robot.ground_truth) == pytest.approx(90, abs=2)
+    assert simulation.robot.resting
+    simulation.drive(0.3, 0.0, 2.0)
+    assert simulation.robot.ground_truth.position[:2] == pytest.approx((1.0, 1.0), abs=0.05)
+    simulation.robot.set_pose((1.0, 1.0, 0.0), LEVEL)
+    assert simulation.robot.resting
+    simulation.drive(0.3, 0.0, 2.0)
+    assert simulation.robot.ground_truth.position[0] == pytest.approx(1.584, abs=2e-3)
+
+
+@pytest.mark.parametrize('position, orientation', [
+    ((2.0, 0.0, 0.0), LEVEL), ((0.0, 0.0, 0.0), ON_ITS_SIDE), ((0.0, 0.0, 0.0), UPSIDE_DOWN),
+    ((0.0, 0.0, -0.06), LEVEL), ((0.0, 0.0, -100.0), LEVEL), ((-0.7, 0.0, 0.0), LEVEL)],
+    ids=['wall', 'side', 'upside down', 'floor', 'depth', 'other robot'])
+def test_where_there_is_no_room_it_is_not_put(position, orientation):
+    """It stops where it is."""
+    simulation = Simulation((0, 0, 0), (-1.0, 0, 0), world_file=ROOM)
+    simulation.drive(0.3, 0.0, 1.0)
+    robot = simulation.robot
+    before = robot.body.pose()
+    with pytest.raises(ValueError, match=r'^at x .* would be \d+\.\d\d\d m deep in something'):
+        robot.set_pose(position, orientation)
+    assert robot.body.pose() == before
+    simulation.run(1.0)
+    assert robot.resting
+    assert robot.ground_truth.position == pytest.approx(before[0], abs=1e-3)
+
+
+def test_beside_the_wall_there_is_room():
+    """A few millimetres away."""
+    simulation = Simulation(world_file=ROOM)
+    simulation.robot.set_pose((1.81, 0.0, 0.0), LEVEL)
+    simulation.run(1.0)
+    assert simulation.robot.ground_truth.position[:2] == (1.81, 0.0)
+
+
+def test_a_standing_robot_that_is_not_put_elsewhere_stands_on():
+    """To the bit."""
+    simulation = Simulation(world_file=ROOM)
+    before = simulation.robot.ground_truth
+    with pytest.raises(ValueError, match='deep'):
+        simulation.robot.set_pose((2.0, 0.0, 0.0), LEVEL)
+    simulation.run(1.0)
+    assert simulation.robot.ground_truth == before
+
+
+@pytest.mark.parametrize('orientation', [
+    (0.0, 0.0, 3.0, 4.0), (0.0, 0.0, 3e-50, 4e-50), (0.0, 0.0, 3e150, 4e150)])
+def test_an_orientation_may_have_any_length(orientation):
+    """It comes back with length one."""
+    position, unit = checked_pose('world', (1, 2, 3), orientation)
+    assert position == (1, 2, 3)
+    assert unit == pytest.approx((0.0, 0.0, 0.6, 0.8), abs=1e-15)
+
+
+@pytest.mark.parametrize('frame, position, orientation, wrong', [
+    ('map', STILL, LEVEL, "frame_id is 'map', but must be world, or empty"),
+    ('', (math.nan, 0, 0), LEVEL, 'x is nan m, but must be from -10000 to 10000 m'),
+    ('', (0, -math.inf, 0), LEVEL, 'y is -inf m, but must be'),
+    ('world', (0, 0, 10001), LEVEL, 'z is 10001 m, but must be'),
+    ('', STILL, (0, 0, 0, 0), r'the orientation is \[0 0 0 0\], but must be'),
+    ('', STILL, (0, math.nan, 0, 1), r'the orientation is \[0 nan 0 1\], but must be'),
+    ('', STILL, (0, 0, math.inf, 1), r'the orientation is \[0 0 inf 1\], but must be')])
+def test_what_is_no_pose_is_refused_with_what_is_allowed(frame, position, orientation, wrong):
+    """In one line."""
+    with pytest.raises(ValueError, match=f'^{wrong}') as refusal:
+        checked_pose(frame, position, orientation)
+    assert len(str(refusal.value).splitlines()) == 1
