@@ -13,7 +13,7 @@ ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 LEVEL = about_z(0.0)
 ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
 UPSIDE_DOWN = 1.0, 0.0, 0.0, 0.0
-SOURCES = [WorldOdometry, EncoderOdometry, lambda: EncoderOdometry(gyro=True)]
+SOURCES = [WorldOdometry, lambda: EncoderOdometry(gyro=False), EncoderOdometry]
 
 
 def driving(odometry=WorldOdometry, **others):
