@@ -111,10 +111,11 @@ set_up_extras() {
         case "$1 $word" in
             'test test' | *screenshots.py | 'bench view') need_for_tests ;;
             'sweep sweep') need_for_sweep ;;
+            'bench bench') need_for_sweep; need_for_view ;;
             'sweep --cluster'* | 'dask dask') need_for_cluster ;;
             *' pytest' | *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
             *' catkin_lint') need_parts catkin-lint ;;
-            'bench bench' | *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
+            *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
             *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) need_parts "${WINDOW_PARTS[@]}" ;;
             *' rviz:='[1Tt]* | *' rviz') need_parts "${RVIZ_PARTS[@]}" ;;
         esac

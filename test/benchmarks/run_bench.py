@@ -20,7 +20,7 @@ from memory import memory
 from odometry_tests.processes import Master
 from report import machine, print_figure, print_heading, write_chart, write_csv
 from robots import many_robots
-from speed import graph_unpaced, robot_without_ros
+from speed import clock_ticks, graph_unpaced, graph_with_scan, robot_without_ros
 from start import end, start
 from sweeps import sweep
 from viewing import viewing
@@ -28,7 +28,8 @@ from viewing import viewing
 RUNS = Path(__file__).resolve().parents[2] / 'runs'
 MEASUREMENTS = {
     'robot': robot_without_ros, 'unpaced': graph_unpaced, 'lockstep': graph_in_lockstep,
-    'sweep': sweep, 'control': control_unpaced, 'control-lockstep': control_in_lockstep,
+    'scan': graph_with_scan, 'clock': clock_ticks, 'sweep': sweep,
+    'control': control_unpaced, 'control-lockstep': control_in_lockstep,
     'latency': detector_latency, 'memory': memory, 'start': start, 'end': end, 'demo': demo,
     'robots': many_robots, 'view': viewing}
 
@@ -55,7 +56,7 @@ def main():
 
 
 def _measure(options):
-    effort = Options(options.runs, options.window, messages=1000, longest=15, minutes=60)
+    effort = Options(options.runs, options.window, messages=1000, longest=6, minutes=20)
     for name in options.only:
         for figure in MEASUREMENTS[name](effort):
             print_figure(figure)
@@ -71,7 +72,7 @@ def parse(arguments):
                         help=f'measure only these: {", ".join(MEASUREMENTS)}')
     parser.add_argument('--runs', type=_positive(int), default=5, metavar='N',
                         help='of which the median is shown (default: %(default)s)')
-    parser.add_argument('--window', type=_positive(float), default=2.0, metavar='S',
+    parser.add_argument('--window', type=_positive(float), default=1.0, metavar='S',
                         help='wall time of one look at a speed (default: %(default)s)')
     parser.add_argument('--csv', type=Path, metavar='FILE',
                         help='write the figures there instead of into the folder runs')

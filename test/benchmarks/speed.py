@@ -1,5 +1,6 @@
 """How fast simulated time can pass, and what CPU time it takes."""
 
+import rospy
 from graph import Graph
 from measuring import Target, compare, in_turns
 from worlds import BareWorld, RobotWorld
@@ -30,3 +31,29 @@ def graph_unpaced(options):
     cpu = [(1e3 * sample.cpu / sample.simulated, 1e3 / limit) for sample, limit in pairs]
     yield compare('graph unpaced', SPEED_UNIT, speeds, Target('>=', 0.55))
     yield compare('graph unpaced, CPU time', CPU_UNIT, cpu)
+
+
+def graph_with_scan(options):
+    """Measure the unpaced graph with the default scan and somebody who takes it, against real time."""
+    with Graph(*UNPACED, '_scan:=true') as graph:
+        subscriber = rospy.Subscriber('/scan', rospy.AnyMsg)
+        graph.run_until(UNDER_WAY, 0.01)
+        samples = [graph.watch(options.window) for _ in range(options.runs)]
+        subscriber.unregister()
+    yield compare('graph unpaced, with a scan', SPEED_UNIT,
+                  [(sample.simulated / sample.wall, 1.0) for sample in samples],
+                  Target('>=', 20))
+
+
+def clock_ticks(options):
+    """Measure the CPU time of the graph at real time, against a clock that ticks with the odometry."""
+    pairs = in_turns(options.runs, lambda: _cpu_time(options.window),
+                     lambda: _cpu_time(options.window, '_clock_rate:=20'))
+    yield compare('graph at real time, CPU time', CPU_UNIT, pairs)
+
+
+def _cpu_time(window, *arguments):
+    with Graph(*arguments) as graph:
+        graph.run_until(UNDER_WAY, 0.1)
+        sample = graph.watch(window)
+    return 1e3 * sample.cpu / sample.simulated

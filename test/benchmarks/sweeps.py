@@ -4,6 +4,7 @@ import re
 import time
 from pathlib import Path
 
+from joblib.externals.loky import get_reusable_executor
 from measuring import Figure, Target, compare, in_turns
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.closed_loop import run
@@ -29,6 +30,7 @@ def sweep(options):
         yield compare('sweep on two processors', 'runs/s', in_turns(
             options.runs, lambda: _runs_per_second(on_two), lambda: _runs_per_second(on_one)),
             Target('>=', 1.7))
+    get_reusable_executor().shutdown()
     yield from _thousand(bare, options.window)
 
 
