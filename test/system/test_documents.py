@@ -64,8 +64,10 @@ IN_PLACE = [
     (r'^ROS_MASTER_URI=\S+ ', '', 'the robot is played here'),
     (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
-    (r'^(\./ws bench) robot lockstep (.*) latency (.*)$', r'\1 \2 \3 --runs 1 --window 0.1',
-     'test_bench measures two of the parts, and latency takes minutes'),
+    (r'^(\./ws bench) robot lockstep unpaced sweep (.*) --runs 3$',
+     r'\1 unpaced \2 --runs 1 --window 0.1', 'test_bench measures two of the parts; a sweep is long'),
+    (r'^(\./ws bench control control-lockstep) latency view$', r'\1 --runs 1 --window 0.1',
+     'latency takes minutes'),
     (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
@@ -91,7 +93,8 @@ IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')
 if not IS_CLONE:
     NOT_HERE['^git clone '] = 'this is no clone'
 # Of the parts of the bench that are left out.
-NOT_PRINTED = re.compile('latency at |robot without ROS|graph in lockstep')
+NOT_PRINTED = re.compile(
+    'latency at |robot without ROS|graph in lockstep|loop in one|sweep on|graph unpaced, view')
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
 READERS = 4
 
