@@ -66,7 +66,7 @@ IN_PLACE = [
     (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
     (r'^(\./ws bench) robot lockstep unpaced sweep (.*) --runs 3$',
      r'\1 unpaced \2 --runs 1 --window 0.1', 'test_bench measures two of the parts; a sweep is long'),
-    (r'^(\./ws bench control control-lockstep) latency view$', r'\1 --runs 1 --window 0.1',
+    (r'^(\./ws bench control-lockstep control) latency view$', r'\1 --runs 1 --window 0.1',
      'latency takes minutes'),
     (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
