@@ -6,10 +6,10 @@ import time
 
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
+from sim_turtlebot.poses import MAX_COORDINATE
 
 from robot_view.panel import NODE
 
-FARTHEST = 1e4  # m, that the simulator takes
 FINENESS, ANGLE_FINENESS = 0.05, 5.0  # m and degrees, of the inputs' buttons
 CONNECTING_TIMEOUT = 2.0  # s
 CONNECTING_PERIOD = 0.02  # s between two looks
@@ -26,8 +26,9 @@ class PlacingInputs:
         self._lock = threading.Lock()
         folder = gui.add_folder('put the robot', expand_by_default=False)
         with folder:
-            self._x = gui.add_number('x (m)', 0.0, min=-FARTHEST, max=FARTHEST, step=FINENESS)
-            self._y = gui.add_number('y (m)', 0.0, min=-FARTHEST, max=FARTHEST, step=FINENESS)
+            self._x, self._y = (
+                gui.add_number(f'{name} (m)', 0.0, min=-MAX_COORDINATE, max=MAX_COORDINATE,
+                               step=FINENESS) for name in 'xy')
             self._heading = gui.add_number(
                 'heading (degrees)', 0.0, min=-360.0, max=360.0, step=ANGLE_FINENESS)
             button = gui.add_button(LABEL)
