@@ -38,17 +38,17 @@ def _thousand(bare, window):
     """Return the figures of a whole ./ws sweep, and of one of its runs by the nodes themselves."""
     before = bare.speed(window)
     begin = time.perf_counter()
-    process = Process(ROOT / 'ws', 'sweep', 'move', '--seeds', MANY, '--jobs', 2)
-    assert process.wait(TIMEOUT) == 0, process.output
+    with Process(ROOT / 'ws', 'sweep', 'move', '--seeds', MANY, '--jobs', 2) as process:
+        assert process.wait(TIMEOUT) == 0, process.output
     duration = time.perf_counter() - begin
     pace = (before + bare.speed(window)) / 2
     folder = ROOT / re.search(r'^figures +(.*)/', process.stdout, re.MULTILINE).group(1)
     limit = MANY * _run()['time'] / 2 / pace
     yield Figure(f'{MANY} drives on two processors', duration, 's', limit, duration / limit,
                  Target('<=', 1.3))
-    replay = Process(ROOT / 'ws', 'sweep', '--replay', folder, MANY)
-    yield Figure('runs that differ from their replay', replay.wait(TIMEOUT), '', 0.0, float('nan'),
-                 Target('=', 0, of_value=True))
+    with Process(ROOT / 'ws', 'sweep', '--replay', folder, MANY) as replay:
+        yield Figure('runs that differ from their replay', replay.wait(TIMEOUT), '', 0.0,
+                     float('nan'), Target('=', 0, of_value=True))
 
 
 def _run():

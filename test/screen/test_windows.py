@@ -13,6 +13,7 @@ from odometry_tests.waiting import Recorder, wait_until
 from tf2_msgs.msg import TFMessage
 
 DEAD_CONNECTION_TIMEOUT = 20.0  # s
+FRAMES = {'odom', 'base_link', 'wheel_left_link'}
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
@@ -30,6 +31,13 @@ def partners(topic):
     """Return the nodes that publish a topic, and those that subscribe to it."""
     published, subscribed, _ = rosgraph.Master('/test').getSystemState()
     return dict(published).get(topic), dict(subscribed).get(topic)
+
+
+def senders(recorders):
+    """Return each frame that was recorded, with the name of the node that sent it."""
+    return {(frame.child_frame_id, message._connection_header['callerid'])
+            for recorder in recorders for message in recorder.messages
+            for frame in message.transforms}
 
 
 def wait_for_odometry(process):
@@ -51,15 +59,13 @@ def test_rviz_shows_the_robot_and_ends_cleanly(screen):
         recorders = [Recorder(topic, TFMessage) for topic in ('/tf', '/tf_static')]
         Truth().wait_until_moving(40.0)
         wait_for_robot(screen)
-        senders = {(frame.child_frame_id, message._connection_header['callerid'])
-                   for recorder in recorders for message in recorder.messages
-                   for frame in message.transforms}
+        wait_until(lambda: FRAMES <= {frame for frame, _ in senders(recorders)}, 30.0,
+                   lambda: f'{FRAMES}; there are {senders(recorders)}')
         assert partners('/initialpose') == (['/rviz'], ['/world_frame'])
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
-    frames = [frame for frame, _ in senders]
-    assert {'odom', 'base_link', 'wheel_left_link'} <= set(frames)
-    assert len(frames) == len(set(frames)), senders
+    frames = [frame for frame, _ in senders(recorders)]
+    assert len(frames) == len(set(frames)), senders(recorders)
 
 
 def test_the_window_of_the_physics_shows_the_robot(screen):

@@ -3,7 +3,9 @@
 import contextlib
 import os
 
+import pytest
 import rosgraph
+import rospy
 import rosservice
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
@@ -37,6 +39,15 @@ def test_every_type_of_a_topic_or_service_is_shown(simulated_time):
         services = {rosservice.get_service_type(name) for name in rosservice.get_service_list()}
         assert unknown_to('rosmsg', set(topic_types().values())) == {}
         assert unknown_to('rossrv', services) == {}
+
+
+@pytest.mark.parametrize('name, command', [('/rosversion', 'roslaunch'), ('/rosdistro', '-d')])
+def test_the_master_tells_the_version_that_rosversion_tells(master, name, command):
+    """Though none of its processes was asked when the master started."""
+    rosversion = Process('rosversion', command)
+    assert rosversion.wait() == 0
+    wait_until(lambda: rospy.has_param(name), TIMEOUT, name)
+    assert rospy.get_param(name).strip() == rosversion.stdout.strip() != ''
 
 
 def test_tab_writes_the_fields_of_a_message(tmp_path):

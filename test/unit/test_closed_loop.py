@@ -9,10 +9,14 @@ import subprocess
 import sys
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from odometry_sweep import closed_loop
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.closed_loop import follow, run
 from odometry_sweep.reading import read
 from odometry_sweep.running import side_by_side
+from odometry_tests.fuzzing import PHYSICS_SHARE, sequence_count
 from odometry_tests.scripts import ROOT
 from sim_turtlebot.odometry import STILL, Motion
 from sim_turtlebot.rotations import about_z
@@ -24,6 +28,15 @@ import json, sys
 from odometry_sweep.closed_loop import run
 print(json.dumps(run(*json.loads(sys.argv[1]))))
 """
+ROBOTS = st.fixed_dictionaries({'odometry_source': st.sampled_from(['world', 'encoder'])}, optional={
+    'wheel_slip': st.floats(0, 0.05), 'wheel_noise': st.floats(0, 0.05), 'gyro': st.booleans()})
+MOVES = st.tuples(st.just('move'), st.fixed_dictionaries({
+    'distance': st.floats(0.01, 0.5), 'speed': st.floats(0.1, 0.7) | st.floats(-0.7, -0.1)}))
+ROTATIONS = st.tuples(st.just('rotate'), st.fixed_dictionaries({
+    'target': st.floats(-180, 180), 'kp': st.floats(1, 3)}))
+STARTS = st.fixed_dictionaries({name: st.floats(-9, 9) for name in ('x', 'y')},
+                               optional={'yaw': st.floats(-3, 3),
+                                         'odom_rate': st.sampled_from([10.0, 30.0, 62.5])})
 LYING = (math.sin(math.pi / 4), 0.0, 0.0, math.cos(math.pi / 4))
 
 
@@ -96,6 +109,17 @@ def test_a_run_comes_out_the_same_in_a_new_process_and_after_others(tutorial, pa
                            check=True, capture_output=True, text=True).stdout
     run('move', {**SHORT, 'odom_rate': 50})
     assert [run(tutorial, parameters) for _ in range(2)] == [json.loads(alone)] * 2
+
+
+@settings(deadline=None, max_examples=sequence_count(PHYSICS_SHARE))
+@given(st.just({}) | STARTS, st.lists(st.tuples(MOVES | ROTATIONS, ROBOTS), min_size=2, max_size=3))
+def test_a_world_that_is_used_again_is_as_good_as_new(start, runs):
+    """The last of several runs from the same place, beside one that goes first; to the last bit."""
+    for (tutorial, values), robot in runs:
+        parameters = {**start, **values, **robot}
+        figures = run(tutorial, parameters)
+    closed_loop._world_of_robots.cache_clear()
+    assert run(tutorial, parameters) == figures
 
 
 def test_two_processes_give_the_rows_that_one_gives():

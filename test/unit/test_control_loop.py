@@ -21,6 +21,7 @@ class Controller:
             Timer=Mock(), Duration=Mock(), get_time=lambda: self.now,
             signal_shutdown=self.done.append,
             rostime=SimpleNamespace(is_wallclock=lambda: wallclock)))
+        monkeypatch.setattr('odometry_common.control_loop.threading', Mock())
         monkeypatch.setattr(
             'odometry_common.timing.time', SimpleNamespace(monotonic=lambda: self.real))
         self.loop = ControlLoop(
@@ -139,7 +140,7 @@ def test_time_that_goes_back_begins_a_new_silence(start):
 
 @pytest.mark.parametrize('action, silence', [('_control', 0.3), ('_stop', 2.0)])
 def test_an_error_between_inputs_ends_the_node(start, action, silence):
-    """Its timer has ended, and would notice no silence any more; at its end the node says zero."""
+    """Its looks have ended, and notice no silence any more; at its end the node says zero."""
     controller = start()
     controller.hear('a')
     setattr(controller.loop, action, Mock(side_effect=OSError))

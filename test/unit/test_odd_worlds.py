@@ -2,7 +2,7 @@
 
 import pytest
 from odometry_tests.scripts import ROOT
-from sim_turtlebot.physics import World
+from sim_turtlebot.physics import World, settled_world
 from sim_turtlebot.world_file import WorldFileError
 
 STEP_RATE = 240  # Hz
@@ -61,10 +61,7 @@ def settled(tmp_path, *boxes, starts=((0.0, 0.0),)):
     """Return the robots of a world of boxes, settled at their starts."""
     path = tmp_path / 'boxes.urdf'
     path.write_text(f'<robot name="r"><link name="a">{"".join(boxes)}</link></robot>')
-    world = World(STEP_RATE, world_file=str(path))
-    robots = [world.add_turtlebot(*start) for start in starts]
-    world.settle()
-    return robots
+    return settled_world(STEP_RATE, starts, world_file=str(path)).robots
 
 
 @pytest.mark.parametrize('boxes, depth', [
@@ -103,9 +100,7 @@ def test_a_wall_beside_the_robot_is_no_overlap(tmp_path):
 
 def test_the_room_has_room():
     """In its middle; the wall has not."""
-    world = World(STEP_RATE, world_file=ROOM)
-    world.add_turtlebot()
-    world.settle()
+    world = settled_world(STEP_RATE, [(0.0, 0.0)], world_file=ROOM)
     world.add_turtlebot(2.0)
     with pytest.raises(WorldFileError, match='robot_2, at x 2, y 0, is 0.13'):
         world.settle()

@@ -129,6 +129,16 @@ def test_a_reset_of_the_simulation_takes_it_back_to_its_start(odometry):
     assert robot.ground_truth.position == pytest.approx(first.position, abs=0.001)
 
 
+def test_after_a_reset_it_moves_as_it_did_at_first():
+    """To the last bit, also after a motion so small that PyBullet could keep its contacts."""
+    simulation = Simulation()
+    records = []
+    for _ in range(3):
+        records.append(simulation.drive(0.0, 0.3, 0.2))
+        simulation.reset()
+    assert records == [records[0]] * 3
+
+
 def test_after_a_reset_an_old_command_is_forgotten():
     """The robot and its motors wait for a new one, though another robot drives."""
     simulation = Simulation((0, 0, 0), (0, 1, 0), cmd_vel_timeout=0.6)

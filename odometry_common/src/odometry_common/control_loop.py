@@ -56,7 +56,7 @@ class ControlLoop:
 
     def _look(self, _event=None):
         with one_at_a_time, contextlib.ExitStack() as failure:
-            # An error ends the timer, and nobody would notice silence any more.
+            # An error ends these looks, and nobody would notice silence any more.
             failure.callback(rospy.signal_shutdown, 'the controller has failed')
             now = self._now()
             if self._silent.expired(now):

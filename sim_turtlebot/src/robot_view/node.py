@@ -3,9 +3,9 @@
 import time
 
 import rosgraph
-import rospkg
 import rospy
 from odometry_common.timing import Metronome
+from sim_turtlebot.description import URDF
 from std_msgs.msg import String
 
 from robot_view.graph import query_master
@@ -86,7 +86,6 @@ class Viewer:
 
 def view(address):
     """Serve the page at an Address until shutdown."""
-    package = rospkg.RosPack().get_path('sim_turtlebot')
-    viewer = Viewer(Page(address, load_links(f'{package}/urdf/turtlebot2.urdf')))
+    viewer = Viewer(Page(address, load_links(URDF)))
     print(f'view: {address.url}')
     viewer.run()

@@ -1,16 +1,17 @@
 """The simulation that the parameters ask for."""
 
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from sim_turtlebot.physics import settled_world
 from sim_turtlebot.scanner import Scanner
 from sim_turtlebot.simulation import Simulation, side_by_side
 
 
-def new_simulation(settings, client=None):
-    """Return the Simulation for what read_settings() returns; `client` is as for its World."""
+def new_simulation(settings, build_world=settled_world):
+    """Return the Simulation for what read_settings() returns; `build_world` is as for it."""
     return Simulation(side_by_side(settings.robots, settings.x, settings.y, settings.yaw),
                       lambda index: _new_odometry(settings, index), settings.odom_rate,
-                      settings.cmd_vel_timeout, settings.gui, settings.world, client,
-                      settings.clock_rate)
+                      settings.cmd_vel_timeout, settings.gui, settings.world, settings.clock_rate,
+                      build_world)
 
 
 def new_scanners(simulation, settings):

@@ -5,11 +5,13 @@ import sys
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu
 
+from sim_turtlebot.numbering import numbered, publish
 from sim_turtlebot.rotations import about_z
 
 # About x, y and z, of the orientation (rad^2) and of the angular velocity (rad^2/s^2), and the
 # greatest number for what is not measured: kobuki_node/src/library/slot_callbacks.cpp.
 VARIANCES = sys.float_info.max, sys.float_info.max, 0.005
+NumberedImu = numbered(Imu)
 
 
 class ImuTopic:
@@ -18,18 +20,21 @@ class ImuTopic:
     def __init__(self, gyro, namespace, queue_size):
         """Advertise; namespace and queue_size are as for RobotTopics."""
         self._gyro = gyro
-        self._message = Imu()
+        self._message = NumberedImu()
         self._message.header.frame_id = f'{namespace}gyro_link'
         self._message.orientation_covariance[::4] = VARIANCES
         self._message.angular_velocity_covariance[::4] = VARIANCES
         self._publisher = advertise(f'{namespace}mobile_base/sensors/imu_data', Imu, queue_size)
 
-    def publish(self, stamp):
-        """Publish what the gyro senses at a rospy.Time."""
+    def publish(self, stamp, number):
+        """Publish what the gyro senses.
+
+        :param stamp: rospy.Time
+        :param number: how many odometry periods have passed
+        """
         if not self._publisher.get_num_connections():
             return
         orientation = self._message.orientation
         orientation.x, orientation.y, orientation.z, orientation.w = about_z(self._gyro.heading)
         self._message.angular_velocity.z = self._gyro.rate
-        self._message.header.stamp = stamp
-        self._publisher.publish(self._message)
+        publish(self._publisher, self._message, stamp, number)

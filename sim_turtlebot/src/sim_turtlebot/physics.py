@@ -25,6 +25,7 @@ CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the windo
 LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more would throw it away
 UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
 HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
+AIR = 10.0  # m, above whatever a robot touches
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
 
@@ -32,6 +33,18 @@ def connect(gui=False):
     """Return a client of PyBullet; raise NoScreenError if there is no screen for the GUI."""
     with screen() if gui else contextlib.nullcontext(), suppress_native_output():
         return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
+
+
+def settled_world(step_rate, starts, gui=False, world_file='', client=None):
+    """Return a World whose robots stand at their starts: x, y (m) and yaw (rad) of each.
+
+    Parameters and errors are those of World, and of World.settle().
+    """
+    world = World(step_rate, gui, world_file, client)
+    for start in starts:
+        world.add_turtlebot(*start)
+    world.settle()
+    return world
 
 
 class World:
@@ -47,7 +60,7 @@ class World:
         :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded
         """
         self._step_rate = step_rate
-        self._robots = []
+        self.robots = []  # TurtleBots
         self._world_file = world_file
         self._client = client or connect(gui)
         if client:
@@ -70,7 +83,7 @@ class World:
         # Nobody sees the shapes without a window, and they take most of the time to load.
         flags = 0 if self.window else pybullet.URDF_IGNORE_VISUAL_SHAPES
         robot = TurtleBot(self._client, x, y, yaw, flags)
-        self._robots.append(robot)
+        self.robots.append(robot)
         return robot
 
     def settle(self):
@@ -82,8 +95,13 @@ class World:
             self._check_starts()
         for _ in range(round(SETTLING_TIME * self._step_rate)):
             self.step()
-        for robot in self._robots:
+        for robot in self.robots:
             robot.settle_here()
+
+    def restart(self):
+        """Put each robot at its start again, at rest; nothing else goes back."""
+        for robot in self.robots:
+            robot.place_at_start()
 
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
@@ -107,10 +125,10 @@ class World:
 
     def _check_starts(self):
         self._client.performCollisionDetection()
-        for number, robot in enumerate(self._robots, 1):
+        for number, robot in enumerate(self.robots, 1):
             overlap = robot.overlap()
             if overlap > LARGEST_OVERLAP:
-                name = f'robot_{number}' if len(self._robots) > 1 else 'the robot'
+                name = f'robot_{number}' if len(self.robots) > 1 else 'the robot'
                 x, y, _ = robot.pose()[0]
                 raise WorldFileError('a world that leaves room for the robot at its start ('
                                      f'{name}, at x {x:g}, y {y:g}, is {overlap:.3f} m deep in it)')
@@ -203,8 +221,14 @@ class TurtleBot:
                              'deep in something, but there must be room for it')
 
     def place_at_start(self):
-        """Go back to where the robot was added, with its wheels at zero and at rest."""
+        """Go back to where the robot was added, with its wheels at zero and at rest.
+
+        Through the air: to a body that it finds again near by, PyBullet leaves its contacts, and
+        the next drive would depend on the last one.
+        """
         (x, y, _), orientation = self._start
+        self.place([x, y, AIR], orientation, [0.0, 0.0])
+        self._client.performCollisionDetection()
         self.place([x, y, self._settled_height], orientation, [0.0, 0.0])
         self.drive(0.0, 0.0)
 

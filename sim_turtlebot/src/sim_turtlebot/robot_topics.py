@@ -11,19 +11,11 @@ from std_msgs.msg import Empty
 
 from sim_turtlebot.imu_topic import ImuTopic
 from sim_turtlebot.link_frames import LinkFrames
+from sim_turtlebot.numbering import numbered, publish
 from sim_turtlebot.velocity_mux import INPUTS
 
 WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
-
-
-class NumberedOdometry(Odometry):
-    """Odometry whose header.seq is ours.
-
-    rospy would count the messages it sends. Ours counts the odometry periods of the run, so
-    that an odometry that is sent twice is the same message, and two runs are the same bytes.
-    """
-
-    _has_header = False
+NumberedOdometry, NumberedJointState = numbered(Odometry), numbered(JointState)
 
 
 class RobotTopics:
@@ -41,7 +33,7 @@ class RobotTopics:
         self._odometry = _new_odometry(f'{namespace}odom', f'{namespace}base_footprint')
         self._odometry.pose.covariance = _diagonal(robot.covariance)
         self._ground_truth = _new_odometry('world', f'{namespace}base_footprint')
-        self._joints = JointState(name=WHEEL_JOINTS)
+        self._joints = NumberedJointState(name=WHEEL_JOINTS)
         self._transform = TransformStamped(child_frame_id=self._odometry.child_frame_id)
         self._transform.header.frame_id = self._odometry.header.frame_id
         self._links = LinkFrames(namespace)
@@ -91,13 +83,13 @@ class RobotTopics:
         self._transform.transform.rotation = pose.orientation
         self._transform.header.stamp = stamp
         for message, publisher in self._publishers:
-            _publish(publisher, message, stamp, number)
+            publish(publisher, message, stamp, number)
         # To ask for the wheels costs as much as a physics step.
         if self._joint_publisher.get_num_connections():
             joints = self._joints
             joints.position, joints.velocity, joints.effort = self._robot.wheels
-            _publish(self._joint_publisher, joints, stamp, number)
-        self._imu.publish(stamp)
+            publish(self._joint_publisher, joints, stamp, number)
+        self._imu.publish(stamp, number)
         return self._transform
 
     def fixed_frames(self, stamp):
@@ -107,12 +99,6 @@ class RobotTopics:
     def wheel_frames(self, stamp):
         """Return the transforms from base_link to the wheels."""
         return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
-
-
-def _publish(publisher, message, stamp, number):
-    message.header.stamp = stamp
-    message.header.seq = number
-    publisher.publish(message)
 
 
 def _new_odometry(frame, child_frame):

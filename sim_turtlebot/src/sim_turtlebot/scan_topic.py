@@ -4,13 +4,10 @@ from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import LaserScan
 
+from sim_turtlebot.numbering import numbered, publish
 from sim_turtlebot.scanner import is_scan_due
 
-
-class NumberedLaserScan(LaserScan):
-    """A scan whose header.seq is ours, as that of sim_turtlebot.robot_topics.NumberedOdometry."""
-
-    _has_header = False
+NumberedLaserScan = numbered(LaserScan)
 
 
 class ScanTopic:
@@ -41,7 +38,5 @@ class ScanTopic:
         """
         # Rays cost more than all else that happens between two odometries.
         if self.publisher.get_num_connections() and is_scan_due(number, *self._rates):
-            message = self._message
-            message.header.stamp, message.header.seq = stamp, number
-            message.ranges = self._scanner.scan(number).tolist()
-            self.publisher.publish(message)
+            self._message.ranges = self._scanner.scan(number).tolist()
+            publish(self.publisher, self._message, stamp, number)

@@ -5,7 +5,7 @@ import math
 from odometry_common.kobuki import CMD_VEL_TIMEOUT
 
 from sim_turtlebot.odometry import WorldOdometry
-from sim_turtlebot.physics import World
+from sim_turtlebot.physics import settled_world
 from sim_turtlebot.robot import Robot
 from sim_turtlebot.timeline import Timeline
 from sim_turtlebot.velocity_mux import VelocityMux
@@ -18,25 +18,24 @@ class Simulation:
     """TurtleBots that share a world and a timeline."""
 
     def __init__(self, starts=(AT_ZERO,), new_odometry=lambda _: WorldOdometry(), odom_rate=20.0,
-                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file='', client=None,
-                 clock_rate=0.0):
+                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file='', clock_rate=0.0,
+                 build_world=settled_world):
         """Put robots down.
 
         :param starts: x, y (m) and yaw (rad) of each robot
         :param new_odometry: function that returns the odometry of a robot (an index)
         :param odom_rate: Hz
         :param cmd_vel_timeout: a robot stops when no command has come for this long (s); 0: never
-        :param gui, world_file, client: as for sim_turtlebot.physics.World, and what it raises
+        :param gui, world_file: as for sim_turtlebot.physics.World, and what it raises
         :param clock_rate: as for sim_turtlebot.timeline.Timeline
+        :param build_world: function of the first four parameters of settled_world()
         """
         self.timeline = Timeline(odom_rate, clock_rate)
         step_rate = self.timeline.step_rate
-        self.world = World(step_rate, gui, world_file, client)
-        bodies = [self.world.add_turtlebot(*start) for start in starts]
-        self.world.settle()
+        self.world = build_world(step_rate, starts, gui, world_file)
         self.robots = [Robot(body, step_rate, new_odometry(index), cmd_vel_timeout)
-                       for index, body in enumerate(bodies)]
-        self._muxes = [VelocityMux() for _ in bodies]
+                       for index, body in enumerate(self.world.robots)]
+        self._muxes = [VelocityMux() for _ in self.robots]
 
     @property
     def everything_rests(self):

@@ -39,6 +39,7 @@ class Simulator:
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
                 settings.lockstep_rate, self._timeline.step_rate, settings.robots)
+        self._reminded = time.monotonic()
         self._paused = False
         self._stopping = False
         self._requests = RequestQueue()
@@ -52,7 +53,6 @@ class Simulator:
         """Simulate until shutdown, or until the window is closed."""
         self._publish()
         self._pacer.restart(self._timeline.now)
-        self._reminded = time.monotonic()
         try:
             while not (self._stopping or rospy.is_shutdown()):
                 self._take_turn()
@@ -91,17 +91,18 @@ class Simulator:
         """
         if not self._requests.serve(REPEAT_PERIOD):
             self._topics.repeat()
-        self._remind()
-        if self._lockstep.started:
-            patience = self._settings.lockstep_patience
-            end = time.monotonic() + patience
-            while not self._stopping and time.monotonic() < end:
-                if not self._requests.serve(LATE_SHARE * patience):
-                    break
+        if not self._lockstep.started:
+            self._remind()
+            return
+        patience = self._settings.lockstep_patience
+        end = time.monotonic() + patience
+        while not self._stopping and time.monotonic() < end:
+            if not self._requests.serve(LATE_SHARE * patience):
+                break
 
     def _remind(self):
         """Say from time to time what is waited for: a client cannot see why its sleep has no end."""
-        if time.monotonic() - self._reminded < REMIND_PERIOD or self._lockstep.started:
+        if time.monotonic() - self._reminded < REMIND_PERIOD:
             return
         self._reminded = time.monotonic()
         topics = self._topics.command_topics
