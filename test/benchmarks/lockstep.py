@@ -4,7 +4,7 @@ import contextlib
 from pathlib import Path
 
 from graph import Graph, has_listener
-from measuring import Target, compare, in_turns
+from measuring import Target, compare, in_slices
 from odometry_common.publishing import advertise
 from odometry_tests.processes import Process
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
@@ -20,8 +20,7 @@ def graph_in_lockstep(options):
     """Measure robot, detector and mover, where the robot waits for each command."""
     with Graph(*LOCKSTEP) as graph, _ring() as ring_speed:
         graph.run_until(UNDER_WAY, 0.01)
-        pairs = in_turns(options.runs, lambda: graph.watch(options.window),
-                         lambda: ring_speed(options.window))
+        pairs = in_slices(options, graph.watch, ring_speed)
     yield compare('graph in lockstep', SPEED_UNIT,
                   [(sample.simulated / sample.wall, limit) for sample, limit in pairs],
                   Target('>=', 0.9))

@@ -4,6 +4,7 @@ import operator
 from statistics import median
 from typing import NamedTuple
 
+SLICES = 4  # of a window
 RELATIONS = {'>=': operator.ge, '<=': operator.le, '=': operator.eq}
 
 
@@ -54,6 +55,17 @@ def in_turns(runs, measure, measure_limit):
     :param measure, measure_limit: functions without arguments
     """
     return [(measure(), measure_limit()) for _ in range(runs)]
+
+
+def in_slices(options, measure, measure_limit):
+    """Measure value and limit in turns, for a slice of the window each, and return the pairs.
+
+    A slow moment of the machine lasts longer than a slice, and so hits both.
+
+    :param measure, measure_limit: functions of the s of wall time in which to watch
+    """
+    slice_ = options.window / SLICES
+    return in_turns(SLICES * options.runs, lambda: measure(slice_), lambda: measure_limit(slice_))
 
 
 def compare(name, unit, pairs, target=None):

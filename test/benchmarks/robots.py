@@ -3,7 +3,7 @@
 import rospy
 from geometry_msgs.msg import Twist
 from graph import Graph
-from measuring import Target, compare, in_turns
+from measuring import Target, compare, in_slices, in_turns
 from odometry_tests.waiting import wait_for_subscribers
 from speed import CPU_UNIT, SPEED_UNIT, UNPACED
 from start import start_bare, start_simulator
@@ -24,12 +24,12 @@ def _crowd(options, count, alone):
     """Yield the figures of so many robots; `alone` is one without ROS."""
     label = robots(count)
     bare, world = BareWorld(count), RobotWorld(count)
-    yield compare(f'robot without ROS, {label}', SPEED_UNIT, in_turns(
-        options.runs, lambda: world.speed(options.window), lambda: bare.speed(options.window)))
+    yield compare(f'robot without ROS, {label}', SPEED_UNIT,
+                  in_slices(options, world.speed, bare.speed))
     with Graph('_cmd_vel_timeout:=0', f'_robots:={count}', *UNPACED, movers=False) as graph:
         _drive_all(graph, count)
-        pairs = in_turns(options.runs, lambda: graph.watch(options.window),
-                         lambda: (bare.speed(options.window), alone.speed(options.window)))
+        pairs = in_slices(options, graph.watch,
+                          lambda window: (bare.speed(window), alone.speed(window)))
     yield compare(f'simulator, {label}', SPEED_UNIT,
                   [(sample.simulated / sample.wall, limit) for sample, (limit, _) in pairs])
     yield compare(f'simulator, {label}, CPU time', CPU_UNIT, [

@@ -2,7 +2,7 @@
 
 import rospy
 from graph import Graph
-from measuring import Target, compare, in_turns
+from measuring import Target, compare, in_slices, in_turns
 from worlds import BareWorld, RobotWorld
 
 SPEED_UNIT = 'simulated s/s'
@@ -14,8 +14,7 @@ UNDER_WAY = 1.0  # s of simulated time; lockstep begins with a pause of wall tim
 def robot_without_ros(options):
     """Measure the simulator's robot, commanded after each odometry."""
     robot, bare = RobotWorld(), BareWorld()
-    pairs = in_turns(options.runs, lambda: robot.speed(options.window),
-                     lambda: bare.speed(options.window))
+    pairs = in_slices(options, robot.speed, bare.speed)
     yield compare('robot without ROS', SPEED_UNIT, pairs, Target('>=', 0.85))
 
 
@@ -24,8 +23,7 @@ def graph_unpaced(options):
     bare = BareWorld()
     with Graph(*UNPACED) as graph:
         graph.run_until(UNDER_WAY, 0.01)
-        pairs = in_turns(options.runs, lambda: graph.watch(options.window),
-                         lambda: bare.speed(options.window))
+        pairs = in_slices(options, graph.watch, bare.speed)
     speeds = [(sample.simulated / sample.wall, limit) for sample, limit in pairs]
     # Bare stepping keeps one processor busy all the time.
     cpu = [(1e3 * sample.cpu / sample.simulated, 1e3 / limit) for sample, limit in pairs]

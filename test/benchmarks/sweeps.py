@@ -5,7 +5,7 @@ import time
 from pathlib import Path
 
 from joblib.externals.loky import get_reusable_executor
-from measuring import Figure, Target, compare, in_turns
+from measuring import Figure, Target, compare, in_slices, in_turns
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.closed_loop import run
 from odometry_sweep.running import side_by_side
@@ -22,9 +22,9 @@ TIMEOUT = 300.0  # s
 def sweep(options):
     """Measure the loop in one process, two of them, a thousand drives, and a run once more."""
     bare = BareWorld()
-    pairs = in_turns(options.runs, lambda: _loop_speed(options.window),
-                     lambda: bare.speed(options.window))
-    yield compare('loop in one process', SPEED_UNIT, pairs, Target('>=', 0.85))
+    _run()  # connects and builds the world
+    yield compare('loop in one process', SPEED_UNIT,
+                  in_slices(options, _loop_speed, bare.speed), Target('>=', 0.85))
     with side_by_side(jobs=2) as on_two, side_by_side(jobs=1) as on_one:
         _runs_per_second(on_two)  # starts the processes
         yield compare('sweep on two processors', 'runs/s', in_turns(
