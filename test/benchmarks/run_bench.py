@@ -70,7 +70,7 @@ def parse(arguments):
     parser.add_argument('only', nargs='*', metavar='PART', default=list(MEASUREMENTS),
                         type=_part,
                         help=f'measure only these: {", ".join(MEASUREMENTS)}')
-    parser.add_argument('--runs', type=_positive(int), default=5, metavar='N',
+    parser.add_argument('--runs', type=_positive(int), default=3, metavar='N',
                         help='of which the median is shown (default: %(default)s)')
     parser.add_argument('--window', type=_positive(float), default=1.0, metavar='S',
                         help='wall time of one look at a speed (default: %(default)s)')
