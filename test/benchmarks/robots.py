@@ -15,6 +15,7 @@ COST_UNIT = 'ms/simulated s/robot'
 
 def many_robots(options):
     """Measure speed, start and the cost per robot of several crowds."""
+    options = options._replace(window=options.window / 2)  # for there are many figures
     alone = RobotWorld()
     for count in COUNTS:
         yield from _crowd(options, count, alone)

@@ -15,7 +15,7 @@ from worlds import BareWorld
 
 ROOT = Path(__file__).resolve().parents[2]
 MANY = 1000  # drives
-FEW = 40  # drives, in which two processors are compared with one
+FEW = 30  # drives, in which two processors are compared with one
 PACE_WINDOW = 5.0  # s, before and after them; the machine is not as fast in each second
 TIMEOUT = 300.0  # s
 
