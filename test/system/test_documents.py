@@ -53,6 +53,11 @@ OUTSIDE_THE_SHELL = ['What the packages need']
 # Words that a reader replaces by his own.
 PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
                 'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
+# Of the parts of the bench; test_bench measures two others.
+PRINTED = 'unpaced control control-lockstep start end demo'
+NOT_PRINTED = re.compile(
+    'latency at |robot without ROS|graph in lockstep|loop in one|sweep on|1000 drives|runs that|memory '
+    '|graph unpaced, (with|view)|graph at real time|simulator, |cost per|start to first /odom, ')
 OUR_PACKAGES = shlex.quote(str(ROOT)) + '/.venv/lib/*/site-packages'
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
@@ -63,11 +68,7 @@ IN_PLACE = [
      'is set up already'),
     (r'^ROS_MASTER_URI=\S+ ', '', 'the robot is played here'),
     (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
-    (r'^\./ws bench( --window 1)?$', r'\g<0> --help', 'takes many minutes'),
-    (r'^(\./ws bench) robot lockstep unpaced sweep (.*) --runs 3$',
-     r'\1 unpaced \2 --runs 1 --window 0.1', 'test_bench measures two of the parts; a sweep is long'),
-    (r'^(\./ws bench control-lockstep control) latency view$', r'\1 --runs 1 --window 0.1',
-     'latency takes minutes'),
+    (r'^(\./ws bench) --runs 3$', rf'\1 {PRINTED} --runs 1 --window 0.1', 'takes ten minutes'),
     (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
@@ -92,9 +93,6 @@ NOT_HERE = {
 IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')
 if not IS_CLONE:
     NOT_HERE['^git clone '] = 'this is no clone'
-# Of the parts of the bench that are left out.
-NOT_PRINTED = re.compile(
-    'latency at |robot without ROS|graph in lockstep|loop in one|sweep on|graph unpaced, view')
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
 READERS = 4
 

@@ -23,7 +23,7 @@ class Motion(NamedTuple):
 
 
 def true_motion(body):
-    """Return the Motion of a sim_turtlebot.physics.TurtleBot in the world."""
+    """Return the Motion of a sim_turtlebot.turtlebot.TurtleBot in the world."""
     position, orientation = body.pose()
     linear, angular = body.velocity()
     to_base = inverse(orientation)

@@ -23,7 +23,7 @@ class Robot:
     def __init__(self, body, step_rate, odometry, cmd_vel_timeout):
         """Take over a body.
 
-        :param body: sim_turtlebot.physics.TurtleBot, settled
+        :param body: sim_turtlebot.turtlebot.TurtleBot, settled
         :param step_rate: physics steps per second (Hz)
         :param odometry: WorldOdometry or EncoderOdometry
         :param cmd_vel_timeout: stop when no command has come for this long (s); 0: never

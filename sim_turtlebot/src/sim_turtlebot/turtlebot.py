@@ -1,0 +1,132 @@
+"""The body of a TurtleBot 2 in PyBullet: what its wheels, its pose and its contacts are."""
+
+import contextlib
+import os
+from functools import partial
+
+from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_SEPARATION, WHEEL_TORQUE
+
+from sim_turtlebot.description import URDF, without_frames
+from sim_turtlebot.native_output import suppress_native_output
+
+with suppress_native_output():
+    import pybullet
+
+LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more would throw it away
+UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
+HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
+AIR = 10.0  # m, above whatever a robot touches
+FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
+
+
+class TurtleBot:
+    """One TurtleBot 2 in a world: its motors, its pose and its wheels."""
+
+    def __init__(self, client, x, y, yaw, flags):
+        """Load the robot; use World.add_turtlebot()."""
+        self._client = client
+        self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
+        with _in_memory(without_frames(URDF.read_text())) as path, suppress_native_output():
+            self._body = client.loadURDF(path, *self._start, flags=flags)
+        # The footprint is PyBullet's base link: its pose is the robot's without conversion.
+        client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,
+                              localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
+        joints = {client.getJointInfo(self._body, index)[1].decode(): index
+                  for index in range(client.getNumJoints(self._body))}
+        self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
+        # Bound once: the client makes such a function anew each time that it is asked for it.
+        self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
+        self._get_velocity = partial(client.getBaseVelocity, self._body)
+        self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
+        self._settled_height = 0.0
+        self.drive(0.0, 0.0)
+
+    def drive(self, linear, angular):
+        """Turn the wheels so as to move at `linear` m/s and `angular` rad/s."""
+        difference = angular * WHEEL_SEPARATION / 2
+        self._client.setJointMotorControlArray(
+            self._body, self._wheels, pybullet.VELOCITY_CONTROL,
+            targetVelocities=[(linear - difference) / WHEEL_RADIUS,
+                              (linear + difference) / WHEEL_RADIUS],
+            forces=[WHEEL_TORQUE] * 2)
+
+    def pose(self):
+        """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
+        return self._get_pose()
+
+    def velocity(self):
+        """Return linear (m/s) and angular (rad/s) velocity in the world frame, three of each."""
+        return self._get_velocity()
+
+    def wheels(self):
+        """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
+        left, right = self._get_wheels()
+        return (left[0], right[0]), (left[1], right[1]), (left[3], right[3])
+
+    def cast_rays(self, starts, ends):
+        """Return at which share of its length each ray meets another body; 1.0 if at none.
+
+        A ray that starts inside one of the robot's own shapes leaves it without meeting it.
+
+        :param starts, ends: lists of x, y, z (m) in the frame of the footprint
+        """
+        hits = self._client.rayTestBatch(starts, ends, parentObjectUniqueId=self._body)
+        return [hit[2] for hit in hits]
+
+    def overlap(self):
+        """Return how deep (m) other bodies are in the robot, except for a floor that bears it."""
+        points = ((normal[2], -distance) for *_, normal, distance, _, _, _, _, _
+                  in self._client.getContactPoints(self._body))
+        return max((depth for up, depth in points
+                    if up < UPWARDS or depth > HIGHEST_FLOOR), default=0.0)
+
+    def place(self, position, orientation, wheel_angles):
+        """Put the robot there, at rest; m, quaternion x y z w, rad."""
+        self._client.resetBasePositionAndOrientation(self._body, position, orientation)
+        self._client.resetBaseVelocity(self._body, [0, 0, 0], [0, 0, 0])
+        for wheel, angle in zip(self._wheels, wheel_angles):
+            self._client.resetJointState(self._body, wheel, angle, 0.0)
+
+    def put(self, position, orientation, wheel_angles):
+        """Put the robot there, at rest, unless there is no room; then stop it where it is.
+
+        :param position: x, y, z (m); z is 0 where it stands on the floor
+        :param orientation, wheel_angles: as for place()
+        :raises ValueError: if it would be in something
+        """
+        here = self.pose()
+        x, y, z = position
+        self.place([x, y, z + self._settled_height], orientation, wheel_angles)
+        self.drive(0.0, 0.0)
+        self._client.performCollisionDetection()
+        overlap = self.overlap()
+        if overlap > LARGEST_OVERLAP:
+            self.place(*here, wheel_angles)
+            raise ValueError(f'at x {x:g}, y {y:g}, z {z:g} the robot would be {overlap:.3f} m '
+                             'deep in something, but there must be room for it')
+
+    def place_at_start(self):
+        """Go back to where the robot was added, with its wheels at zero and at rest.
+
+        Through the air: to a body that it finds again near by, PyBullet leaves its contacts, and
+        the next drive would depend on the last one.
+        """
+        (x, y, _), orientation = self._start
+        self.place([x, y, AIR], orientation, [0.0, 0.0])
+        self._client.performCollisionDetection()
+        self.place([x, y, self._settled_height], orientation, [0.0, 0.0])
+        self.drive(0.0, 0.0)
+
+    def settle_here(self):
+        """Keep the height at which the robot has settled, at its exact start."""
+        self._settled_height = self.pose()[0][2]
+        self.place_at_start()
+
+
+@contextlib.contextmanager
+def _in_memory(text):
+    """Yield the path of a file with this text that is on no disk: one may be full, or read-only."""
+    with open(os.memfd_create('turtlebot2.urdf'), 'w', encoding='utf-8') as file:
+        file.write(text)
+        file.flush()
+        yield f'/proc/self/fd/{file.fileno()}'
