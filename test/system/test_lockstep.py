@@ -101,11 +101,14 @@ MOVE = 20, [detector, mover], {
     '/odom': (Odometry, 20 * COMPARED), '/moved_distance': (Float64, 20 * COMPARED),
     # The mover's commands are all the same until it arrives, so that most are repetitions.
     '/cmd_vel': (Twist, 80)}
-SENSORS = 20, [detector, mover], {'/odom': (Odometry, 20 * COMPARED),
-                               '/scan': (LaserScan, 10 * COMPARED),
-                               '/mobile_base/sensors/imu_data': (Imu, 20 * COMPARED),
-                               '/joint_states': (JointState, 20 * COMPARED)}, \
-    ['_scan:=true', '_scan_noise:=0.01', f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf', '_x:=-1.0']
+SENSORS = (
+    20, [detector, mover],
+    {'/odom': (Odometry, 20 * COMPARED),
+     '/scan': (LaserScan, 10 * COMPARED),
+     '/mobile_base/sensors/imu_data': (Imu, 20 * COMPARED),
+     '/joint_states': (JointState, 20 * COMPARED)},
+    ['_scan:=true', '_scan_noise:=0.01', f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf',
+     '_x:=-1.0'])
 ELSEWHERE = *MOVE, (), put_elsewhere
 ROTATE = 10, [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
 
@@ -177,7 +180,8 @@ def test_while_time_stands_still_a_line_says_what_it_waits_for():
         transforms.wait_for(what='the transform of a robot that has not moved')
         line = ('lockstep: time stands still until there is a first command on /cmd_vel, '
                 '/mobile_base/commands/velocity')
-        wait_until(lambda: simulation.output.count(line) >= 2, 20.0, simulation.output)
+        wait_until(lambda: simulation.output.count(line) >= 2, 20.0,
+                   lambda: f'the line twice in:\n{simulation.output}')
         odometry.wait_for_count(11, 20.0)
         assert len(transforms.messages) == 1
         commands = rospy.Publisher('cmd_vel', Twist, queue_size=1)

@@ -4,14 +4,14 @@ import fcntl
 import os
 import pty
 import re
-import signal
+import select
 import struct
 import subprocess
 import termios
 import threading
 
 from odometry_tests.forms import plain_lines
-from odometry_tests.waiting import TIMEOUT, wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 MARK = '\x1e'
 # Before each prompt the shell says with which status the last command ended.
@@ -38,6 +38,7 @@ class Terminal:
         self.in_shell = False  # whether ./ws shell was typed
         self._bytes = b''
         self._typed, self._line = 0, ''
+        self._is_open = True
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
         self.wait_for_prompt()
@@ -47,12 +48,15 @@ class Terminal:
         return self
 
     def __exit__(self, *_):
-        """Close the window; what ran in it gets SIGHUP."""
-        if self._bash.poll() is None:
-            self._bash.send_signal(signal.SIGHUP)
-        self._bash.wait()
-        self._reader.join(1.0)
+        """Close the window; the shell and what runs in it get SIGHUP.
+
+        The system sends it, and hangs up the line too: a bash that is about to wait for a key
+        would keep a bare SIGHUP in mind until somebody presses one.
+        """
+        self._is_open = False
+        self._reader.join()
         os.close(self._screen)
+        self._bash.wait(TIMEOUT * PATIENCE)
 
     @property
     def pid(self):
@@ -110,8 +114,10 @@ class Terminal:
         return self._bytes[self._typed:].decode(errors='replace')
 
     def _read(self):
+        """Read until the window is closed: as long as this thread waits in a read, it is not."""
         try:
-            while chunk := os.read(self._screen, 65536):
-                self._bytes += chunk
+            while self._is_open:
+                if select.select([self._screen], [], [], LOOKING_PERIOD)[0]:
+                    self._bytes += os.read(self._screen, 65536)
         except OSError:
             pass  # Linux's way to say that nobody is there any more
