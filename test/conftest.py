@@ -1,7 +1,10 @@
 """A ROS master for each run of pytest: rospy joins one only once."""
 
+import shutil
+
 import pytest
 import rospy
+from odometry_tests.forked import Forked
 from odometry_tests.processes import Master
 from odometry_tests.tutorial import forget_parameters
 from rospy.impl.masterslave import ROSHandler
@@ -14,7 +17,7 @@ ROSHandler.shutdown = lambda *_: (1, 'not obeyed', 0)
 @pytest.fixture(scope='session')
 def master():
     """Start a master of its own, with the clock of the wall, and join it as a node."""
-    with Master() as process:
+    with Master(shutil.which('rosmaster'), '--core', start=Forked) as process:
         if not rospy.core.is_initialized():
             rospy.init_node('system_test', anonymous=True, disable_signals=True,
                             disable_rostime=True)

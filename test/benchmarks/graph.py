@@ -8,6 +8,7 @@ from typing import NamedTuple
 import psutil
 import rosgraph
 import rospy
+from odometry_launch.keeping import Kept
 from odometry_tests.links import links
 from odometry_tests.pausing import call
 from odometry_tests.tutorial import detector, forget_parameters, mover, simulator
@@ -38,12 +39,12 @@ class Graph:
         """
         forget_parameters()
         self._stack = contextlib.ExitStack()
-        self._processes = [self._stack.enter_context(simulator(*arguments))]
+        self._processes = [self._stack.enter_context(simulator(*arguments, start=Kept))]
         # Nothing may pass before it is measured.
         call('pause_physics')
         if movers:
-            self._processes += [self._stack.enter_context(detector()),
-                                self._stack.enter_context(mover(f'_distance:={distance}'))]
+            for node in (detector(start=Kept), mover(f'_distance:={distance}', start=Kept)):
+                self._processes.append(self._stack.enter_context(node))
             for topic in ('/odom', '/moved_distance', '/cmd_vel'):
                 wait_until(lambda topic=topic: has_listener(topic), TIMEOUT,
                            f'a subscriber of {topic}')

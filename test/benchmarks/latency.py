@@ -8,6 +8,7 @@ import rospy
 from measuring import Target, compare, in_turns
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
+from odometry_launch.keeping import Kept
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector, forget_parameters
@@ -29,7 +30,7 @@ def detector_latency(options):
 def _latency(options, rate):
     forget_parameters()
     count = min(options.messages, rate * options.longest)
-    with detector(), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'):
+    with detector(start=Kept), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'):
         answers = Answers('/odom', '/moved_distance', Float64)
         relay = Answers('/relayed/odom', '/relayed/answer', Odometry)
         pairs = in_turns(options.runs, lambda: answers.times(rate, count),

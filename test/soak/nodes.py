@@ -12,6 +12,7 @@ from course import RATE
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
+from odometry_launch.keeping import Kept
 from odometry_tests.links import HEARS, links
 from odometry_tests.linux import command_line
 from odometry_tests.pausing import call
@@ -136,7 +137,7 @@ class Nodes:
     def _start_simulator(self):
         """Start the simulator and pause it once it hears and is heard."""
         self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
-                                    '_real_time_factor:=0', '_lockstep_patience:=10')
+                                    '_real_time_factor:=0', '_lockstep_patience:=10', start=Kept)
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT)
         wait_for_subscribers(self._velocity, timeout=START_TIMEOUT)
@@ -146,7 +147,7 @@ class Nodes:
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""
         stale = links(SIMULATOR)
-        self._detector = detector(f'__name:={DETECTOR[1:]}')
+        self._detector = detector(f'__name:={DETECTOR[1:]}', start=Kept)
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
         self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale)
 

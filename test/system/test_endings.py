@@ -7,6 +7,7 @@ import pytest
 import rosgraph
 import rosnode
 from geometry_msgs.msg import Twist
+from odometry_launch.keeping import Kept
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.tutorial import (
@@ -91,11 +92,11 @@ def truth(master):
 def driver(request, truth):
     """Start a node that moves the robot."""
     if request.param == 'mover':
-        node = mover('__name:=driver', '_distance:=100')
+        node = mover('__name:=driver', '_distance:=100', start=Kept)
     else:
         # Out of reach within the test: it turns at full speed limit all the time.
         node = rotator('__name:=driver', '_max_angular_speed:=0.2',
-                       f'_target:={170 + heading(truth.last):.0f}')
+                       f'_target:={170 + heading(truth.last):.0f}', start=Kept)
     with node:
         truth.wait_until_moving()
         yield node
@@ -146,7 +147,7 @@ def test_the_robot_is_at_rest_at_once(driver, truth, ending):
 @pytest.mark.parametrize('ending', ENDINGS)
 def test_a_node_that_has_arrived_ends_quietly(truth, ending):
     """After arrival the robot stays at rest."""
-    with mover('__name:=driver', '_distance:=0.02', '_relative:=true') as node:
+    with mover('__name:=driver', '_distance:=0.02', '_relative:=true', start=Kept) as node:
         node.wait_for_output('stopped')
         ending(node)
         assert node.wait() == 0, node.output

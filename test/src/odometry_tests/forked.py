@@ -1,24 +1,30 @@
-"""Scripts that are forked from a process that has imported already what they need.
+"""Python scripts that are forked from a process that has imported already what they need.
 
-They run as they do for a user, from their first line to their exit status, in a tenth of the time.
+They run as they do for a user, from their first line to their exit status, but start in a tenth of
+the time: imports are most of what a short test costs the processor. What rospy reads of the
+environment when it is imported, such as ROS_NAMESPACE, they do not see.
 """
 
+import ctypes
 import multiprocessing
 import os
 import runpy
+import signal
+import subprocess
 import sys
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import rospy
 
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import PATIENCE, TIMEOUT
 
 FORKS = multiprocessing.get_context('forkserver')
-FORKS.set_forkserver_preload(['odometry_tests.forked', 'sim_turtlebot.node', 'tf.transformations',
-                              'robot_view.address', 'odometry_launch.run_plot'])
+FORKS.set_forkserver_preload([
+    'odometry_tests.forked', 'sim_turtlebot.node', 'tf.transformations', 'robot_view.address',
+    'odometry_launch.run_plot'])
+OUTPUTS = 1, 2  # descriptors
+PR_SET_PDEATHSIG = 1  # <linux/prctl.h>
 
 
 class Ended(NamedTuple):
@@ -29,29 +35,67 @@ class Ended(NamedTuple):
     stderr: str
 
 
+class Forked:
+    """A script in a process and a session of its own; used as odometry_launch.keeping.Kept is."""
+
+    def __init__(self, script, *arguments, env, stdout, stderr):
+        """Start it; both outputs are subprocess.PIPE."""
+        assert stdout == stderr == subprocess.PIPE
+        pipes = [FORKS.Pipe(duplex=False) for _ in OUTPUTS]
+        # A daemon ends with the process that has started it.
+        self._process = FORKS.Process(target=_run, daemon=True, args=[
+            [str(script), *map(str, arguments)], env, [writer for _, writer in pipes]])
+        self._process.start()
+        for _, writer in pipes:
+            writer.close()
+        self.stdout, self.stderr = (
+            os.fdopen(os.dup(reader.fileno()), 'rb') for reader, _ in pipes)
+
+    @property
+    def pid(self):
+        """Its process id."""
+        return self._process.pid
+
+    def poll(self):
+        """Return the exit status as subprocess does, None while it is running."""
+        return self._process.exitcode
+
+    def wait(self, timeout=None):
+        """Return the exit status once it has ended; raise subprocess.TimeoutExpired."""
+        self._process.join(timeout)
+        if self.poll() is None:
+            raise subprocess.TimeoutExpired(self._process.name, timeout)
+        return self.poll()
+
+    def send_signal(self, signum):
+        """Send it a signal."""
+        if self.poll() is None:
+            os.kill(self.pid, signum)
+
+    def let_go(self):
+        """Have it ended; return at once."""
+        self._process.kill()
+
+
 def run_script(script, *arguments, env=None):
     """Run a script by its path in the project; return how it Ended.
 
     :param env: is added to the environment
     """
-    with TemporaryDirectory() as folder:
-        files = [Path(folder, name) for name in ('stdout', 'stderr')]
-        process = FORKS.Process(target=_run, args=[
-            str(ROOT / script), arguments, {**os.environ, **(env or {})}, files], daemon=True)
-        process.start()
-        process.join(TIMEOUT * PATIENCE)
-        if process.exitcode is None:
-            process.kill()
-            process.join()
-        return Ended(process.exitcode, *(file.read_text() for file in files))
+    with Process(ROOT / script, *arguments, env=env, start=Forked) as process:
+        return Ended(process.wait(), process.stdout, process.stderr)
 
 
-def _run(script, arguments, environment, files):
-    for descriptor, file in enumerate(files, 1):
-        os.dup2(os.open(file, os.O_WRONLY | os.O_CREAT), descriptor)
+def _run(argv, environment, outputs):
+    os.setsid()
+    # Its parent ends when pytest does, however that ends.
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
+    for descriptor, output in zip(OUTPUTS, outputs):
+        os.dup2(output.fileno(), descriptor)
+        output.close()
     os.environ.clear()
     os.environ.update(environment)
-    sys.argv = [script, *arguments]
+    sys.argv = argv
     # rospy has read another command line when it was imported.
-    rospy.names.reload_mappings(sys.argv)
-    runpy.run_path(script, run_name='__main__')
+    rospy.names.reload_mappings(argv)
+    runpy.run_path(argv[0], run_name='__main__')

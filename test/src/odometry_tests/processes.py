@@ -16,14 +16,17 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 class Process:
     """A command with its output."""
 
-    def __init__(self, *command, env=None, **popen_options):
-        """Start it; `env` is added to the environment."""
+    def __init__(self, *command, env=None, start=Kept, **popen_options):
+        """Start it; `env` is added to the environment.
+
+        :param start: Kept, or Forked for a Python script
+        """
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
         environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
         # Nothing is left of it when pytest is killed.
-        self._kept = Kept(*command, env=environment, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, **popen_options)
+        self._kept = start(*command, env=environment, stdout=subprocess.PIPE,
+                           stderr=subprocess.PIPE, **popen_options)
         self._lines = {'stdout': [], 'stderr': []}
         self._readers = [self._read('stdout'), self._read('stderr')]
 
@@ -111,14 +114,18 @@ class Process:
 
 
 class Master(Process):
-    """A roscore of its own, which this process and its children use from now on."""
+    """A ROS master of its own, which this process and its children use from now on."""
 
-    def __init__(self, use_sim_time=False):
-        """Start it on a port of its own and return once it answers."""
+    def __init__(self, *command, use_sim_time=False, **options):
+        """Start it on a port of its own and return once it answers.
+
+        :param command: roscore if there is none
+        :param options: those of a Process
+        """
         self._port = contextlib.ExitStack()
         port = self._port.enter_context(hold_port())
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
-        super().__init__('roscore', '-p', port)
+        super().__init__(*(command or ['roscore']), '-p', port, **options)
         try:
             wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
         except BaseException:

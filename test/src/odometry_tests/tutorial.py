@@ -4,8 +4,10 @@ import math
 
 import rosgraph
 from nav_msgs.msg import Odometry
+from odometry_launch.keeping import Kept
 from std_msgs.msg import Float64
 
+from odometry_tests.forked import Forked
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import PATIENCE, Recorder, wait_until
 
@@ -19,7 +21,7 @@ OVERSHOOT = 0.0075  # m: the way of a period and of the brakes
 
 def simulator(*arguments, **options):
     """Start the simulated robot."""
-    return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
+    return _node('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
 
 
 def simulator_in_step(*arguments, rate=20, patience=PATIENCE, **options):
@@ -36,17 +38,17 @@ def simulator_in_step(*arguments, rate=20, patience=PATIENCE, **options):
 
 def detector(*arguments, **options):
     """Start the node that adds up the moves."""
-    return rosrun('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
+    return _node('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
 
 
 def mover(*arguments, **options):
     """Start the node that drives two metres."""
-    return rosrun('test_movement', 'test_movement.py', *arguments, **options)
+    return _node('test_movement', 'test_movement.py', *arguments, **options)
 
 
 def rotator(*arguments, **options):
     """Start the node that turns to a heading."""
-    return rosrun('rotate_robot', 'rotate.py', *arguments, **options)
+    return _node('rotate_robot', 'rotate.py', *arguments, **options)
 
 
 def forget_parameters():
@@ -68,6 +70,14 @@ def heading(message):
     # A quaternion and its negative are the same orientation.
     yaw = 2 * math.atan2(orientation.z, orientation.w)
     return math.degrees(math.remainder(yaw, 2 * math.pi))
+
+
+def _node(*command, env=None, start=Forked):
+    """Start a node; parameters as for a Process.
+
+    Where the environment differs, of which rospy reads some when it is imported, nothing is forked.
+    """
+    return rosrun(*command, env=env, start=Kept if env else start)
 
 
 class Truth(Recorder):
