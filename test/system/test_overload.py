@@ -10,6 +10,7 @@ from xmlrpc.client import ServerProxy
 import rosgraph
 import rospy
 from nav_msgs.msg import Odometry
+from odometry_launch.keeping import Kept
 from odometry_tests.tutorial import mover, simulator
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import String
@@ -36,7 +37,8 @@ def with_handles(most):
 
     :param most: how many more it may ask for
     """
-    return {'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (HANDLES, most))}
+    return {'start': Kept,
+            'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (HANDLES, most))}
 
 
 def test_a_node_takes_more_file_handles_than_usual_if_it_may(master):

@@ -5,9 +5,8 @@ import os
 
 import pytest
 import rosgraph
-import rospy
 import rosservice
-from odometry_tests.processes import Process
+from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.tutorial import detector, mover, rotator, simulator
@@ -42,12 +41,18 @@ def test_every_type_of_a_topic_or_service_is_shown(simulated_time):
 
 
 @pytest.mark.parametrize('name, command', [('/rosversion', 'roslaunch'), ('/rosdistro', '-d')])
-def test_the_master_tells_the_version_that_rosversion_tells(master, name, command):
+def test_roscore_tells_the_version_that_rosversion_tells(name, command):
     """Though none of its processes was asked when the master started."""
     rosversion = Process('rosversion', command)
     assert rosversion.wait() == 0
-    wait_until(lambda: rospy.has_param(name), TIMEOUT, name)
-    assert rospy.get_param(name).strip() == rosversion.stdout.strip() != ''
+    with hold_port() as port:
+        uri = f'http://localhost:{port}'
+        parameters = rosgraph.Master('/test', uri)
+        with Process('roscore', '-p', port):
+            wait_until(lambda: rosgraph.is_master_online(uri) and parameters.hasParam(name),
+                       TIMEOUT, name)
+            told = parameters.getParam(name)
+    assert told.strip() == rosversion.stdout.strip() != ''
 
 
 def test_tab_writes_the_fields_of_a_message(tmp_path):

@@ -1,8 +1,7 @@
 """Python scripts that are forked from a process that has imported already what they need.
 
 They run as they do for a user, from their first line to their exit status, but start in a tenth of
-the time: imports are most of what a short test costs the processor. What rospy reads of the
-environment when it is imported, such as ROS_NAMESPACE, they do not see.
+the time: imports are most of what a short test costs the processor.
 """
 
 import ctypes
@@ -14,6 +13,7 @@ import subprocess
 import sys
 from typing import NamedTuple
 
+import rosgraph
 import rospy
 
 from odometry_tests.processes import Process
@@ -96,6 +96,7 @@ def _run(argv, environment, outputs):
     os.environ.clear()
     os.environ.update(environment)
     sys.argv = argv
-    # rospy has read another command line when it was imported.
+    # When rospy was imported it has read another command line, and another ROS_NAMESPACE.
     rospy.names.reload_mappings(argv)
+    rospy.names._set_caller_id(f'{rosgraph.names.get_ros_namespace()}unnamed')
     runpy.run_path(argv[0], run_name='__main__')

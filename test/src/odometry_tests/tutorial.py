@@ -4,7 +4,6 @@ import math
 
 import rosgraph
 from nav_msgs.msg import Odometry
-from odometry_launch.keeping import Kept
 from std_msgs.msg import Float64
 
 from odometry_tests.forked import Forked
@@ -72,12 +71,9 @@ def heading(message):
     return math.degrees(math.remainder(yaw, 2 * math.pi))
 
 
-def _node(*command, env=None, start=Forked):
-    """Start a node; parameters as for a Process.
-
-    Where the environment differs, of which rospy reads some when it is imported, nothing is forked.
-    """
-    return rosrun(*command, env=env, start=Kept if env else start)
+def _node(*command, start=Forked, **options):
+    """Start a node; parameters as for a Process."""
+    return rosrun(*command, start=start, **options)
 
 
 class Truth(Recorder):
