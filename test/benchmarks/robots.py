@@ -9,7 +9,7 @@ from speed import CPU_UNIT, SPEED_UNIT, UNPACED
 from start import start_bare, start_simulator
 from worlds import SPEED, BareWorld, RobotWorld
 
-COUNTS = (1, 5, 20, 50)
+COUNTS = (1, 10, 50)
 COST_UNIT = 'ms/simulated s/robot'
 
 

@@ -56,7 +56,7 @@ def main():
 
 
 def _measure(options):
-    effort = Options(options.runs, options.window, messages=1000, longest=3, minutes=20)
+    effort = Options(options.runs, options.window, messages=1000, longest=3, minutes=10)
     for name in options.only:
         for figure in MEASUREMENTS[name](effort):
             print_figure(figure)

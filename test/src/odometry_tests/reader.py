@@ -14,6 +14,9 @@ TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
 LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
+# roslaunch says so ten seconds of wall time after it has started a master, however busy the machine
+# is; whoever reads it types the command once more.
+GAVE_UP = 'could not contact master'
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found']
@@ -49,19 +52,25 @@ class Reader:
         for running in [running for running in self._running if _role(running[0]) == _role(words)]:
             self._interrupt(running)
         self._wait_for_sense(words)
-        nodes = self._graph.nodes()
         terminal = self._terminal(text)
-        terminal.type(text)
         self._running.append((words, terminal))
+        self._type(text, words, shown, terminal)
+        if terminal.status is not None and GAVE_UP in terminal.output:
+            self._type(text, words, shown, terminal)
+        if terminal.status is not None:
+            self._check_end(text, shown, terminal)
+            self._running.remove((words, terminal))
+            self._idle.append(terminal)
+
+    def _type(self, text, words, shown, terminal):
+        """Type a command; return once it has ended, or is at work and has printed `shown`."""
+        nodes = self._graph.nodes()
+        terminal.type(text)
         wait_until(lambda: terminal.status is not None
                    or not self._missing(words, shown, terminal, nodes),
                    LONG_TIMEOUT if text.startswith(LONG) else TIMEOUT,
                    lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, nodes)}; '
                            f'it printed:\n{terminal.output}', LOOKING_PERIOD)
-        if terminal.status is not None:
-            self._check_end(text, shown, terminal)
-            self._running.remove((words, terminal))
-            self._idle.append(terminal)
 
     def _missing(self, words, shown, terminal, nodes):
         line = first_missing(shown, terminal.lines)
