@@ -18,12 +18,12 @@ class Link(NamedTuple):
     number: int  # of the connection; never used again
 
 
-def links(node, direction=SENDS):
+def links(node, direction=SENDS, master_uri=None):
     """Return the set of Links over which a node (its full name) sends or hears.
 
     :raises rosgraph.MasterError, OSError: if there is no such node
     """
-    connections = _node(node).getBusInfo(CALLER)[ANSWERED]
+    connections = _node(node, master_uri).getBusInfo(CALLER)[ANSWERED]
     return {Link(topic, peer, number) for number, peer, way, _, topic, *_ in connections
             if way == direction}
 

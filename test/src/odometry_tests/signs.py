@@ -1,11 +1,13 @@
 """What a command that runs on has to show before its reader goes on."""
 
+import contextlib
 import re
 from pathlib import Path
 
 import rosgraph
 from roslaunch.arg_dump import get_args
 
+from odometry_tests.links import HEARS, links
 from odometry_tests.scripts import ROOT
 
 NAME = '/documents'
@@ -20,6 +22,7 @@ class Graph:
 
     def __init__(self, address):
         """Take the master's address; it need not run yet."""
+        self._address = address
         self._master = rosgraph.Master(NAME, address)
 
     @property
@@ -38,6 +41,11 @@ class Graph:
     def subscriptions(self, node=None):
         """Return the topics that a node, or anybody, listens to."""
         return _topics_of(self._state()[1], node)
+
+    def hears(self, node):
+        """Return whether a node is connected with somebody it listens to, beside the clock."""
+        with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
+            return any(link.topic != '/clock' for link in links(node, HEARS, self._address))
 
     def types(self):
         """Return the type of each topic."""
@@ -63,6 +71,10 @@ def lacks(words, terminal, graph, nodes_before):
         new = graph.nodes() - nodes_before
         if len(new) != 1:
             return f'one new node in place of {sorted(new)}'
+        # A node of bare rospy may hang if Ctrl-C comes while it registers a topic. Who answers
+        # messages subscribes last.
+        if words[0] == 'python3' and not graph.hears(*new):
+            return f'a message to {sorted(new)}'
         return _lacks_partner(new, graph) or _ignores_remapping(words, *new, graph)
     if words[0] == 'roslaunch':
         launched = _launched(terminal.lines)
