@@ -31,6 +31,7 @@ class Timeline:
     def restart(self):
         """Go back to time zero."""
         self.steps = self.ticks = 0
+        self._look_at_the_clock()
 
     def advance(self, last_step=math.inf):
         """Go to the next tick of the clock, or to `last_step` if that is earlier."""
@@ -40,32 +41,21 @@ class Timeline:
             self.steps = next_tick // self.ticks_per_odometry
         else:
             self.steps = last_step
-
-    @property
-    def now(self):
-        """Simulated time (ns)."""
-        return self.time_of(max(self.steps, self._tick))
+        self._look_at_the_clock()
 
     def time_of(self, steps):
         """Return the simulated time (ns) after so many steps."""
         return round(steps * 1e9 / self.step_rate)
 
     @property
-    def clock_is_due(self):
-        """Whether the clock ticks now."""
-        return self._tick >= self.steps
-
-    @property
-    def odometry_is_due(self):
-        """Whether there is odometry now."""
-        return self.clock_is_due and self.ticks % self.ticks_per_odometry == 0
-
-    @property
     def odometry_count(self):
         """How many odometry messages there have been before this time."""
         return self.steps // self.steps_per_odometry
 
-    @property
-    def _tick(self):
-        """The time of the last tick, in steps; exact where it falls on a step."""
-        return self.ticks * self.steps_per_odometry / self.ticks_per_odometry
+    def _look_at_the_clock(self):
+        """Note what time it is, and what is due."""
+        # Of the last tick, in steps; exact where it falls on a step.
+        tick = self.ticks * self.steps_per_odometry / self.ticks_per_odometry
+        self.now = self.time_of(max(self.steps, tick))  # simulated time (ns)
+        self.clock_is_due = tick >= self.steps  # whether the clock ticks now
+        self.odometry_is_due = self.clock_is_due and self.ticks % self.ticks_per_odometry == 0
