@@ -9,6 +9,7 @@ MIN_CLOCK_RATE = 20  # Hz; a controller at 10 Hz needs a clock that is finer tha
 class Timeline:
     """Counts physics steps and ticks of the clock, which may fall between two steps.
 
+    `now` is the simulated time (ns), clock_is_due and odometry_is_due whether a message is due then.
     Every odometry message falls on a step and on a tick. Times are integer nanoseconds computed
     from the counts, so that no rounding adds up. What the physics does, and when odometry is due,
     depends on the rate of the odometry alone.
@@ -54,8 +55,8 @@ class Timeline:
 
     def _look_at_the_clock(self):
         """Note what time it is, and what is due."""
-        # Of the last tick, in steps; exact where it falls on a step.
+        # The time of the last tick, in steps; exact where it falls on a step.
         tick = self.ticks * self.steps_per_odometry / self.ticks_per_odometry
-        self.now = self.time_of(max(self.steps, tick))  # simulated time (ns)
-        self.clock_is_due = tick >= self.steps  # whether the clock ticks now
+        self.now = self.time_of(max(self.steps, tick))
+        self.clock_is_due = tick >= self.steps
         self.odometry_is_due = self.clock_is_due and self.ticks % self.ticks_per_odometry == 0

@@ -11,6 +11,7 @@ import runpy
 import signal
 import subprocess
 import sys
+from contextlib import suppress
 from typing import NamedTuple
 
 import rosgraph
@@ -70,7 +71,8 @@ class Forked:
     def send_signal(self, signum):
         """Send it a signal."""
         if self.poll() is None:
-            os.kill(self.pid, signum)
+            with suppress(ProcessLookupError):
+                os.kill(self.pid, signum)
 
     def let_go(self):
         """Have it ended; return at once."""
