@@ -7,6 +7,7 @@ import rosgraph
 import rospy
 
 LOOK_PERIOD = 1.0  # s of wall time
+LONGEST_PERIOD = 30.0  # s of wall time; on a busy machine one answer may take long
 SHARE = 500  # the master of a hundred robots has long answers: ask it for 1/500 of the time at most
 
 
@@ -46,7 +47,7 @@ def _watch(topic):
         if rivals:
             rospy.logwarn(f'{topic} is also published by {", ".join(rivals)}: the robot obeys '
                           'each in turn; end all but one')
-        period = max(LOOK_PERIOD, SHARE * (time.monotonic() - start))
+        period = min(LONGEST_PERIOD, max(LOOK_PERIOD, SHARE * (time.monotonic() - start)))
 
 
 def _other_publishers(topic):
