@@ -5,6 +5,7 @@ import subprocess
 
 import pytest
 import rosnode
+from odometry_launch.keeping import Kept
 from odometry_tests.tutorial import detector, mover, rotator, simulator
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
@@ -43,10 +44,10 @@ def fill(path):
 
 def test_the_robot_drives_when_nothing_can_be_logged(master, log_folder):
     """Logs are a convenience: without them the nodes run all the same."""
-    environment = {'ROS_LOG_DIR': str(log_folder)}
     moved = Recorder('moved_distance', Float64)
-    with simulator(env=environment) as robot, detector(env=environment) as counter, \
-            mover(env=environment) as driver:
+    options = {'env': {'ROS_LOG_DIR': str(log_folder)}, 'start': Kept}
+    with simulator(**options) as robot, detector(**options) as counter, \
+            mover(**options) as driver:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,
                        lambda: f'movement; {robot.output} {counter.output} {driver.output}')
         for process in (driver, counter, robot):
@@ -58,7 +59,7 @@ def test_a_node_runs_without_a_home(master, start, monkeypatch):
     """HOME is unset in many a container and service."""
     monkeypatch.delenv('HOME')
     name = f'homeless_{start.__name__}'
-    with start(f'__name:={name}') as node:
+    with start(f'__name:={name}', start=Kept) as node:
         wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0,
                    lambda: f'the node; it printed {node.output}', period=0.1)
         assert node.end() == 0, node.output

@@ -1,7 +1,7 @@
 """Other nodes that command the same robot."""
 
 import pytest
-from odometry_common.rivals import RivalWatch
+from odometry_common.rivals import RivalWatch, period_after
 
 
 @pytest.mark.parametrize('looks, told', [
@@ -17,3 +17,9 @@ def test_each_rival_that_stays_is_told_of_once(looks, told):
     watch = RivalWatch()
     said = {number: ''.join(watch.news(set(names))) for number, names in enumerate(looks)}
     assert {number: names for number, names in said.items() if names} == told
+
+
+@pytest.mark.parametrize('duration, period', [(0.001, 1.0), (0.01, 5.0), (10.0, 30.0)])
+def test_a_slow_master_is_asked_less_often_but_is_asked(duration, period):
+    """It may answer slowly once only, on a busy machine."""
+    assert period_after(duration) == period

@@ -83,11 +83,10 @@ class Steps:
     def _jump(self, here):
         """Return why the step from the last position to this one is not movement, or None."""
         available = self._available_time(here)
-        step = uncounted = math.hypot(here.x - self._counted.x, here.y - self._counted.y)
+        uncounted = math.hypot(here.x - self._counted.x, here.y - self._counted.y)
         if uncounted > LONGEST_STEP:
             return f'a step of {uncounted} m is no movement'
-        if self._last is not self._counted:
-            step = math.hypot(here.x - self._last.x, here.y - self._last.y)
+        step = math.hypot(here.x - self._last.x, here.y - self._last.y)
         if self._max_speed and step / self._max_speed > available:
             return f'a step of {step:.3f} m in {available:.3f} s is faster than ~max_speed'
         return None

@@ -38,6 +38,11 @@ def warn_of_rivals(topic):
     threading.Thread(target=_watch, args=[rospy.resolve_name(topic)], daemon=True).start()
 
 
+def period_after(duration):
+    """Return how long (s) to wait for the next look after one that took `duration` seconds."""
+    return min(LONGEST_PERIOD, max(LOOK_PERIOD, SHARE * duration))
+
+
 def _watch(topic):
     watch, period = RivalWatch(), LOOK_PERIOD
     while not rospy.is_shutdown():
@@ -47,7 +52,7 @@ def _watch(topic):
         if rivals:
             rospy.logwarn(f'{topic} is also published by {", ".join(rivals)}: the robot obeys '
                           'each in turn; end all but one')
-        period = min(LONGEST_PERIOD, max(LOOK_PERIOD, SHARE * (time.monotonic() - start)))
+        period = period_after(time.monotonic() - start)
 
 
 def _other_publishers(topic):

@@ -9,7 +9,6 @@ MIN_CLOCK_RATE = 20  # Hz; a controller at 10 Hz needs a clock that is finer tha
 class Timeline:
     """Counts physics steps and ticks of the clock, which may fall between two steps.
 
-    `now` is the simulated time (ns), clock_is_due and odometry_is_due whether a message is due then.
     Every odometry message falls on a step and on a tick. Times are integer nanoseconds computed
     from the counts, so that no rounding adds up. What the physics does, and when odometry is due,
     depends on the rate of the odometry alone.
@@ -32,7 +31,6 @@ class Timeline:
     def restart(self):
         """Go back to time zero."""
         self.steps = self.ticks = 0
-        self._look_at_the_clock()
 
     def advance(self, last_step=math.inf):
         """Go to the next tick of the clock, or to `last_step` if that is earlier."""
@@ -42,21 +40,32 @@ class Timeline:
             self.steps = next_tick // self.ticks_per_odometry
         else:
             self.steps = last_step
-        self._look_at_the_clock()
+
+    @property
+    def now(self):
+        """Simulated time (ns)."""
+        return self.time_of(max(self.steps, self._tick))
 
     def time_of(self, steps):
         """Return the simulated time (ns) after so many steps."""
         return round(steps * 1e9 / self.step_rate)
 
     @property
+    def clock_is_due(self):
+        """Whether the clock ticks now."""
+        return self._tick >= self.steps
+
+    @property
+    def odometry_is_due(self):
+        """Whether there is odometry now."""
+        return self.clock_is_due and self.ticks % self.ticks_per_odometry == 0
+
+    @property
     def odometry_count(self):
         """How many odometry messages there have been before this time."""
         return self.steps // self.steps_per_odometry
 
-    def _look_at_the_clock(self):
-        """Note what time it is, and what is due."""
-        # The time of the last tick, in steps; exact where it falls on a step.
-        tick = self.ticks * self.steps_per_odometry / self.ticks_per_odometry
-        self.now = self.time_of(max(self.steps, tick))
-        self.clock_is_due = tick >= self.steps
-        self.odometry_is_due = self.clock_is_due and self.ticks % self.ticks_per_odometry == 0
+    @property
+    def _tick(self):
+        """The time of the last tick, in steps; exact where it falls on a step."""
+        return self.ticks * self.steps_per_odometry / self.ticks_per_odometry
