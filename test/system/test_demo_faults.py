@@ -14,6 +14,18 @@ SHORT = '--distance 0.3 --real-time-factor 0'
 KILOBYTES = 100  # more than the logs of a run need, and less than its bag
 
 
+@pytest.fixture
+def slow_fonts(tmp_path):
+    """Return a folder for PATH in which matplotlib finds a machine that is slow to list its fonts.
+
+    After 5 s it would tell whoever watches the robot that it builds its font cache.
+    """
+    program = tmp_path / 'fc-list'
+    program.write_text('#!/bin/sh\nsleep 6\n')
+    program.chmod(0o755)
+    return tmp_path
+
+
 def run(line, **env):
     """Run a line of bash in this project to its end and return its process."""
     process = Process('bash', '-o', 'pipefail', '-c', line, cwd=ROOT, env=env)
@@ -36,10 +48,11 @@ def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
     assert demo.stderr == f'demo: {node} has ended{how}', demo.output
 
 
-def test_it_turns_to_a_heading_in_an_odd_environment():
+def test_it_turns_to_a_heading_in_an_odd_environment(slow_fonts):
     """Settings that make no sense are not used; logs go where they can be written."""
     demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
-               ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none')
+               ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
+               PATH=f'{slow_fonts}:{os.environ["PATH"]}')
     assert demo.wait() == 0, demo.output
     assert re.fullmatch(r'demo: logs are in \S+: .*', demo.stderr), demo.output
     assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)

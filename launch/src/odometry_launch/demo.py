@@ -31,8 +31,9 @@ def main():
 
 
 def _run(options):
-    # The user need not know that rospy cannot write to its log.
+    # The user need not know that rospy cannot write to its log, or that matplotlib reads fonts.
     logging.raiseExceptions = False
+    logging.getLogger('matplotlib').setLevel(logging.ERROR)
     find_place_for_logs()
     page = Page() if options.view else None
     launch_file, arguments = launch_arguments(options, page.port if page else None)
