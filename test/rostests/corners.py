@@ -2,14 +2,13 @@
 """A controller as TurtleBot 2's clients have it: base_link from tf, commands to the multiplexer."""
 
 import math
-import sys
 import unittest
 
 import rospy
-import rostest
 import tf
 from geometry_msgs.msg import Twist
 from odometry_tests.robots import twist
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Truth, heading
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 
@@ -94,5 +93,4 @@ def wrap(angle):
 
 
 if __name__ == '__main__':
-    rospy.init_node('corners_test')
-    rostest.rosrun('odometry_tests', 'corners', CornersTest, sys.argv)
+    run_rostest('corners', CornersTest)

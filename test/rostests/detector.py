@@ -3,14 +3,13 @@
 
 import math
 import random
-import sys
 import unittest
 
 import rospy
-import rostest
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.partners import NodeLog, Partner, differences
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import detector
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from std_msgs.msg import Empty, Float64
@@ -161,5 +160,4 @@ class DetectorTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('detector_test')
-    rostest.rosrun('odometry_tests', 'detector', DetectorTest, sys.argv)
+    run_rostest('detector', DetectorTest)

@@ -2,16 +2,15 @@
 """What main.py, the node that prints headings, promises."""
 
 import math
-import sys
 import unittest
 
 import rospy
-import rostest
 from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.partners import NodeLog, SteppedClock
 from odometry_tests.processes import rosrun
+from odometry_tests.rostests import run_rostest
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from tf.transformations import quaternion_from_euler
 
@@ -92,5 +91,4 @@ class HeadingPrinterTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('heading_printer_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'heading_printer', HeadingPrinterTest, sys.argv)
+    run_rostest('heading_printer', HeadingPrinterTest, disable_rostime=True)

@@ -3,16 +3,14 @@
 
 import math
 import random
-import sys
 import time
 import unittest
 
-import rospy
-import rostest
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import STRANGE, odometry
 from odometry_tests.partners import NodeLog, Partner, SteppedClock, differences
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import detector, mover
 from odometry_tests.waiting import wait_until
 from rosgraph_msgs.msg import Log
@@ -193,5 +191,4 @@ class MoverTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('mover_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'mover', MoverTest, sys.argv)
+    run_rostest('mover', MoverTest, disable_rostime=True)

@@ -1,11 +1,9 @@
 #!/usr/bin/env python3
 """Two robots beside each other, each with its own detector and mover."""
 
-import sys
 import unittest
 
-import rospy
-import rostest
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Distance, Truth, speed
 
 ROBOTS = {'/robot_1/': 0.0, '/robot_2/': 1.0}  # namespace: start (m) to the left
@@ -30,5 +28,4 @@ class RobotsTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('robots_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'robots', RobotsTest, sys.argv)
+    run_rostest('robots', RobotsTest, disable_rostime=True)

@@ -2,16 +2,15 @@
 """The turning node's side of the contract, over real topics."""
 
 import math
-import sys
 import time
 import unittest
 
 import rospy
-import rostest
 from geometry_msgs.msg import Quaternion, Twist, Vector3
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.partners import NodeLog, Partner, SteppedClock
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import rotator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
@@ -196,5 +195,4 @@ class RotateTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('rotate_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'rotate', RotateTest, sys.argv)
+    run_rostest('rotate', RotateTest, disable_rostime=True)

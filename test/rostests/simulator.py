@@ -2,13 +2,11 @@
 """What the simulated robot does with commands, and what its services do, over real topics."""
 
 import math
-import sys
 import unittest
 
-import rospy
-import rostest
 from odometry_tests.partners import NodeLog
 from odometry_tests.robots import Robot, place
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import REST_SPEED, heading, speed
 
 START = 1.0, -2.0, 1.5  # m, m, rad; where the robot in the corner starts
@@ -118,5 +116,4 @@ class SimulatorTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('simulator_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'simulator', SimulatorTest, sys.argv)
+    run_rostest('simulator', SimulatorTest, disable_rostime=True)

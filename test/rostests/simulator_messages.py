@@ -2,15 +2,14 @@
 """What the simulator publishes, by the contract."""
 
 import math
-import sys
 import unittest
 
 import rosgraph
 import rospy
-import rostest
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.robots import Robot, place
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
@@ -141,5 +140,4 @@ def sender(message):
 
 
 if __name__ == '__main__':
-    rospy.init_node('simulator_messages_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'simulator_messages', SimulatorMessagesTest, sys.argv)
+    run_rostest('simulator_messages', SimulatorMessagesTest, disable_rostime=True)

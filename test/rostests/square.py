@@ -2,12 +2,11 @@
 """A square driven by time, as many public clients drive it: publish, sleep, and count."""
 
 import math
-import sys
 import unittest
 
 import rospy
-import rostest
 from odometry_tests.robots import Robot
+from odometry_tests.rostests import run_rostest
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.rotations import yaw_of
 
@@ -49,5 +48,4 @@ class SquareTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('square_test')
-    rostest.rosrun('odometry_tests', 'square', SquareTest, sys.argv)
+    run_rostest('square', SquareTest)

@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
 """Nodes that use tf find the robot, and find it again after the simulator's reset."""
 
-import sys
 import unittest
 
-import rospy
-import rostest
 import tf
 from odometry_tests.robots import Robot
+from odometry_tests.rostests import run_rostest
 from odometry_tests.waiting import wait_until
 
 
@@ -42,5 +40,4 @@ class TfUsersTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('tf_users_test')
-    rostest.rosrun('odometry_tests', 'tf_users', TfUsersTest, sys.argv)
+    run_rostest('tf_users', TfUsersTest)

@@ -3,12 +3,11 @@
 
 import itertools
 import math
-import sys
 import unittest
 
 import rospy
-import rostest
 from nav_msgs.msg import Odometry
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import heading
 from odometry_tests.waiting import Recorder, wait_for_subscribers
 from std_msgs.msg import Float64
@@ -65,5 +64,4 @@ def apart(heading, other):
 
 
 if __name__ == '__main__':
-    rospy.init_node('turns_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'turns', TurnsTest, sys.argv)
+    run_rostest('turns', TurnsTest, disable_rostime=True)

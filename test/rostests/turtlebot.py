@@ -6,10 +6,10 @@ import sys
 import unittest
 
 import rospy
-import rostest
 import tf
 from odometry_tests.pausing import call
 from odometry_tests.robots import Robot
+from odometry_tests.rostests import run_rostest
 from odometry_tests.waiting import Recorder, wait_until
 from sensor_msgs.msg import Imu
 from tf2_msgs.msg import TFMessage
@@ -135,5 +135,4 @@ def stamp(message):
 
 
 if __name__ == '__main__':
-    rospy.init_node('turtlebot_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'turtlebot', TurtlebotTest, sys.argv)
+    run_rostest('turtlebot', TurtlebotTest, disable_rostime=True)

@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
 """The first tutorial as a whole: the robot drives two metres and stops."""
 
-import sys
 import unittest
 
-import rospy
-import rostest
 from geometry_msgs.msg import Twist
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Distance, Truth, heading, speed
 from odometry_tests.waiting import Recorder
 
@@ -43,5 +41,4 @@ class TwoMetersTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('two_meters_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'two_meters', TwoMetersTest, sys.argv)
+    run_rostest('two_meters', TwoMetersTest, disable_rostime=True)

@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
 """Wheels that slip before a wall: odometry counts a path that the robot has not taken."""
 
-import sys
 import unittest
 
-import rospy
-import rostest
 from nav_msgs.msg import Odometry
+from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Distance, Truth, speed
 from odometry_tests.waiting import Recorder
 
@@ -32,5 +30,4 @@ class WallTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('wall_test', disable_rostime=True)
-    rostest.rosrun('odometry_tests', 'wall', WallTest, sys.argv)
+    run_rostest('wall', WallTest, disable_rostime=True)

@@ -6,6 +6,7 @@ import time
 
 import rospy
 from odometry_common.ending import end_without_delay
+from odometry_common.registration import remember_publishers
 
 from odometry_launch.folders import RUNS
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
@@ -43,6 +44,7 @@ def follow(options, graph, page):
 
 
 def _join():
+    remember_publishers()
     rospy.init_node('demo', anonymous=True, disable_signals=True)
     end_without_delay()
     return True

@@ -1,0 +1,14 @@
+"""How the script of a rostest begins."""
+
+import sys
+
+import rospy
+import rostest
+from odometry_common.registration import remember_publishers
+
+
+def run_rostest(name, case, **init_node_options):
+    """Join the graph as the node NAME_test, run a unittest.TestCase for rostest, and exit."""
+    remember_publishers()
+    rospy.init_node(f'{name}_test', **init_node_options)
+    rostest.rosrun('odometry_tests', name, case, sys.argv)
