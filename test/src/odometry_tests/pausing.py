@@ -21,6 +21,8 @@ def pause(*recorders, namespace='/'):
     A starved simulator is silent too, so wall time says nothing: the recorders have to stay as
     they are while the simulator takes many turns. What others have sent it is read by then.
     """
+    for recorder in recorders:
+        recorder.wait_for(what='a robot that is heard, before it falls silent')
     serve = _service('pause_physics', namespace, persistent=True)
 
     def heard():
