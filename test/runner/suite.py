@@ -81,7 +81,8 @@ def _job(name):
 
 
 def _pytest(name, path, alone=False):
-    command = [sys.executable, '-m', 'pytest', '-q', '--color=no', '-p', 'no:cacheprovider', str(path)]
+    command = [sys.executable, '-m', 'pytest', '-q', '--color=no', '--tb=short',
+               '-p', 'no:cacheprovider', str(path)]
     if 'unit' not in str(Path(path).relative_to(TESTS)):
         # Only unit tests need hypothesis, which takes pytest a second to load.
         command += ['-p', 'no:hypothesispytest']

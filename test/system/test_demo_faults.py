@@ -12,6 +12,7 @@ from odometry_tests.scripts import ROOT
 
 SHORT = '--distance 0.3 --real-time-factor 0'
 KILOBYTES = 100  # more than the logs of a run need, and less than its bag
+ROTATE_TIME = 10.0  # s of simulated time; to -135 degrees it takes 14
 
 
 @pytest.fixture
@@ -49,13 +50,17 @@ def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
 
 
 def test_it_turns_to_a_heading_in_an_odd_environment(slow_fonts):
-    """Settings that make no sense are not used; logs go where they can be written."""
+    """Settings that make no sense are not used; logs go where they can be written.
+
+    While matplotlib reads its fonts, the robot is followed from its start.
+    """
     demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
                ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
                PATH=f'{slow_fonts}:{os.environ["PATH"]}')
     assert demo.wait() == 0, demo.output
     assert re.fullmatch(r'demo: logs are in \S+: .*', demo.stderr), demo.output
     assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
+    assert number_after('time', demo.stdout) > ROTATE_TIME, demo.output
 
 
 def test_it_drives_as_it_is_told_when_the_disk_is_full():

@@ -7,6 +7,8 @@ with it.
 import logging
 import signal
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
 
 from odometry_launch.graph import DemoError, Graph
 from odometry_launch.logs import find_place_for_logs
@@ -41,9 +43,11 @@ def _run(options):
         if graph.unusual_address:
             print('rostopic in another terminal: '
                   f'export ROS_MASTER_URI={graph.unusual_address}', flush=True)
-        # roslaunch reads its files while this imports rospy and matplotlib.
+        # roslaunch reads its files while this imports rospy and matplotlib. That may take long to
+        # read its fonts, and the robot does not wait for it.
+        picture = ThreadPoolExecutor(1).submit(import_module, 'odometry_launch.picture')
         from odometry_launch.following import follow
-        complaint = follow(options, graph, page)
+        complaint = follow(options, graph, page, picture)
         if page and sys.stdout.isatty():
             page.stay(graph)
     return not complaint

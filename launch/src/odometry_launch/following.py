@@ -11,15 +11,17 @@ from odometry_common.registration import remember_publishers
 from odometry_launch.folders import RUNS
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.output import REWRITE, complain
-from odometry_launch.picture import leave_picture
 from odometry_launch.recording import Recording
 from odometry_launch.silence import Silence
 
 MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
 
 
-def follow(options, graph, page):
-    """Follow the robot to its end, print the result, and return a complaint or None."""
+def follow(options, graph, page, picture):
+    """Follow the robot to its end, print the result, and return a complaint or None.
+
+    :param picture: the Future of the module that draws
+    """
     graph.wait_until_read()
     graph.wait_for(_join, 'the demo does not become a node')
     recording = _record()
@@ -37,7 +39,7 @@ def follow(options, graph, page):
     if not page:
         graph.let_go()  # the nodes end while the picture is drawn
     if bag:
-        leave_picture(bag)
+        picture.result().leave_picture(bag)
     if complaint:
         complain(complaint)
     return complaint

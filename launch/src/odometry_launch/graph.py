@@ -5,8 +5,10 @@ import os
 import subprocess
 import threading
 import time
+import uuid
 
 import rosgraph
+import rospkg
 
 from odometry_launch.keeping import Kept
 from odometry_launch.launch_log import LaunchLog
@@ -15,6 +17,9 @@ from odometry_launch.ports import master_port
 START_TIMEOUT = 60.0  # s; much is running on some machines
 LOOK_PERIOD = 0.02  # s
 RESPAWNED = 'rosout'  # roslaunch starts it again
+# roslaunch would give a master of its own 10 s, which can be too few where much is running. As its
+# child this one is ended after the nodes.
+LAUNCH = 'rosmaster --core -p "$0" __log:="$1/$2/master.log" & exec roslaunch --wait --run_id "${@:2}"'
 
 
 class DemoError(RuntimeError):
@@ -37,8 +42,9 @@ class Graph:
         self._port = master_port()
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
         self._log = LaunchLog()
-        self._roslaunch = Kept('roslaunch', '-p', self._port.number, 'odometry_launch',
-                               *self._command, stdout=self._log.file, stderr=subprocess.STDOUT,
+        self._roslaunch = Kept('bash', '-c', LAUNCH, self._port.number, rospkg.get_log_dir(),
+                               uuid.uuid1(), 'odometry_launch', *self._command,
+                               stdout=self._log.file, stderr=subprocess.STDOUT,
                                env={**os.environ, 'PYTHONUNBUFFERED': '1'})
         return self
 

@@ -57,8 +57,11 @@ class Process:
 
     def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
-        wait_until(lambda: text in self.output, timeout,
-                   lambda: f'{text!r} from {self.command}; it printed:\n{self.output}')
+        def what():
+            return f'{text!r} from {self.command}; it printed:\n{self.output}'
+
+        wait_until(lambda: text in self.output or self._is_silent(), timeout, what)
+        assert text in self.output, f'it has ended without {what()}'
 
     def send(self, signum):
         """Send a signal to the command itself."""
@@ -99,6 +102,10 @@ class Process:
             self._kept.let_go()
             self._kept.wait()
             assert kind, f'{self.command} has not ended on Ctrl-C; it printed:\n{self.output}'
+
+    def _is_silent(self):
+        """Return whether it can print no more, and all that it has printed is read."""
+        return not any(reader.is_alive() for reader in self._readers)
 
     def _read(self, name):
         stream, lines = getattr(self._kept, name), self._lines[name]
