@@ -68,6 +68,7 @@ Parameters:
         multiple of 1/rate; 0 is off
     ~lockstep_patience (float, 2.0 s, from 0.1 to 3600): in lockstep, go on without a controller
         that has been silent for this long (wall time)
+    ~paused (bool, false): time begins with ~unpause_physics
 """
 
 from odometry_common.node import run_node

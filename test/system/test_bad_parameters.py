@@ -95,6 +95,7 @@ TABLE = [
     Parameter(SIMULATOR, 'real_time_factor', [*NOT_NUMBERS, '-1', '1e-6', '2']),
     Parameter(SIMULATOR, 'lockstep_rate', [*NOT_NUMBERS, '-1', '21', '10']),
     Parameter(SIMULATOR, 'lockstep_patience', [*NOT_NUMBERS, '-1', '0']),
+    Parameter(SIMULATOR, 'paused', NOT_FLAGS),
     Parameter(VIEWER, 'port', [*NOT_NUMBERS, '0', '70000', '80.5']),
     Parameter(VIEWER, 'host', [*NOT_TEXTS, 'no such host', '192.0.2.1']),
     Parameter(VIEWER, 'allowed_hosts', [*NOT_TEXTS, '*', 'http://lab', 'lab/page', 'lab:0', 'lab:70000',

@@ -8,6 +8,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call, pause
+from odometry_tests.placing import Placer
 from odometry_tests.processes import rosrun
 from odometry_tests.tutorial import (
     LONGEST_STEP,
@@ -21,10 +22,11 @@ from odometry_tests.tutorial import (
     simulator,
     simulator_in_step,
 )
-from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Empty
 
+PERIOD = 0.05  # s, of the odometry
 TURNED = 9.2  # s, for all but a degree of 90
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
@@ -52,6 +54,22 @@ def test_the_robot_arrives_when_time_runs_away_from_its_controllers(master):
     moved = Distance()
     with simulator('_real_time_factor:=100'), detector(), mover('_distance:=1'):
         moved.wait_until_arrived(1.0)
+
+
+def test_whoever_listens_to_a_robot_that_begins_paused_misses_none_of_its_time(master):
+    """However fast it is then."""
+    truth = Truth()
+
+    def seen():
+        placer.put(1.0, 0.0)
+        return truth.last
+
+    with simulator('_paused:=true', '_real_time_factor:=0'):
+        placer = Placer()
+        assert wait_until(seen, TIMEOUT, 'a robot that is put').header.stamp.to_sec() == 0.0
+        call('unpause_physics')
+        first = truth.wait_for(lambda m: m.header.stamp.to_sec() > 0, what='time that passes')
+    assert first.header.stamp.to_sec() == PERIOD
 
 
 def test_neither_a_pause_nor_a_reset_is_movement_and_every_node_survives_them(master):

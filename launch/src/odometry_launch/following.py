@@ -7,6 +7,7 @@ import time
 import rospy
 from odometry_common.ending import end_without_delay
 from odometry_common.registration import remember_publishers
+from std_srvs.srv import Empty
 
 from odometry_launch.folders import RUNS
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
@@ -26,6 +27,8 @@ def follow(options, graph, page, picture):
     graph.wait_for(_join, 'the demo does not become a node')
     recording = _record()
     monitor = MONITORS[options.tutorial](options)
+    graph.wait_for(lambda: _all_are_heard(monitor, recording), 'the nodes do not answer')
+    graph.wait_for(_unpause, 'the robot stays paused')
     graph.wait_for(monitor.started, 'the robot does not begin to move')
     wall_start = time.monotonic()
     if page:
@@ -59,6 +62,19 @@ def _record():
     except OSError as error:
         complain(f'no recording: {error}')
         return None
+
+
+def _all_are_heard(monitor, recording):
+    return monitor.hears() and (recording is None or recording.hears('odom', 'cmd_vel'))
+
+
+def _unpause():
+    """Let time begin; return whether the simulator has answered."""
+    try:
+        rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()
+    except rospy.ServiceException:
+        return False
+    return True
 
 
 def _watch(monitor, graph, silence):

@@ -24,8 +24,12 @@ class ProgressMonitor:
         self.ground_truth = None
         self.start = None
         self.end = None
-        rospy.Subscriber(
-            'base_pose_ground_truth', Odometry, self._on_ground_truth, tcp_nodelay=True)
+        self._subscribers = []
+        self._listen('base_pose_ground_truth', Odometry, self._on_ground_truth)
+
+    def hears(self):
+        """Return whether everything that it listens to has a publisher."""
+        return all(subscriber.get_num_connections() for subscriber in self._subscribers)
 
     @property
     def now(self):
@@ -36,6 +40,9 @@ class ProgressMonitor:
     def duration(self):
         """Simulated seconds from the first message until the robot had arrived."""
         return (self.end - self.start.header.stamp).to_sec()
+
+    def _listen(self, topic, kind, callback):
+        self._subscribers.append(rospy.Subscriber(topic, kind, callback, tcp_nodelay=True))
 
     def _on_ground_truth(self, message):
         self.ground_truth = message
@@ -57,7 +64,7 @@ class MoveMonitor(ProgressMonitor):
                               + options.speed**2 / (2 * BRAKING))
         self._moved = self._moved_before = 0.0
         super().__init__()
-        rospy.Subscriber('moved_distance', Float64, self._on_moved, tcp_nodelay=True)
+        self._listen('moved_distance', Float64, self._on_moved)
 
     def started(self):
         """Return whether the robot has begun to move."""
@@ -103,7 +110,7 @@ class RotateMonitor(ProgressMonitor):
         self._yaw = None
         self._first_error = None
         super().__init__()
-        rospy.Subscriber('odom', Odometry, self._on_odometry, tcp_nodelay=True)
+        self._listen('odom', Odometry, self._on_odometry)
 
     def started(self):
         """Return whether the heading is known."""

@@ -79,7 +79,7 @@ def nodes_that_end(options):
 def launch_arguments(options, page_port=None):
     """Return the launch file and its arguments for these options, and for the page if any."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
-                 'real_time_factor': options.real_time_factor,
+                 'real_time_factor': options.real_time_factor, 'paused': 'true',
                  'lockstep': _flag(in_lockstep(options))}
     if page_port:
         arguments['view_port'] = page_port

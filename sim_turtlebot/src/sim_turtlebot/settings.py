@@ -52,6 +52,7 @@ def read_settings():
             f'0 (off) or from 0.1 Hz to ~odom_rate, {odom_rate:g} Hz'),
         lockstep_patience=get_number(
             '~lockstep_patience', 2.0, lambda v: 0.1 <= v <= 3600, 'from 0.1 to 3600 s'),
+        paused=get_flag('~paused', False),
         use_sim_time=get_flag('/use_sim_time', False),
         **_read_scan(odom_rate))
     _check_wall_time(settings)

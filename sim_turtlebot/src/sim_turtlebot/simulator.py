@@ -40,7 +40,7 @@ class Simulator:
             self._lockstep = Lockstep(
                 settings.lockstep_rate, self._timeline.step_rate, settings.robots)
         self._reminded = time.monotonic()
-        self._paused = False
+        self._paused = settings.paused
         self._stopping = False
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
