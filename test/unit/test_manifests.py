@@ -18,8 +18,9 @@ FROM_PYPI = {'hypothesis', 'joblib', 'msgspec', 'pybullet', 'pybullet_utils', 'r
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
 COMMANDS = {'rosbag': 'rosbag', 'roscore': 'roslaunch', 'roslaunch': 'roslaunch',
-            'rosmsg': 'rosmsg', 'rosnode': 'rosnode', 'rosparam': 'rosparam', 'rosrun': 'rosbash',
-            'rosservice': 'rosservice', 'rossrv': 'rosmsg', 'rostest': 'rostest', 'rostopic': 'rostopic'}
+            'rosmaster': 'rosmaster', 'rosmsg': 'rosmsg', 'rosnode': 'rosnode',
+            'rosparam': 'rosparam', 'rosrun': 'rosbash', 'rosservice': 'rosservice',
+            'rossrv': 'rosmsg', 'rostest': 'rostest', 'rostopic': 'rostopic'}
 
 
 def name_of(manifest):
