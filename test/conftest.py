@@ -1,7 +1,5 @@
 """A ROS master for each run of pytest: rospy joins one only once."""
 
-import shutil
-
 import pytest
 import rospy
 from odometry_common.registration import remember_publishers
@@ -18,7 +16,7 @@ ROSHandler.shutdown = lambda *_: (1, 'not obeyed', 0)
 @pytest.fixture(scope='session')
 def master():
     """Start a master of its own, with the clock of the wall, and join it as a node."""
-    with Master(shutil.which('rosmaster'), '--core', start=Forked) as process:
+    with Master(start=Forked) as process:
         if not rospy.core.is_initialized():
             remember_publishers()
             rospy.init_node('system_test', anonymous=True, disable_signals=True,

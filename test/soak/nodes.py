@@ -4,7 +4,6 @@ import contextlib
 import os
 import queue
 
-import psutil
 import rosgraph
 import rospy
 from checks import Violation
@@ -14,9 +13,8 @@ from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from odometry_launch.keeping import Kept
 from odometry_tests.links import HEARS, links
-from odometry_tests.linux import command_line
 from odometry_tests.pausing import call
-from odometry_tests.processes import Master
+from odometry_tests.processes import Master, rosrun
 from odometry_tests.tutorial import detector, simulator
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from std_msgs.msg import Empty, Float64
@@ -64,12 +62,13 @@ class Nodes:
 
     def __init__(self):
         """Begin with nothing started."""
-        self._master = self._simulator = self._detector = None
+        self._master = self._log = self._simulator = self._detector = None
 
     def __enter__(self):
         """Start everything; simulated time stands still until the first command."""
         try:
             self._master = Master(use_sim_time=True)
+            self._log = rosrun('odometry_launch', 'rosout.py')
             rospy.init_node(NAME[1:], disable_signals=True, disable_rostime=True)
             self._connect()
             self._start_simulator()
@@ -85,7 +84,7 @@ class Nodes:
     def __exit__(self, *_):
         """End everything."""
         rospy.signal_shutdown('the soak has ended')
-        for process in (self._detector, self._simulator, self._master):
+        for process in (self._detector, self._simulator, self._log, self._master):
             if process is not None:
                 process.__exit__()
 
@@ -93,8 +92,7 @@ class Nodes:
     def pids(self):
         """Process ids by name."""
         return {'simulator': self._simulator.pid, 'detector': self._detector.pid,
-                'rosmaster': self._pid_under_roscore('rosmaster'),
-                'rosout': self._pid_under_roscore('rosout'), 'this program': os.getpid()}
+                'rosmaster': self._master.pid, 'rosout': self._log.pid, 'this program': os.getpid()}
 
     def command(self, linear, angular):
         """Command the robot, which lets the simulation go on."""
@@ -164,10 +162,6 @@ class Nodes:
         wait_until(lambda: not any(link.topic == topic for link in links(node, HEARS)),
                    START_TIMEOUT, f'{node} that has heard {topic}')
         self.unpause()
-
-    def _pid_under_roscore(self, program):
-        return next(child.pid for child in psutil.Process(self._master.pid).children()
-                    if program in command_line(child.pid))
 
     @staticmethod
     def _call(name):

@@ -148,7 +148,7 @@ def test_the_graph_goes_on_without_its_master_and_a_new_master_needs_new_nodes(m
         for process in (driver, counter, robot):
             assert process.end() == 0, process.output
     port = urlparse(rosgraph.get_master_uri()).port
-    with Process('roscore', '-p', port):
+    with Process('rosmaster', '--core', '-p', port):
         wait_until(rosgraph.is_master_online, 20.0, 'a new master')
         assert not any(topic == '/odom' for topic, _ in rosgraph.Master('/test').getTopicTypes())
         with simulator():

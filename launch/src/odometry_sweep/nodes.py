@@ -23,7 +23,8 @@ class Nodes(Graph):
         self._port = HeldPort(0)
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
         try:
-            self._start('the ROS master', 'roscore', '-p', self._port.number)
+            # roscore would give up after 10 s, which can be too few where much is running.
+            self._start('the ROS master', 'rosmaster', '--core', '-p', self._port.number)
             self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
             rosgraph.Master('/sweep').setParam('/use_sim_time', True)
         except BaseException:

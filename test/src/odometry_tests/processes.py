@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import shutil
 import signal
 import subprocess
 import threading
@@ -121,18 +122,20 @@ class Process:
 
 
 class Master(Process):
-    """A ROS master of its own, which this process and its children use from now on."""
+    """A ROS master of its own, which this process and its children use from now on.
 
-    def __init__(self, *command, use_sim_time=False, **options):
+    roscore would give up after 10 s in which its master has not answered, as on a busy machine.
+    """
+
+    def __init__(self, use_sim_time=False, **options):
         """Start it on a port of its own and return once it answers.
 
-        :param command: roscore if there is none
         :param options: those of a Process
         """
         self._port = contextlib.ExitStack()
         port = self._port.enter_context(hold_port())
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
-        super().__init__(*(command or ['roscore']), '-p', port, **options)
+        super().__init__(shutil.which('rosmaster'), '--core', '-p', port, **options)
         try:
             wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
         except BaseException:

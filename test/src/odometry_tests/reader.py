@@ -15,8 +15,9 @@ LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
 LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
 # roslaunch says so ten seconds of wall time after it has started a master, however busy the machine
-# is; whoever reads it types the command once more.
+# is; whoever reads it types the command again.
 GAVE_UP = 'could not contact master'
+ATTEMPTS = 5
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found']
@@ -37,14 +38,17 @@ class Reader:
         """Begin without a terminal."""
         return self
 
-    def __exit__(self, *_):
-        """Press Ctrl-C in every terminal, the last one first, and close all."""
+    def __exit__(self, kind=None, *_):
+        """Press Ctrl-C in every terminal, the last one first, and close all.
+
+        How the commands then end is judged only if nothing was amiss before.
+        """
         terminals = [*self._idle, *(terminal for _, terminal in self._running)]
         with contextlib.ExitStack() as stack:
             for terminal in terminals:
                 stack.push(terminal)
             for running in list(self._running):
-                stack.callback(self._interrupt, running)
+                stack.callback(self._interrupt if kind is None else self._press_ctrl_c, running)
 
     def follow(self, text, shown=()):
         """Type a command; return once it has ended well or is at work, and has printed `shown`."""
@@ -54,9 +58,10 @@ class Reader:
         self._wait_for_sense(words)
         terminal = self._terminal(text)
         self._running.append((words, terminal))
-        self._type(text, words, shown, terminal)
-        if terminal.status is not None and GAVE_UP in terminal.output:
+        for _ in range(ATTEMPTS):
             self._type(text, words, shown, terminal)
+            if terminal.status is None or GAVE_UP not in terminal.output:
+                break
         if terminal.status is not None:
             self._check_end(text, shown, terminal)
             self._running.remove((words, terminal))
@@ -90,14 +95,20 @@ class Reader:
 
     def _interrupt(self, running):
         words, terminal = running
-        if terminal.status is None:
-            terminal.press_ctrl_c()
-        status = terminal.wait_for_prompt()
+        status = self._press_ctrl_c(running)
         found = [unwanted for unwanted in UNWANTED if unwanted in terminal.output]
         assert status in ENDS_WELL and not found, \
             f'{" ".join(words)}\nended with {status}; it printed:\n{terminal.output}'
         self._running.remove(running)
         self._idle.append(terminal)
+
+    @staticmethod
+    def _press_ctrl_c(running):
+        """Return the status with which the command has ended."""
+        _, terminal = running
+        if terminal.status is None:
+            terminal.press_ctrl_c()
+        return terminal.wait_for_prompt()
 
     def _terminal(self, text):
         """Return a terminal in which nothing runs."""
