@@ -9,7 +9,7 @@ import os
 
 import pytest
 from odometry_tests.listening import assert_loopback_only
-from odometry_tests.processes import Process, hold_port
+from odometry_tests.processes import Process, hold_port, launched
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 
@@ -26,10 +26,9 @@ def in_clean_environment(*command):
 
 def test_a_launch_listens_on_loopback_only():
     """Master, rosout, nodes: nobody else on the network can drive the robot."""
-    with hold_port() as port, in_clean_environment(
-            ROOT / 'ws', 'roslaunch', '-p', port, 'odometry_launch',
-            'move_two_meters.launch') as launch:
-        launch.wait_for_output('driving at', 60.0)
+    with hold_port() as port, launched(lambda: in_clean_environment(
+            ROOT / 'ws', 'roslaunch', '-p', port, 'odometry_launch', 'move_two_meters.launch'),
+            'driving at') as launch:
         assert_loopback_only(launch.pid)
 
 
@@ -41,8 +40,7 @@ def test_roscore_in_a_shell_listens_on_loopback_only(preset, tmp_path):
         (tmp_path / '.bashrc').write_text(NETWORK)
         terminal.type(f'{preset} ./ws shell')
         terminal.wait_for_prompt()
-        terminal.type(f'roscore -p {port}')
-        terminal.wait_for_output('started core service')
+        terminal.launch(f'roscore -p {port}', 'started core service')
         assert_loopback_only(terminal.pid)
         terminal.press_ctrl_c()
         terminal.wait_for_prompt()

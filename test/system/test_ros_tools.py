@@ -6,7 +6,7 @@ import os
 import pytest
 import rosgraph
 import rosservice
-from odometry_tests.processes import Process, hold_port
+from odometry_tests.processes import Process, hold_port, launched
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.tutorial import detector, mover, rotator, simulator
@@ -45,13 +45,12 @@ def test_roscore_tells_the_version_that_rosversion_tells(name, command):
     """Though none of its processes was asked when the master started."""
     rosversion = Process('rosversion', command)
     assert rosversion.wait() == 0
-    with hold_port() as port:
-        uri = f'http://localhost:{port}'
-        parameters = rosgraph.Master('/test', uri)
-        with Process('roscore', '-p', port):
-            wait_until(lambda: rosgraph.is_master_online(uri) and parameters.hasParam(name),
-                       TIMEOUT, name)
-            told = parameters.getParam(name)
+    with hold_port() as port, launched(
+            lambda: Process('roscore', '-p', port, env={'PYTHONUNBUFFERED': '1'}),
+            'started core service'):
+        parameters = rosgraph.Master('/test', f'http://localhost:{port}')
+        wait_until(lambda: parameters.hasParam(name), TIMEOUT, name)
+        told = parameters.getParam(name)
     assert told.strip() == rosversion.stdout.strip() != ''
 
 

@@ -76,7 +76,8 @@ def stands(speeds):
 
 def test_two_metres_across_a_link_that_is_cut_for_three_seconds(machines):
     """The robot stops by its watchdog while the link is down, and ends at two metres."""
-    with on(ROBOT, 'env', '-u', 'ROS_IP', ROOT / 'ws', '--host', ADDRESSES[ROBOT], 'roscore'):
+    with on(ROBOT, 'env', '-u', 'ROS_IP', ROOT / 'ws', '--host', ADDRESSES[ROBOT],
+            'rosmaster', '--core'):
         wait_until(lambda: on(ROBOT, 'rosparam', 'set', 'use_sim_time', 'true').wait() == 0,
                    30.0, 'a ROS master')
         with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py'), \

@@ -13,6 +13,11 @@ from odometry_launch.keeping import Kept
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
+# roslaunch and roscore say so ten seconds of wall time after they have started a master, however
+# busy the machine is; whoever reads it types the command again.
+GAVE_UP = 'could not contact master'
+ATTEMPTS = 5
+
 
 class Process:
     """A command with its output."""
@@ -147,6 +152,22 @@ class Master(Process):
         """End it and let go of its port."""
         super().__exit__(*exception)
         self._port.close()
+
+
+@contextlib.contextmanager
+def launched(start, text):
+    """Yield a Process of roslaunch or roscore that has printed a text.
+
+    :param start: function that starts it, once more each time that it gives up
+    """
+    for _ in range(ATTEMPTS):
+        with start() as process:
+            wait_until(lambda: text in process.output or GAVE_UP in process.output, TIMEOUT,
+                       lambda: f'{text!r} from {process.command}; it printed:\n{process.output}')
+            if text in process.output:
+                yield process
+                return
+    raise AssertionError(f'{process.command} has given up {ATTEMPTS} times:\n{process.output}')
 
 
 @contextlib.contextmanager

@@ -5,6 +5,7 @@ import re
 import shlex
 
 from odometry_tests.forms import first_missing
+from odometry_tests.processes import ATTEMPTS, GAVE_UP
 from odometry_tests.scripts import ROOT
 from odometry_tests.signs import Graph, lacks, objection
 from odometry_tests.terminal import Terminal
@@ -14,10 +15,6 @@ TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
 LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
-# roslaunch says so ten seconds of wall time after it has started a master, however busy the machine
-# is; whoever reads it types the command again.
-GAVE_UP = 'could not contact master'
-ATTEMPTS = 5
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found']
