@@ -42,6 +42,10 @@ class Graph:
         """Return the topics that a node, or anybody, listens to."""
         return _topics_of(self._state()[1], node)
 
+    def services(self):
+        """Return the names of all services."""
+        return {name for name, _ in self._state()[2]}
+
     def hears(self, node):
         """Return whether a node is connected with somebody it listens to, beside the clock."""
         with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
@@ -136,6 +140,8 @@ def objection(words, graph):
         topic, kind = words[3:5]
         if topic not in graph.subscriptions() or graph.types().get(topic) != kind:
             return f'nobody listens to {topic} with {kind}'
+    if words[:2] == ['rosservice', 'call'] and words[2] not in graph.services():
+        return f'there is no service {words[2]}'
     if words[:2] == ['rosparam', 'set'] and not graph.has_parameter(words[2]):
         return f'there is no parameter {words[2]}'
     return None
