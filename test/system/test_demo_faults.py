@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import signal
 
 import pytest
@@ -16,14 +17,17 @@ ROTATE_TIME = 10.0  # s of simulated time; to -135 degrees it takes 14
 
 
 @pytest.fixture
-def slow_fonts(tmp_path):
-    """Return a folder for PATH in which matplotlib finds a machine that is slow to list its fonts.
+def slow_programs(tmp_path):
+    """Return a folder for PATH with programs of a machine that is slow.
 
-    After 5 s it would tell whoever watches the robot that it builds its font cache.
+    After 5 s matplotlib would tell whoever watches the robot that it builds its font cache. For a
+    master of its own roslaunch waits 10 s.
     """
-    program = tmp_path / 'fc-list'
-    program.write_text('#!/bin/sh\nsleep 6\n')
-    program.chmod(0o755)
+    for name, line in (('fc-list', 'sleep 6'),
+                       ('rosmaster', f'sleep 11; exec {shutil.which("rosmaster")} "$@"')):
+        program = tmp_path / name
+        program.write_text(f'#!/bin/sh\n{line}\n')
+        program.chmod(0o755)
     return tmp_path
 
 
@@ -49,14 +53,14 @@ def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
     assert demo.stderr == f'demo: {node} has ended{how}', demo.output
 
 
-def test_it_turns_to_a_heading_in_an_odd_environment(slow_fonts):
+def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs):
     """Settings that make no sense are not used; logs go where they can be written.
 
-    While matplotlib reads its fonts, the robot is followed from its start.
+    The ROS master is waited for, and the robot followed from its start, whatever matplotlib does.
     """
     demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
                ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
-               PATH=f'{slow_fonts}:{os.environ["PATH"]}')
+               PATH=f'{slow_programs}:{os.environ["PATH"]}')
     assert demo.wait() == 0, demo.output
     assert re.fullmatch(r'demo: logs are in \S+: .*', demo.stderr), demo.output
     assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
