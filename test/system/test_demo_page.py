@@ -49,14 +49,16 @@ def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run
 def test_without_a_terminal_the_demo_ends_as_without_a_page():
     """Nobody could press Ctrl-C. While the usual port is taken, the page has a later one."""
     with contextlib.ExitStack() as stack:
-        # If it cannot be taken here, somebody else has it, which is as good.
+        # Somebody else who has it may let go of it meanwhile.
+        lowest = USUAL_PORT
         with contextlib.suppress(OSError):
             stack.enter_context(socket.create_server(('localhost', USUAL_PORT)))
+            lowest = USUAL_PORT + 1
         demo = Process(ROOT / 'ws', 'demo', '--view', 'rotate', '--target', '20',
                        '--real-time-factor', '0')
         assert demo.wait(60.0) == 0, demo.output
     assert STAYS not in demo.stdout
-    assert USUAL_PORT < int(ADDRESS.search(demo.stdout)[2]) < USUAL_PORT + 100, demo.output
+    assert lowest <= int(ADDRESS.search(demo.stdout)[2]) < USUAL_PORT + 100, demo.output
 
 
 @pytest.mark.parametrize('launch_file', ['sim.launch', 'move_two_meters.launch', 'rotate.launch'])

@@ -10,6 +10,7 @@ from geometry_msgs.msg import Twist
 from odometry_launch.keeping import Kept
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
+from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (
     REST_SPEED,
     Truth,
@@ -42,6 +43,29 @@ def main():
 
 run_node('patient', main, '')
 """
+# Its topics are closed, and it does not count as shut down yet, when it publishes its first odometry.
+CLOSING_NODE = f"""
+import runpy
+import threading
+import rospy
+publish = rospy.Publisher.publish
+
+def close_and_publish(publisher, *arguments):
+    if publisher.name == '/odom':
+        closed = threading.Event()
+        rospy.core.add_preshutdown_hook(lambda _: closed.set() or published.wait())
+        threading.Thread(target=rospy.signal_shutdown, args=['closed']).start()
+        closed.wait()
+    try:
+        publish(publisher, *arguments)
+    finally:
+        if publisher.name == '/odom':
+            published.set()
+
+published = threading.Event()
+rospy.Publisher.publish = close_and_publish
+runpy.run_path({str(ROOT / 'sim_turtlebot/script/sim_turtlebot_node.py')!r}, run_name='__main__')
+"""
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 
 
@@ -68,6 +92,12 @@ def test_a_node_that_waits_ends_quietly(master, package, program, signum):
         wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0, f'a node /{name}',
                    period=0.1)
         assert node.end(signum) == 0, node.output
+
+
+def test_a_simulator_that_is_ended_in_its_first_message_ends_quietly(master):
+    """Rospy raises what would be a traceback."""
+    with Process(sys.executable, '-c', CLOSING_NODE) as node:
+        assert node.wait() == 0, node.output
 
 
 def test_a_node_does_not_wait_at_its_end_until_a_thread_of_rospy_has_slept(master):

@@ -66,6 +66,10 @@ def run_node(name, main, documentation, **init_node_options):
             raise
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
+    except rospy.ROSException:
+        # At shutdown rospy may close a topic while it is being published.
+        if not rospy.core.is_shutdown_requested():
+            raise
     finally:
         rospy.signal_shutdown('the node has ended')
     if _failures:

@@ -53,13 +53,8 @@ class Simulator:
         """Simulate until shutdown, or until the window is closed."""
         self._publish()
         self._pacer.restart(self._timeline.now)
-        try:
-            while not (self._stopping or rospy.is_shutdown()):
-                self._take_turn()
-        except rospy.ROSException:
-            # At shutdown rospy may close a topic while it is being published.
-            if not self._stopping:
-                raise
+        while not (self._stopping or rospy.is_shutdown()):
+            self._take_turn()
 
     def _take_turn(self):
         """Serve one request if there is one, else advance if it is time to."""

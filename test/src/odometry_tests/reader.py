@@ -57,7 +57,7 @@ class Reader:
         self._running.append((words, terminal))
         for _ in range(ATTEMPTS):
             self._type(text, words, shown, terminal)
-            if terminal.status is None or GAVE_UP not in terminal.output:
+            if terminal.status is None or GAVE_UP not in terminal.text:
                 break
         if terminal.status is not None:
             self._check_end(text, shown, terminal)

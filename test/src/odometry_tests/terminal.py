@@ -106,7 +106,7 @@ class Terminal:
             self.type(line)
             wait_until(lambda: text in self.output or self.status is not None, TIMEOUT,
                        lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
-            if GAVE_UP not in self.output:
+            if GAVE_UP not in self.text:
                 break
         assert text in self.output, self.output
 
