@@ -43,7 +43,7 @@ def main():
 
 run_node('patient', main, '')
 """
-# Its topics are closed, and it does not count as shut down yet, when it publishes its first odometry.
+# When it publishes its first odometry, its topics are closed; it does not count as shut down yet.
 CLOSING_NODE = f"""
 import runpy
 import threading

@@ -19,7 +19,8 @@ LOOK_PERIOD = 0.02  # s
 RESPAWNED = 'rosout'  # roslaunch starts it again
 # roslaunch would give a master of its own 10 s, which can be too few where much is running. As its
 # child this one is ended after the nodes.
-LAUNCH = 'rosmaster --core -p "$0" __log:="$1/$2/master.log" & exec roslaunch --wait --run_id "${@:2}"'
+LAUNCH = ('rosmaster --core -p "$0" __log:="$1/$2/master.log" & '
+          'exec roslaunch --wait --run_id "${@:2}"')
 
 
 class DemoError(RuntimeError):

@@ -9,8 +9,8 @@ from odometry_sweep.tutorials import TUTORIALS
 
 # Of windows, wall time, scans, messages that are late, and nodes that wait or end.
 WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep_rate',
-                   'lockstep_patience', 'paused', '/use_sim_time', 'timeout', 'exit_when_done', 'tolerance',
-                   'scan', 'scan_rate', 'scan_beams', 'scan_fov', 'scan_range_min',
+                   'lockstep_patience', 'paused', '/use_sim_time', 'timeout', 'exit_when_done',
+                   'tolerance', 'scan', 'scan_rate', 'scan_beams', 'scan_fov', 'scan_range_min',
                    'scan_range_max', 'scan_noise'}
 
 
