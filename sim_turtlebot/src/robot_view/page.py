@@ -3,6 +3,7 @@
 import atexit
 import math
 import threading
+import warnings
 
 import rich
 import viser
@@ -38,6 +39,8 @@ class Page:
         self._changed = threading.Event()
         # viser prints with rich that it begins and ends, verbose or not.
         rich.get_console().quiet = True
+        # A browser may be closed at any moment, also while this writes to it.
+        warnings.filterwarnings('ignore', 'Queued a .* on a closed connection')
         self._inputs = {}
         with guarded(address.own_hosts, lambda data: checked(data, self._inputs)):
             self._server = viser.ViserServer(address.ip, address.port, label='TurtleBot 2',
