@@ -162,11 +162,14 @@ def launched(start, text):
     """
     for _ in range(ATTEMPTS):
         with start() as process:
-            wait_until(lambda: text in process.output or GAVE_UP in process.output, TIMEOUT,
-                       lambda: f'{text!r} from {process.command}; it printed:\n{process.output}')
-            if text in process.output:
-                yield process
-                return
+            try:
+                process.wait_for_output(text)
+            except AssertionError:
+                if GAVE_UP in process.output:
+                    continue
+                raise
+            yield process
+            return
     raise AssertionError(f'{process.command} has given up {ATTEMPTS} times:\n{process.output}')
 
 
