@@ -7,6 +7,7 @@ import unittest
 import rospy
 import tf
 from geometry_msgs.msg import Twist
+from odometry_tests.punctual_rate import PunctualRate
 from odometry_tests.robots import twist
 from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Truth, heading
@@ -30,7 +31,7 @@ class CornerClient:
         self._publisher = rospy.Publisher('cmd_vel_mux/input/navi', Twist, queue_size=1)
         wait_for_subscribers(self._publisher)
         wait_until(self._listens, 20.0, 'base_link in tf')
-        self._rate = rospy.Rate(RATE)
+        self._rate = PunctualRate(RATE)
 
     def drive_to(self, x, y):
         """Return once the robot is there."""

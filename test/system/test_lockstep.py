@@ -10,7 +10,7 @@ import pytest
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_tests.pausing import call
+from odometry_tests.pausing import call, pause
 from odometry_tests.placing import Placer
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (
@@ -21,7 +21,7 @@ from odometry_tests.tutorial import (
     rotator,
     simulator_in_step,
 )
-from odometry_tests.waiting import Recorder, wait_until
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
@@ -169,6 +169,21 @@ def test_simulated_time_stands_still_until_the_first_command():
         seen = Recorder('odom', Odometry).wait_for_count(4, 20.0)
     assert seen[0].header.stamp.to_sec() == 0
     assert all(message == seen[0] for message in seen)
+
+
+def test_a_late_answer_to_a_repetition_is_not_one_to_the_next_odometry():
+    """Also if the first command is read in a pause, and not while it is waited for."""
+    with simulator_in_step(UNPACED, patience=3 * PATIENCE):
+        odometry = Recorder('odom', Odometry)
+        odometry.wait_for_count(3, 20.0)
+        commands = rospy.Publisher('cmd_vel', Twist, queue_size=2)
+        wait_for_subscribers(commands)
+        for service in 'pause_physics', 'unpause_physics':
+            call(service)
+            commands.publish(Twist())
+        odometry.wait_for(lambda m: m.header.stamp.to_sec() > 0, 30.0, 'the next odometry')
+        pause(odometry)
+        assert max(m.header.stamp.to_sec() for m in odometry.messages) == 0.05
 
 
 def test_while_time_stands_still_a_line_says_what_it_waits_for():

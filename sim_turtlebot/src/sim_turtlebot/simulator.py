@@ -39,6 +39,7 @@ class Simulator:
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
                 settings.lockstep_rate, self._timeline.step_rate, settings.robots)
+        self._repeated = False
         self._reminded = time.monotonic()
         self._paused = settings.paused
         self._stopping = False
@@ -60,6 +61,8 @@ class Simulator:
         """Serve one request if there is one, else advance if it is time to."""
         if not self._requests.empty() or self._paused:
             self._requests.serve(LONGEST_WAIT)
+        elif self._repeated and self._lockstep.started:
+            self._wait_for_late_answers()
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
         else:
@@ -79,21 +82,24 @@ class Simulator:
                           'without waiting until there is one')
 
     def _wait_for_first_command(self):
-        """Repeat the odometry until there is a command.
-
-        Answers to earlier repetitions may still arrive after it. They must not be taken for answers
-        to the next odometry. Nothing in a Twist tells them apart; so wait until no more come.
-        """
+        """Repeat the odometry while there is no command."""
         if not self._requests.serve(REPEAT_PERIOD):
+            self._repeated = True
             self._topics.repeat()
-        if not self._lockstep.started:
             self._remind()
-            return
+
+    def _wait_for_late_answers(self):
+        """Serve the answers to repetitions of the odometry that are still to come.
+
+        They must not be taken for answers to the next odometry. Nothing in a Twist tells them
+        apart; so wait until no more come.
+        """
         patience = self._settings.lockstep_patience
         end = time.monotonic() + patience
         while not self._stopping and time.monotonic() < end:
             if not self._requests.serve(LATE_SHARE * patience):
                 break
+        self._repeated = False
 
     def _remind(self):
         """Say from time to time what is waited for: a client cannot see why its sleep has no end."""
