@@ -8,6 +8,7 @@ import socket
 import urllib.request
 
 import pytest
+from odometry_launch.ports import HeldPort
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
@@ -49,9 +50,10 @@ def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run
 def test_without_a_terminal_the_demo_ends_as_without_a_page():
     """Nobody could press Ctrl-C. While the usual port is taken, the page has a later one."""
     with contextlib.ExitStack() as stack:
-        # Somebody else who has it may let go of it meanwhile.
+        # Somebody else who has it may let go of it meanwhile; or is about to listen on it.
         lowest = USUAL_PORT
         with contextlib.suppress(OSError):
+            stack.callback(HeldPort(USUAL_PORT).close)
             stack.enter_context(socket.create_server(('localhost', USUAL_PORT)))
             lowest = USUAL_PORT + 1
         demo = Process(ROOT / 'ws', 'demo', '--view', 'rotate', '--target', '20',
