@@ -42,6 +42,7 @@ class Simulator:
         self._repeated = False
         self._reminded = time.monotonic()
         self._paused = settings.paused
+        self._begun = False
         self._stopping = False
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
@@ -52,7 +53,8 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
-        self._publish()
+        if not self._paused:  # else nobody may listen yet
+            self._publish()
         self._pacer.restart(self._timeline.now)
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
@@ -128,6 +130,7 @@ class Simulator:
                 self._update_window()
 
     def _publish(self):
+        self._begun = True
         self._topics.publish_clock()
         self._publish_robots()
 
@@ -200,6 +203,8 @@ class Simulator:
 
     def _unpause(self):
         self._paused = False
+        if not self._begun:
+            self._publish()
         self._pacer.restart(self._timeline.now)
 
     def _reset(self):
