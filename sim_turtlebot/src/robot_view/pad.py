@@ -24,9 +24,12 @@ class Pad:
         self._changed = threading.Event()
         threading.Thread(target=self._drive, daemon=True).start()
 
-    def choose(self, namespace):
-        """Drive the robot in this namespace from now on."""
-        self._tell(self._steering.choose, namespace)
+    def choose(self, chosen):
+        """Drive the robot in the namespace that `chosen()` returns from now on.
+
+        It is asked while no other thread can choose, so that none brings an older choice.
+        """
+        self._tell(lambda: self._steering.choose(chosen()))
 
     def hold(self, client, button):
         """Do what the button says for a short while."""

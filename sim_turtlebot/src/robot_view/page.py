@@ -61,7 +61,7 @@ class Page:
         add_floor_and_lights(server.scene)
         self._readings = Readings(gui)
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
-        self._choice.on_update(lambda _: self.pad.choose(self.chosen))
+        self._choice.on_update(self._choose)
         self._simulation = SimulationButtons(gui)
         with gui.add_folder('drive: hold a button or an arrow key'):
             self.pad = Pad(lambda: (self._linear.value, math.radians(self._angular.value)))
@@ -102,6 +102,10 @@ class Page:
         """Show what there is for a simulation, as SimulationButtons.update() does."""
         self._placing.show(self._simulation.update(services, complaint))
 
+    async def _choose(self, _event):
+        """Tell the pad; on the event loop, like its buttons: no hold can overtake a choice."""
+        self.pad.choose(lambda: self.chosen)
+
     def set_robots(self, namespaces):
         """Show these robots and no others."""
         for namespace in set(self._figures) - set(namespaces):
@@ -116,9 +120,9 @@ class Page:
             self._choice.options = names
         self._choice.visible = len(names) > 1
         if namespaces:
-            self.pad.choose(self.chosen)
+            self.pad.choose(lambda: self.chosen)
         else:
-            self.pad.choose(None)
+            self.pad.choose(lambda: None)
             self._readings.show({})
 
     def move(self, states):
