@@ -104,7 +104,11 @@ class Page:
 
     async def _choose(self, _event):
         """Tell the pad; on the event loop, like its buttons: no hold can overtake a choice."""
-        self.pad.choose(lambda: self.chosen)
+        self.pad.choose(self._to_drive)
+
+    def _to_drive(self):
+        """Return the namespace of the robot that the pad drives; None while none is listed."""
+        return self.chosen if self._figures else None
 
     def set_robots(self, namespaces):
         """Show these robots and no others."""
@@ -119,10 +123,8 @@ class Page:
         if self._choice.options != names:
             self._choice.options = names
         self._choice.visible = len(names) > 1
-        if namespaces:
-            self.pad.choose(lambda: self.chosen)
-        else:
-            self.pad.choose(lambda: None)
+        self.pad.choose(self._to_drive)
+        if not namespaces:
             self._readings.show({})
 
     def move(self, states):
