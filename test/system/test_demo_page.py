@@ -50,7 +50,7 @@ def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run
 def test_without_a_terminal_the_demo_ends_as_without_a_page():
     """Nobody could press Ctrl-C. While the usual port is taken, the page has a later one."""
     with contextlib.ExitStack() as stack:
-        # Somebody else who has it may let go of it meanwhile; or is about to listen on it.
+        # Somebody else may let go of it meanwhile, or be about to listen on it.
         lowest = USUAL_PORT
         with contextlib.suppress(OSError):
             stack.callback(HeldPort(USUAL_PORT).close)

@@ -67,7 +67,9 @@ def test_whoever_listens_to_a_robot_that_begins_paused_misses_none_of_its_time(m
     with simulator('_paused:=true', '_real_time_factor:=0'):
         placer = Placer()
         assert wait_until(seen, TIMEOUT, 'a robot that is put').header.stamp.to_sec() == 0.0
-        pause(odometry)
+        # Nothing that it says of the earlier places comes after it is seen at the last one.
+        placer.put(2.0, 0.0)
+        odometry.wait_for(lambda m: m.pose.pose.position.x > 1.5, what='a robot at x 2 m')
         odometry.clear()
         call('unpause_physics')
         first = odometry.wait_for_count(2)

@@ -42,7 +42,7 @@ class Simulator:
         self._repeated = False
         self._reminded = time.monotonic()
         self._paused = settings.paused
-        self._begun = False
+        self._begun = False  # whether time zero has been published
         self._stopping = False
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)

@@ -16,7 +16,7 @@ class PunctualRate:
     def __init__(self, rate, begin=None):
         """Sleep at a rate (Hz), counted from `begin` (rospy.Time; None: now)."""
         self._period = rospy.Duration(0, round(1e9 / rate))
-        self.due = begin or rospy.get_rostime()
+        self.due = rospy.get_rostime() if begin is None else begin
 
     def sleep(self):
         """Return once another period has passed on the clock, at once if it has already.
