@@ -29,7 +29,7 @@ def run(tutorial, parameters):
     """Run a tutorial, with parameter values by their names; return its figures by theirs."""
     with _one_at_a_time:
         part, settings = read(tutorial, parameters)
-        simulation = new_simulation(settings, _world)
+        simulation = new_simulation(settings, _world, gyro=False)
         return follow(part, _ticks(simulation), simulation.command)
 
 

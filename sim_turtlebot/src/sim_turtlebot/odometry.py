@@ -41,21 +41,23 @@ class WorldOdometry:
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
 
-    def __init__(self, gyro_noise=0.0, gyro_drift=0.0, seed=0):
-        """Choose the errors of the Gyro, which do not concern the odometry."""
-        self.gyro = Gyro(gyro_noise, gyro_drift, random.Random(seed))
+    def __init__(self, gyro=None):
+        """Take the Gyro that is to sense the robot's rotation too, if any."""
+        self.gyro = gyro
 
     def reset(self, ground_truth, _wheel_angles=None):
         """Call this place zero; return the Motion in the odom frame."""
         self._origin = ground_truth.position[:2]
         self._to_odom = about_z(-yaw_of(ground_truth.orientation))
         self._last = ground_truth
-        self.gyro.reset(ground_truth.orientation)
+        if self.gyro:
+            self.gyro.reset(ground_truth.orientation)
         return self._in_odom(ground_truth, ground_truth[2:])
 
     def update(self, ground_truth, _read_angles, duration):
         """Return the Motion in the odom frame, `duration` seconds after the last call."""
-        self.gyro.update(ground_truth.orientation, duration)
+        if self.gyro:
+            self.gyro.update(ground_truth.orientation, duration)
         last, self._last = self._last, ground_truth
         twist = ground_truth[2:]
         if twist != (STILL, STILL) and duration <= LONGEST_MEAN:
@@ -70,7 +72,8 @@ class WorldOdometry:
 
     def carry(self, ground_truth):
         """Return the Motion in the odom frame of a robot that was put down elsewhere."""
-        self.gyro.carry(ground_truth.orientation)
+        if self.gyro:
+            self.gyro.carry(ground_truth.orientation)
         self._last = ground_truth
         return self._in_odom(ground_truth, (STILL, STILL))
 

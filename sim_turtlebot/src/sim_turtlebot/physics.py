@@ -17,6 +17,7 @@ with suppress_native_output():
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
+FEWEST_AT_ONCE = 4  # steps; for fewer in one call it takes longer to say so than it saves
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
@@ -53,29 +54,42 @@ class World:
         self._step_rate = step_rate
         self.robots = []  # TurtleBots
         self._world_file = world_file
-        self._client = client or connect(gui)
+        self.client = client or connect(gui)
         if client:
             client.resetSimulation()
-        self.step = self._client.stepSimulation
+        self._steps_at_once = 1
+        # Bound once, as those of a TurtleBot are.
+        self._call = self.client.stepSimulation
         # With a mouse, or with things that fall, more than the robots may move.
         self.only_robots_move = not gui and not world_file
         self._configure()
         self.window = Window() if gui else None
         if gui:
-            self._client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
+            self.client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
         self._add_floor()
         if world_file:
             check_world_file(world_file)
             with suppress_native_output():
-                load(self._client, world_file)
+                load(self.client, world_file)
 
     def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
         """Put a TurtleBot on the floor (m, rad) and return it."""
         # Nobody sees the shapes without a window, and they take most of the time to load.
         flags = 0 if self.window else pybullet.URDF_IGNORE_VISUAL_SHAPES
-        robot = TurtleBot(self._client, x, y, yaw, flags)
+        robot = TurtleBot(self.client, x, y, yaw, flags)
         self.robots.append(robot)
         return robot
+
+    def step(self, steps=1):
+        """Let 1/step_rate seconds pass so many times, in few calls of PyBullet."""
+        # By a power of two a float is multiplied and divided exactly: no step changes by a bit.
+        at_once = steps & -steps
+        if at_once < FEWEST_AT_ONCE:
+            at_once = 1
+        if at_once != self._steps_at_once:
+            self._set_steps_at_once(at_once)
+        for _ in range(steps // at_once):
+            self._call()
 
     def settle(self):
         """Let the robots sink onto their wheels, then put each at its exact start.
@@ -84,8 +98,7 @@ class World:
         """
         if self._world_file:
             self._check_starts()
-        for _ in range(round(SETTLING_TIME * self._step_rate)):
-            self.step()
+        self.step(round(SETTLING_TIME * self._step_rate))
         for robot in self.robots:
             robot.settle_here()
 
@@ -96,26 +109,33 @@ class World:
 
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
-        self._client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
+        self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
 
     def _configure(self):
-        client = self._client
+        client = self.client
         client.setGravity(0, 0, -GRAVITY)
         # The direct solver keeps the robot straighter than the iterative one in half the time.
         # Its cost grows with the cube of its task, so each robot is a task of its own.
         with suppress_native_output():
             client.setPhysicsEngineParameter(
-                fixedTimeStep=1 / self._step_rate,
+                fixedTimeStep=1 / self._step_rate, numSubSteps=0,
                 constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,
                 minimumSolverIslandSize=1)
 
+    def _set_steps_at_once(self, steps):
+        self._steps_at_once = steps
+        self.client.setPhysicsEngineParameter(
+            fixedTimeStep=steps / self._step_rate, numSubSteps=steps if steps > 1 else 0)
+        for robot in self.robots:
+            robot.steps_at_once = steps
+
     def _add_floor(self):
-        plane = self._client.createCollisionShape(pybullet.GEOM_PLANE)
-        floor = self._client.createMultiBody(0, plane)
-        self._client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
+        plane = self.client.createCollisionShape(pybullet.GEOM_PLANE)
+        floor = self.client.createMultiBody(0, plane)
+        self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
 
     def _check_starts(self):
-        self._client.performCollisionDetection()
+        self.client.performCollisionDetection()
         for number, robot in enumerate(self.robots, 1):
             overlap = robot.overlap()
             if overlap > LARGEST_OVERLAP:

@@ -48,7 +48,7 @@ class Robot:
 
     @property
     def gyro(self):
-        """The sim_turtlebot.gyro.Gyro, as it was at the last odometry."""
+        """The sim_turtlebot.gyro.Gyro, as it was at the last odometry; None if there is none."""
         return self._odometry.gyro
 
     def command(self, linear, angular, now):

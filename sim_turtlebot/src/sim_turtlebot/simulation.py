@@ -63,13 +63,15 @@ class Simulation:
         moving = not self.everything_rests
         begin = timeline.steps
         timeline.advance(last_step)
-        steady = all(robot.is_steady_until(timeline.steps) for robot in robots)
-        for now in range(begin, timeline.steps):
-            if not steady:
+        if all(robot.is_steady_until(timeline.steps) for robot in robots):
+            if moving:
+                step(timeline.steps - begin)
+        else:
+            for now in range(begin, timeline.steps):
                 for robot in robots:
                     robot.before_step(now)
-            if moving:
-                step()
+                if moving:
+                    step()
         if not timeline.odometry_is_due:
             return False
         for robot in robots:

@@ -31,29 +31,24 @@ class Timeline:
     def restart(self):
         """Go back to time zero."""
         self.steps = self.ticks = 0
+        self.now = 0  # simulated time (ns)
+        self.clock_is_due = True  # whether the clock ticks now
 
     def advance(self, last_step=math.inf):
-        """Go to the next tick of the clock, or to `last_step` if that is earlier."""
+        """Go to the next tick of the clock, or to the later step `last_step` if that is earlier."""
         next_tick = (self.ticks + 1) * self.steps_per_odometry
-        if next_tick <= last_step * self.ticks_per_odometry:
+        self.clock_is_due = next_tick <= last_step * self.ticks_per_odometry
+        if self.clock_is_due:
             self.ticks += 1
             self.steps = next_tick // self.ticks_per_odometry
+            self.now = self.time_of(next_tick / self.ticks_per_odometry)
         else:
             self.steps = last_step
-
-    @property
-    def now(self):
-        """Simulated time (ns)."""
-        return self.time_of(max(self.steps, self._tick))
+            self.now = self.time_of(last_step)
 
     def time_of(self, steps):
         """Return the simulated time (ns) after so many steps."""
         return round(steps * 1e9 / self.step_rate)
-
-    @property
-    def clock_is_due(self):
-        """Whether the clock ticks now."""
-        return self._tick >= self.steps
 
     @property
     def odometry_is_due(self):
@@ -64,8 +59,3 @@ class Timeline:
     def odometry_count(self):
         """How many odometry messages there have been before this time."""
         return self.steps // self.steps_per_odometry
-
-    @property
-    def _tick(self):
-        """The time of the last tick, in steps; exact where it falls on a step."""
-        return self.ticks * self.steps_per_odometry / self.ticks_per_odometry

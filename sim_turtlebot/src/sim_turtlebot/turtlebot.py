@@ -39,6 +39,8 @@ class TurtleBot:
         self._get_velocity = partial(client.getBaseVelocity, self._body)
         self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
         self._settled_height = 0.0
+        # In a call of PyBullet, which reckons as if a torque had acted in a single one.
+        self.steps_at_once = 1
         self.drive(0.0, 0.0)
 
     def drive(self, linear, angular):
@@ -48,7 +50,7 @@ class TurtleBot:
             self._body, self._wheels, pybullet.VELOCITY_CONTROL,
             targetVelocities=[(linear - difference) / WHEEL_RADIUS,
                               (linear + difference) / WHEEL_RADIUS],
-            forces=[WHEEL_TORQUE] * 2)
+            forces=[WHEEL_TORQUE / self.steps_at_once] * 2)
 
     def pose(self):
         """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
@@ -61,7 +63,8 @@ class TurtleBot:
     def wheels(self):
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         left, right = self._get_wheels()
-        return (left[0], right[0]), (left[1], right[1]), (left[3], right[3])
+        steps = self.steps_at_once
+        return (left[0], right[0]), (left[1], right[1]), (left[3] * steps, right[3] * steps)
 
     def cast_rays(self, starts, ends):
         """Return at which share of its length each ray meets another body; 1.0 if at none.

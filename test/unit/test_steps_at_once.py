@@ -1,0 +1,55 @@
+"""Several steps of the physics in one call of PyBullet."""
+
+import random
+
+import pytest
+from odometry_common.kobuki import WHEEL_TORQUE
+from sim_turtlebot.physics import settled_world
+from sim_turtlebot.simulation import Simulation
+
+ODOMETRIES = 150
+SPEEDS = [0.0, 0.1, 0.5, -0.3]  # m/s
+TURNS = [0.0, 0.0, 1.0, -2.0]  # rad/s
+
+
+def drive(odom_rate, seed, steps):
+    """Drive at random in so many steps at a time; return all that there is to publish."""
+    rng, simulation = random.Random(seed), Simulation(odom_rate=odom_rate)
+    robot, timeline, states = simulation.robots[0], simulation.timeline, []
+    for _ in range(ODOMETRIES):
+        if rng.random() < 0.2:
+            simulation.command(rng.choice(SPEEDS), rng.choice(TURNS))
+        while not simulation.advance(timeline.steps + steps):
+            pass
+        states.append((timeline.now, robot.odometry, robot.ground_truth, robot.wheels))
+    return states
+
+
+@pytest.mark.parametrize('seed', range(3))
+@pytest.mark.parametrize('odom_rate', [20.0, 10.0, 30.0, 50.0, 7.0])
+def test_they_are_the_same_to_the_last_bit_as_one_by_one(odom_rate, seed):
+    """Poses, velocities, and the torques of motors that accelerate, turn, brake and rest."""
+    one_by_one = drive(odom_rate, seed, 1)
+    for number, state in enumerate(drive(odom_rate, seed, 10**6)):
+        assert state == one_by_one[number], f'odometry {number}'
+    assert len({wheels for *_, wheels in one_by_one}) > ODOMETRIES / 4
+
+
+def spin_up(steps):
+    """Want more of the wheels than the motors can, in so many steps at a time."""
+    world = settled_world(240.0, [(0.0, 0.0, 0.0)])
+    robot, states = world.robots[0], []
+    for speed in (0.0, 50.0, -50.0):  # m/s
+        robot.drive(speed, 0.0)
+        for _ in range(8 // steps):
+            world.step(steps)
+        states.append((robot.pose(), robot.wheels()))
+    return states
+
+
+@pytest.mark.parametrize('steps', [2, 4, 8])
+def test_a_motor_at_its_limit_has_the_same_torque(steps):
+    """However many steps are to come when it is told to turn, or asked for its torque."""
+    one_by_one = spin_up(1)
+    assert spin_up(steps) == one_by_one
+    assert any(torque == WHEEL_TORQUE for _, (_, _, torques) in one_by_one for torque in torques)
