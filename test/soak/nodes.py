@@ -16,7 +16,7 @@ from odometry_tests.links import HEARS, links
 from odometry_tests.pausing import call
 from odometry_tests.processes import Master, rosrun
 from odometry_tests.tutorial import detector, simulator
-from odometry_tests.waiting import wait_for_subscribers, wait_until
+from odometry_tests.waiting import PATIENCE, wait_for_subscribers, wait_until
 from std_msgs.msg import Empty, Float64
 
 NAME = '/soak'
@@ -137,7 +137,7 @@ class Nodes:
         self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
                                     '_real_time_factor:=0', '_lockstep_patience:=10', start=Kept)
         # The last of its services.
-        rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT)
+        rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT * PATIENCE)
         wait_for_subscribers(self._velocity, timeout=START_TIMEOUT)
         self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
         self.pause()

@@ -9,7 +9,7 @@ import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator
-from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import Recorder, wait_until
 from sensor_msgs.msg import LaserScan
 from sim_turtlebot.scan_topic import ScanTopic
 
@@ -113,7 +113,7 @@ def test_nobody_looks_where_nobody_listens(master, queue_size):
         topic.publish(rospy.Time(), number)
     assert scanner.looks == 0
     scans = Recorder(f'queue_{queue_size}/scan', LaserScan)
-    wait_for_subscribers(topic.publisher)
+    scans.wait_for_publisher()
     for number in range(10):
         topic.publish(rospy.Time(), number)
     assert scanner.looks == 5

@@ -4,6 +4,7 @@ import math
 
 import rospy
 from nav_msgs.msg import Odometry
+from odometry_common.connections import hears
 from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from std_msgs.msg import Float64
 
@@ -28,8 +29,8 @@ class ProgressMonitor:
         self._listen('base_pose_ground_truth', Odometry, self._on_ground_truth)
 
     def hears(self):
-        """Return whether everything that it listens to has a publisher."""
-        return all(subscriber.get_num_connections() for subscriber in self._subscribers)
+        """Return whether it hears the next message of everything that it listens to."""
+        return all(map(hears, self._subscribers))
 
     @property
     def now(self):

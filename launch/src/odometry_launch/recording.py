@@ -8,6 +8,7 @@ import rosbag
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_common.connections import hears
 from std_msgs.msg import Float64
 
 from odometry_launch.folders import new_folder
@@ -31,8 +32,8 @@ class Recording:
                              for topic, kind in TOPICS.items()}
 
     def hears(self, *topics):
-        """Return whether each of these topics has a publisher that is recorded."""
-        return all(self._subscribers[topic].get_num_connections() for topic in topics)
+        """Return whether each of these topics has a publisher whose next message is recorded."""
+        return all(hears(self._subscribers[topic]) for topic in topics)
 
     def count(self, topic):
         """Return how many messages of a topic have been recorded."""

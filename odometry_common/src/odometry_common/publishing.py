@@ -40,6 +40,10 @@ class ClosingPublisher:
         self._closed = False
         rospy.on_shutdown(self._close)
 
+    def get_num_connections(self):
+        """Return how many subscribers are connected, as a rospy.Publisher does."""
+        return self._publisher.get_num_connections()
+
     def publish(self, message):
         """Send a message, unless the node is shutting down."""
         with self._lock:

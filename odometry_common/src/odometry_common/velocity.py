@@ -12,6 +12,10 @@ class VelocityPublisher:
         """Advertise `topic`."""
         self._publisher = ClosingPublisher(topic, Twist, last_word=Twist())
 
+    def get_num_connections(self):
+        """Return how many subscribers are connected, as a rospy.Publisher does."""
+        return self._publisher.get_num_connections()
+
     def publish(self, linear=0.0, angular=0.0):
         """Command `linear` (m/s, forwards) and `angular` (rad/s, to the left)."""
         command = Twist()

@@ -28,6 +28,12 @@ def links(node, direction=SENDS, master_uri=None):
             if way == direction}
 
 
+def has_listener(topic):
+    """Return whether a topic's publisher is connected to a subscriber."""
+    publishers = dict(rosgraph.Master(CALLER).getSystemState()[0]).get(topic, [])
+    return any(link.topic == topic for node in publishers for link in links(node))
+
+
 def pid_of(node, master_uri=None):
     """Return the process id of a node (its full name), from itself."""
     return _node(node, master_uri).getPid(CALLER)[ANSWERED]

@@ -80,7 +80,7 @@ class Motion(Truth):
             count = len(self.commands.messages)
             self.wait_seconds(SILENCE)
             told = self.commands.messages
-            return len(told) == count and told[-1] == Twist()
+            return len(told) == count and told[-1:] == [Twist()]
         wait_until(is_told_no_more, TIMEOUT, lambda: f'a last command that is zero; it was\n'
                    f'{self.commands.last}')
         self.wait_until_resting()

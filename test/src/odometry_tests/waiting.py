@@ -5,12 +5,15 @@ import threading
 import time
 
 import rospy
+from odometry_common.connections import hears
 
 # Every bound on a wait is multiplied by this: a bound ends a test that hangs, and no verdict
 # about the robot may hang on it.
 PATIENCE = float(os.environ.get('ODOMETRY_TEST_PATIENCE', '4'))
 TIMEOUT = 20.0  # s
 POLL_PERIOD = 0.01  # s
+
+open_recorders = []
 
 
 def wait_until(condition, timeout, what, period=POLL_PERIOD):
@@ -41,6 +44,11 @@ class Recorder:
         self._messages = []
         self._subscriber = rospy.Subscriber(topic, message_class, self._on_message,
                                             tcp_nodelay=True)
+        open_recorders.append(self)
+
+    def close(self):
+        """Hear no more."""
+        self._subscriber.unregister()
 
     @property
     def messages(self):
@@ -60,9 +68,8 @@ class Recorder:
             self._messages.clear()
 
     def wait_for_publisher(self, timeout=TIMEOUT):
-        """Return once somebody publishes the topic."""
-        wait_until(lambda: self._subscriber.get_num_connections() > 0, timeout,
-                   f'a publisher of {self._topic}')
+        """Return once somebody publishes the topic: what comes next then arrives here, too."""
+        wait_until(lambda: hears(self._subscriber), timeout, f'a publisher of {self._topic}')
 
     def wait_for(self, accepts=lambda message: True, timeout=TIMEOUT, what='a message'):
         """Return the first message, also one that has come already, that is accepted."""
@@ -95,6 +102,10 @@ class Recorder:
 
 
 def wait_for_subscribers(publisher, count=1, timeout=TIMEOUT):
-    """Return once the publisher has so many subscribers: what it sends then arrives."""
-    wait_until(lambda: publisher.get_num_connections() >= count, timeout,
-               f'{count} subscriber(s) of {publisher.name}')
+    """Return once so many other nodes subscribe to the publisher: what it sends then arrives.
+
+    A recorder of an earlier test, in this process, may be quicker than they are.
+    """
+    wait_until(lambda: sum(connection.endpoint_id != rospy.get_name()
+                           for connection in publisher.impl.connections) >= count,
+               timeout, f'{count} subscriber(s) of {publisher.name}')

@@ -1,0 +1,52 @@
+"""Who really hears whom: rospy counts a subscriber's connection before it is made."""
+
+import time
+import xmlrpc.client
+
+import rospy
+
+ANSWER_TIMEOUT = 5.0  # s; a node that is stopped does not answer
+ANSWERED = 2  # where a node's answers have what it was asked for
+SENDS = 'o'
+LOOK_PERIOD = 0.02  # s
+
+
+class _Transport(xmlrpc.client.Transport):
+    """HTTP to somebody who may not answer."""
+
+    def make_connection(self, host):
+        """Return a connection that does not wait for ever."""
+        connection = super().make_connection(host)
+        connection.timeout = ANSWER_TIMEOUT
+        return connection
+
+
+def hears(subscriber):
+    """Return whether a publisher sends its next message to this rospy.Subscriber, too.
+
+    The publishers themselves are asked.
+    """
+    return any(_sends(connection.endpoint_id, subscriber.resolved_name)
+               for connection in subscriber.impl.connections)
+
+
+def is_heard_within(publisher, timeout):
+    """Return whether anybody hears a publisher, now or within `timeout` s of wall time.
+
+    :param publisher: rospy.Publisher, or another that counts its connections
+    """
+    end = time.monotonic() + timeout
+    while not (connections := publisher.get_num_connections()) and time.monotonic() < end:
+        time.sleep(LOOK_PERIOD)
+    return connections > 0
+
+
+def _sends(uri, topic):
+    """Return whether the node with this URI sends a topic to this one."""
+    try:
+        with xmlrpc.client.ServerProxy(uri, _Transport()) as node:
+            connections = node.getBusInfo(rospy.get_name())[ANSWERED]
+    except (OSError, xmlrpc.client.Error):  # it ends, or has ended
+        return False
+    return any((listener, way, name) == (rospy.get_name(), SENDS, topic)
+               for _, listener, way, _, name, *_ in connections)
