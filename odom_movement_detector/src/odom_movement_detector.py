@@ -33,13 +33,15 @@ class MovementDetector:
         """Read the parameters, then publish from the first odometry message on."""
         self._counter = read_counter()
         self._publisher = ClosingPublisher('moved_distance', Float64)
+        self._moved = Float64()
         self.odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')
         Subscriber('moved_distance/reset', Empty, self._on_reset)
 
     def _on_odometry(self, message):
         position, stamp = message.pose.pose.position, message.header.stamp
         jump = self._counter.add(position.x, position.y, stamp.to_sec(), rospy.get_time())
-        self._publisher.publish(self._counter.distance)
+        self._moved.data = self._counter.distance
+        self._publisher.publish(self._moved)
         if jump:
             rospy.logwarn_throttle(1.0, f'not counted: {jump}')
 

@@ -6,10 +6,9 @@ import time
 from typing import NamedTuple
 
 import psutil
-import rosgraph
 import rospy
 from odometry_launch.keeping import Kept
-from odometry_tests.links import links
+from odometry_tests.links import has_listener
 from odometry_tests.pausing import call
 from odometry_tests.tutorial import detector, forget_parameters, mover, simulator
 from odometry_tests.waiting import wait_until
@@ -87,12 +86,6 @@ class Graph:
         simulated = _now()
         return Sample(time.perf_counter(), simulated,
                       sum(_cpu_time(process.pid) for process in self._processes))
-
-
-def has_listener(topic):
-    """Return whether the topic's publisher is connected to a subscriber."""
-    publishers = dict(rosgraph.Master('/bench').getSystemState()[0]).get(topic, [])
-    return any(link.topic == topic for node in publishers for link in links(node))
 
 
 def _now():

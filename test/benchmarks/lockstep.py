@@ -3,9 +3,10 @@
 import contextlib
 from pathlib import Path
 
-from graph import Graph, has_listener
+from graph import Graph
 from measuring import Target, compare, in_slices
 from odometry_common.publishing import advertise
+from odometry_tests.links import has_listener
 from odometry_tests.processes import Process
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from speed import CPU_UNIT, SPEED_UNIT, UNDER_WAY, UNPACED

@@ -1,4 +1,4 @@
-"""Requests of rospy's threads to the main thread, the only one that touches the robots."""
+"""Requests of rospy's threads, of which one at a time may touch the robots."""
 
 import queue
 import threading
@@ -7,7 +7,22 @@ ANSWER_TIMEOUT = 5.0  # s
 
 
 class RequestQueue(queue.SimpleQueue):
-    """Functions without arguments, served one after the other."""
+    """Functions without arguments, served one after the other by the thread whose turn it is.
+
+    That is the main thread, which takes some 40 us to wake up. While it has nothing to do but to
+    wait, it can lend its turn: whoever brings a request then serves it at once.
+    """
+
+    def __init__(self):
+        """Give the turn to this thread, the main one."""
+        self._turn = threading.Lock()
+        self._turn.acquire()
+        self._has_come = threading.Event()
+
+    def put(self, request):
+        """Have the main thread serve a request."""
+        super().put(request)
+        self._has_come.set()
 
     def put_and_wait(self, request):
         """Add a request and wait until it has been served."""
@@ -20,6 +35,18 @@ class RequestQueue(queue.SimpleQueue):
         self.put(serve)
         done.wait(ANSWER_TIMEOUT)
 
+    def serve_if_lent(self, request, then):
+        """Serve a request on this thread, and call `then`, if the turn is lent; else put it."""
+        if self._turn.acquire(blocking=False):
+            try:
+                if self.empty():
+                    request()
+                    then()
+                    return
+            finally:
+                self._turn.release()
+        self.put(request)
+
     def serve(self, timeout):
         """Wait (s of wall time) for a request and serve it; return False if none came."""
         try:
@@ -27,3 +54,12 @@ class RequestQueue(queue.SimpleQueue):
         except queue.Empty:
             return False
         return True
+
+    def lend_turn(self, timeout):
+        """Lend the turn until there is a request to serve (s of wall time); return whether there is."""
+        self._has_come.clear()
+        if self.empty():
+            self._turn.release()
+            self._has_come.wait(timeout)
+            self._turn.acquire()
+        return not self.empty()

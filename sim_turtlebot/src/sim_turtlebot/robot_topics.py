@@ -76,14 +76,15 @@ class RobotTopics:
         :param stamp: rospy.Time
         :param number: how many odometry periods have passed
         """
-        _fill(self._odometry, self._robot.odometry)
-        _fill(self._ground_truth, self._robot.ground_truth)
+        # The odometry first, since a controller in lockstep waits for it.
+        motions = self._robot.odometry, self._robot.ground_truth
+        for motion, (message, publisher) in zip(motions, self._publishers):
+            _fill(message, motion)
+            publish(publisher, message, stamp, number)
         pose = self._odometry.pose.pose
         self._transform.transform.translation = pose.position
         self._transform.transform.rotation = pose.orientation
         self._transform.header.stamp = stamp
-        for message, publisher in self._publishers:
-            publish(publisher, message, stamp, number)
         # To ask for the wheels costs as much as a physics step.
         if self._joint_publisher.get_num_connections():
             joints = self._joints

@@ -1,6 +1,7 @@
 """The topics of a simulation: the clock, the transforms, a warning, and those of each robot."""
 
 import queue
+from copy import copy
 from functools import partial
 
 import rospy
@@ -44,6 +45,8 @@ class SimulationTopics:
     def __init__(self, simulation, settings):
         """Advertise."""
         self._timeline = simulation.timeline
+        self._time = rospy.Time()
+        self._clock_message = Clock()
         self._use_sim_time = settings.use_sim_time
         paced = settings.real_time_factor != 0 and not settings.lockstep_rate
         # A queue keeps a subscriber that has stopped reading from stopping the simulation. It
@@ -60,7 +63,7 @@ class SimulationTopics:
             for scanner, namespace in zip(new_scanners(simulation, settings), names)]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
-            [frame for topics in self._robots for frame in topics.fixed_frames(self._stamp())]))
+            [frame for topics in self._robots for frame in topics.fixed_frames(copy(self._stamp()))]))
         self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
 
     def subscribe(self, *callbacks):
@@ -71,7 +74,8 @@ class SimulationTopics:
     def publish_clock(self):
         """Publish the simulated time, if it rules."""
         if self._clock:
-            self._clock.publish(Clock(self._stamp()))
+            self._clock_message.clock = self._stamp()
+            self._clock.publish(self._clock_message)
 
     def publish_robots(self):
         """Publish where the robots are, and what they see."""
@@ -109,9 +113,11 @@ class SimulationTopics:
         return TFMessage(frames)
 
     def _stamp(self):
-        if self._use_sim_time:
-            return rospy.Time(0, self._timeline.now)
-        return rospy.Time.now()
+        """Return the time of all messages; in simulated time a rospy.Time that goes on with it."""
+        if not self._use_sim_time:
+            return rospy.Time.now()
+        self._time.secs, self._time.nsecs = divmod(self._timeline.now, 10**9)
+        return self._time
 
 
 def namespaces(robots):

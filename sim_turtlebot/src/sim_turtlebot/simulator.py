@@ -1,7 +1,8 @@
 """The simulation in ROS: topics, services and pacing around the robots and their world.
 
-ROS calls back on threads of its own. They only leave requests; everything that touches the
-robots happens on the main thread, between two advances of the simulation.
+ROS calls back on threads of its own. They leave requests, which the main thread serves between two
+advances of the simulation. A command for which time has waited is obeyed, and time goes on, on the
+command's own thread, while the main thread lends its turn.
 """
 
 import math
@@ -39,7 +40,7 @@ class Simulator:
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
                 settings.lockstep_rate, self._timeline.step_rate, settings.robots)
-        self._repeated = False
+        self._repeated = False  # whether odometry was published more than once at this time
         self._reminded = time.monotonic()
         self._paused = settings.paused
         self._begun = False  # whether time zero has been published
@@ -63,7 +64,7 @@ class Simulator:
         """Serve one request if there is one, else advance if it is time to."""
         if not self._requests.empty() or self._paused:
             self._requests.serve(LONGEST_WAIT)
-        elif self._repeated and self._lockstep.started:
+        elif self._lockstep and self._repeated and self._lockstep.started:
             self._wait_for_late_answers()
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
@@ -79,9 +80,22 @@ class Simulator:
             self._wait_for_first_command()
             return
         patience = self._settings.lockstep_patience
-        if not self._requests.serve(patience) and self._lockstep.give_up():
+        self._silent_since = time.monotonic()
+        while (left := self._silent_since + patience - time.monotonic()) > 0:
+            if self._requests.lend_turn(min(left, LONGEST_WAIT)):
+                return
+        if self._lockstep.give_up():
             rospy.logwarn(f'lockstep: no command for {patience:g} s of wall time; going on '
                           'without waiting until there is one')
+
+    def _go_on(self):
+        """Advance from a command for which time has waited to the next one."""
+        while not self._lockstep.must_wait(self._timeline.steps):
+            if self._stopping or self._pacer.lead(self._timeline.now) > SHORTEST_SLEEP:
+                self._requests.put(lambda: None)  # which is the main thread's business
+                return
+            self._advance()
+        self._silent_since = time.monotonic()
 
     def _wait_for_first_command(self):
         """Repeat the odometry while there is no command."""
@@ -141,13 +155,13 @@ class Simulator:
     def _update_window(self):
         if self._simulation.world.window.closed:
             rospy.loginfo('the window has been closed')
-            self._stopping = True
+            self._stop()
         else:
             self._simulation.world.look_at(self._simulation.robots[0].body)
 
     def _listen(self):
         robots, put = self._simulation.robots, self._requests.put
-        self._topics.subscribe(lambda *command: put(lambda: self._command(*command)),
+        self._topics.subscribe(self._on_command,
                                lambda index: put(robots[index].reset_odometry),
                                lambda *pose: put(lambda: self._set_pose(*pose)))
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
@@ -157,6 +171,9 @@ class Simulator:
     def _answer(self, action):
         self._requests.put_and_wait(action)
         return EmptyResponse()
+
+    def _on_command(self, *command):
+        self._requests.serve_if_lent(lambda: self._command(*command), self._go_on)
 
     def _command(self, index, linear, angular, mux_input):
         # A command that the multiplexer does not pass on is its controller's answer too.
@@ -177,6 +194,7 @@ class Simulator:
             return
         if self._paused:
             self._publish_robots()
+            self._repeated = True
 
     def _report_fall(self, name, text):
         """Warn, in the log and for the page, of a robot on its side, or take that back."""

@@ -1,0 +1,107 @@
+"""Whose turn it is to serve requests, and in which order they are served."""
+
+import threading
+import time
+from functools import partial
+
+import pytest
+from sim_turtlebot.request_queue import RequestQueue
+
+PATIENCE = 60.0  # s
+COUNT = 200  # requests of each thread
+PERIOD = 0.001  # s, in which the turn is usually lent
+MAIN = threading.current_thread()
+
+
+@pytest.fixture
+def requests():
+    """Return a queue whose turn this thread has."""
+    return RequestQueue()
+
+
+@pytest.fixture
+def served():
+    """Return a list for the threads that have served a request, and for what follows."""
+    return []
+
+
+def bring(requests, served):
+    """Bring a request."""
+    requests.serve_if_lent(lambda: served.append(threading.current_thread()),
+                           lambda: served.append('then'))
+
+
+def run(target, *arguments):
+    """Return a thread that is under way."""
+    thread = threading.Thread(target=target, args=arguments, daemon=True)
+    thread.start()
+    return thread
+
+
+def end(thread):
+    """Return once a thread has ended."""
+    thread.join(PATIENCE)
+    assert not thread.is_alive()
+
+
+def test_while_the_main_thread_has_the_turn_it_serves(requests, served):
+    """Nothing follows then: the main thread knows how to go on."""
+    end(run(bring, requests, served))
+    assert not served
+    assert requests.serve(0.0)
+    assert served == [MAIN]
+    assert not requests.serve(0.0)
+
+
+def test_who_is_lent_the_turn_serves_at_once(requests, served):
+    """The main thread is left to wait meanwhile."""
+    def bring_until_it_is_lent():
+        while 'then' not in served:
+            bring(requests, served)
+
+    thread = run(bring_until_it_is_lent)
+    while thread.is_alive():
+        if requests.lend_turn(0.01):
+            requests.serve(0.0)
+    assert served[-2:] == [thread, 'then']
+    assert set(served[:-2]) <= {MAIN}
+
+
+def test_the_turn_comes_back_with_a_request_or_after_its_time(requests, served):
+    """And is nobody else's then."""
+    assert not requests.lend_turn(0.0)
+    requests.put(lambda: served.append('put'))
+    assert requests.lend_turn(PATIENCE)
+    end(run(bring, requests, served))
+    while requests.serve(0.0):
+        pass
+    assert served == ['put', MAIN]
+
+
+def test_no_request_is_lost_or_overtakes_another_one_of_its_thread(requests):
+    """However often the turn is lent."""
+    served = []
+
+    def note(*request):
+        requests.serve_if_lent(lambda: served.append(request), lambda: None)
+
+    def have_noted(*request):
+        if threading.current_thread() is MAIN:
+            served.append(request)
+        else:  # which has the turn, so that this one has to wait
+            note(*request)
+
+    def bring_all(name):
+        for number in range(0, COUNT, 2):
+            time.sleep(PERIOD)
+            requests.serve_if_lent(partial(have_noted, name, number), lambda: None)
+            note(name, number + 1)
+
+    threads = [run(bring_all, name) for name in 'ab']
+    while any(thread.is_alive() for thread in threads):
+        if requests.lend_turn(0.01):
+            requests.serve(0.0)
+    while requests.serve(0.0):
+        pass
+    for wanted in 'ab':
+        assert [number for name, number in served if name == wanted] == list(range(COUNT))
