@@ -32,11 +32,12 @@ for (const name of ['localhost', '127.0.0.1']) {
 
 
 def drive(robot, page):
-    """Hold a button until the robot moves."""
+    """Hold a button until the robot moves, and its commands are heard."""
     page.wait_for_reading('speed', lambda speed: speed == 0)
     robot.commands.clear()
     page.hold('forward')
     robot.wait_until_moving()
+    robot.commands.wait_for_publisher()
 
 
 @contextlib.contextmanager
@@ -68,9 +69,9 @@ def test_stop_commands_zero(robot, page):
     command.linear.x = 0.2
     publisher.publish(command)
     robot.wait_until_moving()
-    page.click('stop')
-    robot.wait_until_stopped()
     publisher.unregister()
+    page.click('stop')
+    robot.wait_until_resting()
 
 
 def test_a_page_that_hangs_in_mid_drive_stops_the_robot(robot, page):
@@ -107,6 +108,7 @@ def test_an_arrow_key_drives_while_it_is_held(robot, page):
     robot.clear()
     page.press_key('ARROW_DOWN')
     robot.wait_for(lambda m: m.twist.twist.linear.x < -MOVING, what='a robot that moves backwards')
+    robot.commands.wait_for_publisher()
     page.release_key('ARROW_DOWN')
     robot.wait_until_stopped()
 

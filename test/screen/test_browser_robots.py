@@ -90,6 +90,7 @@ def test_all_robots_of_a_world_are_shown_and_each_can_be_driven(master, browser)
             page.choose('robot', 'robot_2')
             page.hold('forward')
             page.wait_for_reading('true_distance', lambda metres: metres > 0.01)
+            second.commands.wait_for_publisher()
             page.release()
             second.wait_until_stopped()
     assert not first.commands.messages

@@ -3,10 +3,13 @@
 import threading
 import time
 
+from odometry_common.connections import is_heard_within
 from odometry_common.velocity import VelocityPublisher
 
 from robot_view import steering
 from robot_view.pad_html import LAYOUT
+
+LONGEST_CONNECTING = 10.0  # s; no robot listens then
 
 
 class Pad:
@@ -50,14 +53,23 @@ class Pad:
             self._changed.clear()
             with self._lock:
                 commands = self._steering.commands(time.monotonic())
-            for namespace, (forward, left) in commands:
-                linear, angular = self._speeds()
-                self._publisher(namespace).publish(forward * linear, left * angular)
+            for namespace, shares in commands:
+                self._command(namespace, *shares)
 
-    def _publisher(self, namespace):
+    def _command(self, namespace, forward, left):
         if namespace not in self._publishers:
-            self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')
-        return self._publishers[namespace]
+            self._publishers[namespace] = _connected_publisher(f'{namespace}cmd_vel')
+            if (forward, left) != steering.STANDSTILL:
+                return  # the button may have been released meanwhile
+        linear, angular = self._speeds()
+        self._publishers[namespace].publish(forward * linear, left * angular)
+
+
+def _connected_publisher(topic):
+    """Return a VelocityPublisher once its robot hears it, lest a first command to stop get lost."""
+    publisher = VelocityPublisher(topic)
+    is_heard_within(publisher, LONGEST_CONNECTING)
+    return publisher
 
 
 def add_pad(gui, pad):

@@ -2,17 +2,16 @@
 
 import math
 import threading
-import time
 
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
+from odometry_common.connections import is_heard_within
 from sim_turtlebot.poses import MAX_COORDINATE
 
 from robot_view.panel import NODE
 
 FINENESS, ANGLE_FINENESS = 0.05, 5.0  # m and degrees, of the inputs' buttons
 CONNECTING_TIMEOUT = 2.0  # s
-CONNECTING_PERIOD = 0.02  # s between two looks
 LABEL = 'put here'
 
 
@@ -44,10 +43,7 @@ class PlacingInputs:
 
     def _put(self, event):
         publisher = self._publisher(self._chosen())
-        end = time.monotonic() + CONNECTING_TIMEOUT
-        while not publisher.get_num_connections() and time.monotonic() < end:
-            time.sleep(CONNECTING_PERIOD)
-        if publisher.get_num_connections():
+        if is_heard_within(publisher, CONNECTING_TIMEOUT):
             publisher.publish(_pose(self._x.value, self._y.value, self._heading.value))
         else:
             event.client.add_notification(LABEL, f'nobody listens on {publisher.name}',
