@@ -46,9 +46,10 @@ def wait_for_odometry(process):
     wait_until(lambda: truth.last, 40.0, lambda: f'odometry; it printed:\n{process.output}')
 
 
-def wait_for_robot(screen):
-    """Return once as many colours as a robot has are on the screen."""
-    wait_until(lambda: screen.colours() > 100, 30.0, lambda: f'{screen.colours()} colours')
+def wait_for_robot(screen, process):
+    """Return once as many colours as a robot has are on the screen that a process draws on."""
+    wait_until(lambda: screen.colours() > 100, 30.0, lambda: (
+        f'the robot; there are {screen.colours()} colours, and it printed:\n{process.output}'))
 
 
 def test_rviz_shows_the_robot_and_ends_cleanly(screen):
@@ -58,7 +59,7 @@ def test_rviz_shows_the_robot_and_ends_cleanly(screen):
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', 'rviz:=true') as launch:
         recorders = [Recorder(topic, TFMessage) for topic in ('/tf', '/tf_static')]
         Truth().wait_until_moving(40.0)
-        wait_for_robot(screen)
+        wait_for_robot(screen, launch)
         wait_until(lambda: FRAMES <= {frame for frame, _ in senders(recorders)}, 30.0,
                    lambda: f'{FRAMES}; there are {senders(recorders)}')
         assert partners('/initialpose') == (['/rviz'], ['/world_frame'])
@@ -72,7 +73,7 @@ def test_the_window_of_the_physics_shows_the_robot(screen):
     """gui:=true draws, and Ctrl-C ends it as without a window."""
     with Process('roslaunch', 'odometry_launch', 'sim.launch', 'gui:=true') as launch:
         wait_for_odometry(launch)
-        wait_for_robot(screen)
+        wait_for_robot(screen, launch)
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
     assert '/sim_turtlebot' not in rosnode.get_node_names(), 'it is still registered'
