@@ -2,7 +2,7 @@
 
 import pytest
 import rospy
-from odometry_common.registration import remember_publishers
+from odometry_common.registration import mend_registration
 from odometry_tests.forked import Forked
 from odometry_tests.processes import Master
 from odometry_tests.tutorial import forget_parameters
@@ -19,7 +19,7 @@ def master():
     """Start a master of its own, with the clock of the wall, and join it as a node."""
     with Master(start=Forked) as process:
         if not rospy.core.is_initialized():
-            remember_publishers()
+            mend_registration()
             rospy.init_node('system_test', anonymous=True, disable_signals=True,
                             disable_rostime=True)
         yield process

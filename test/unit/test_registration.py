@@ -1,10 +1,11 @@
-"""A node connects to each publisher that the master has named, in whatever order it hears of them."""
+"""A node is registered soon, and connects to each publisher that the master has named."""
 
 import threading
 
 import pytest
-from odometry_common.registration import remember_publishers
-from odometry_tests.waiting import wait_until
+from odometry_common import registration
+from odometry_common.registration import mend_registration
+from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 from rospy.impl.registration import RegManager
 
 
@@ -27,7 +28,7 @@ class Handler:
     [('/odom', ['http://robot:1']), ('/tf', ['http://robot:2']), ('/odom', [])]])
 def test_an_answer_that_is_older_than_the_news_takes_no_publisher_away(news):
     """They were told before rospy's thread had time for the first."""
-    remember_publishers()
+    mend_registration()
     handler = Handler()
     manager = RegManager(handler)
     for topic, addresses in news:
@@ -40,3 +41,30 @@ def test_an_answer_that_is_older_than_the_news_takes_no_publisher_away(news):
     handler.done = True
     thread.join(10.0)
     assert not thread.is_alive()
+
+
+class Registering:
+    """Stands for a RegManager that is not registered yet when it is first asked."""
+
+    def __init__(self):
+        """Begin without a question."""
+        self._answers = iter([False, False, True, True])
+
+    @property
+    def registered(self):
+        """Whether it is registered by now."""
+        return next(self._answers)
+
+
+def test_a_node_goes_on_as_soon_as_it_is_registered(monkeypatch):
+    """With one question of rospy's, which asks again a tenth of a second later."""
+    monkeypatch.setattr(registration, 'REGISTRATION_TIME', TIMEOUT * PATIENCE)
+    mend_registration()
+    assert RegManager.is_registered(Registering())
+
+
+def test_rospy_is_told_that_a_node_is_not_registered_yet(monkeypatch):
+    """It must be able to end meanwhile."""
+    monkeypatch.setattr(registration, 'REGISTRATION_TIME', 0.0)
+    mend_registration()
+    assert not RegManager.is_registered(Registering())

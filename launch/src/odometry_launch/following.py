@@ -6,7 +6,7 @@ import time
 
 import rospy
 from odometry_common.ending import end_without_delay
-from odometry_common.registration import remember_publishers
+from odometry_common.registration import mend_registration
 from std_srvs.srv import Empty
 
 from odometry_launch.folders import RUNS
@@ -49,7 +49,7 @@ def follow(options, graph, page, picture):
 
 
 def _join():
-    remember_publishers()
+    mend_registration()
     rospy.init_node('demo', anonymous=True, disable_signals=True)
     end_without_delay()
     return True

@@ -8,7 +8,7 @@ import time
 import rospy
 from moved_distance.parameters import read_counter
 from odometry_common.parameters import read_from
-from odometry_common.registration import remember_publishers
+from odometry_common.registration import mend_registration
 from odometry_launch.folders import RUNS
 from odometry_launch.graph import DemoError
 from odometry_launch.logs import find_place_for_logs
@@ -107,7 +107,7 @@ def _record(nodes, tutorial, parameters, duration):
 
 
 def _join():
-    remember_publishers()
+    mend_registration()
     rospy.init_node('sweep', anonymous=True, disable_signals=True)
     return True
 

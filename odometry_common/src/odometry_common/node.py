@@ -20,7 +20,7 @@ from odometry_common.parameters import (
     check_command_line,
     forget_argument,
 )
-from odometry_common.registration import remember_publishers
+from odometry_common.registration import mend_registration
 from odometry_common.usage import show_help_if_asked, warn_of_unknown
 from odometry_common.xmlrpc_server import use_closable_server
 
@@ -119,7 +119,7 @@ def _start(name, init_node_options):
     _on_signals(interrupt)
     _wait_for_master(interrupted)
     use_closable_server(_report)
-    remember_publishers()
+    mend_registration()
     if not interrupted.is_set():
         rospy.init_node(name, disable_signals=True, **init_node_options)
         end_without_delay()

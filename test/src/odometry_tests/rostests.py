@@ -4,11 +4,11 @@ import sys
 
 import rospy
 import rostest
-from odometry_common.registration import remember_publishers
+from odometry_common.registration import mend_registration
 
 
 def run_rostest(name, case, **init_node_options):
     """Join the graph as the node NAME_test, run a unittest.TestCase for rostest, and exit."""
-    remember_publishers()
+    mend_registration()
     rospy.init_node(f'{name}_test', **init_node_options)
     rostest.rosrun('odometry_tests', name, case, sys.argv)
