@@ -71,7 +71,7 @@ class RobotTopics:
         rospy.Subscriber(f'~{self._namespace}set_pose', PoseStamped, on_pose, tcp_nodelay=True)
 
     def publish(self, stamp, number):
-        """Publish the robot's state; return the transform from odom to base_footprint.
+        """Publish the robot's state, as far as anybody listens.
 
         :param stamp: rospy.Time
         :param number: how many odometry periods have passed
@@ -79,27 +79,27 @@ class RobotTopics:
         # The odometry first, since a controller in lockstep waits for it.
         motions = self._robot.odometry, self._robot.ground_truth
         for motion, (message, publisher) in zip(motions, self._publishers):
-            _fill(message, motion)
-            publish(publisher, message, stamp, number)
-        pose = self._odometry.pose.pose
-        self._transform.transform.translation = pose.position
-        self._transform.transform.rotation = pose.orientation
-        self._transform.header.stamp = stamp
+            if publisher.get_num_connections():
+                _fill(message, motion)
+                publish(publisher, message, stamp, number)
         # To ask for the wheels costs as much as a physics step.
         if self._joint_publisher.get_num_connections():
             joints = self._joints
             joints.position, joints.velocity, joints.effort = self._robot.wheels
             publish(self._joint_publisher, joints, stamp, number)
         self._imu.publish(stamp, number)
-        return self._transform
 
     def fixed_frames(self, stamp):
         """Return the transforms from base_footprint to all links but the wheels."""
         return self._links.fixed(stamp)
 
-    def wheel_frames(self, stamp):
-        """Return the transforms from base_link to the wheels."""
-        return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
+    def moving_frames(self, stamp):
+        """Return the transforms from odom to base_footprint, and from base_link to the wheels."""
+        self._transform.header.stamp = stamp
+        _fill_pose(self._transform.transform.translation, self._transform.transform.rotation,
+                  self._robot.odometry)
+        return [self._transform,
+                *self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))]
 
 
 def _new_odometry(frame, child_frame):
@@ -116,8 +116,11 @@ def _diagonal(variances):
 
 def _fill(message, motion):
     pose, twist = message.pose.pose, message.twist.twist
-    pose.position.x, pose.position.y, pose.position.z = motion.position
-    orientation = pose.orientation
-    orientation.x, orientation.y, orientation.z, orientation.w = motion.orientation
+    _fill_pose(pose.position, pose.orientation, motion)
     twist.linear.x, twist.linear.y, twist.linear.z = motion.linear
     twist.angular.x, twist.angular.y, twist.angular.z = motion.angular
+
+
+def _fill_pose(position, orientation, motion):
+    position.x, position.y, position.z = motion.position
+    orientation.x, orientation.y, orientation.z, orientation.w = motion.orientation

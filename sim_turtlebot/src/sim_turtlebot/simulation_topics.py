@@ -79,17 +79,21 @@ class SimulationTopics:
 
     def publish_robots(self):
         """Publish where the robots are, and what they see."""
-        transforms = self._publish_each()
+        stamp = self._stamp()
+        self._publish_each(stamp)
         self._newcomers.forget()
-        self._tf.publish(transforms)
+        if self._tf.get_num_connections():
+            self._tf.publish(self._transforms(stamp))
 
     def repeat(self):
         """Publish time and robots once more; tf only for those who have not heard it.
 
         tf warns of each transform that it knows already.
         """
+        stamp = self._stamp()
         self.publish_clock()
-        self._newcomers.publish(self._publish_each())
+        self._publish_each(stamp)
+        self._newcomers.publish(self._transforms(stamp))
 
     @property
     def command_topics(self):
@@ -100,17 +104,16 @@ class SimulationTopics:
         """Publish what there is to warn of; empty: nothing."""
         self._warning.publish(text)
 
-    def _publish_each(self):
-        stamp = self._stamp()
+    def _publish_each(self, stamp):
         number = self._timeline.odometry_count
-        frames = [topics.publish(stamp, number) for topics in self._robots]
-        # To ask for the wheels costs as much as a physics step.
-        if self._tf.get_num_connections():
-            for topics in self._robots:
-                frames += topics.wheel_frames(stamp)
+        for topics in self._robots:
+            topics.publish(stamp, number)
         for scan in self._scans:
             scan.publish(stamp, number)
-        return TFMessage(frames)
+
+    def _transforms(self, stamp):
+        return TFMessage([frame for topics in self._robots
+                          for frame in topics.moving_frames(stamp)])
 
     def _stamp(self):
         """Return the time of all messages; in simulated time a rospy.Time that goes on with it."""
