@@ -43,7 +43,7 @@ def main():
 
 run_node('patient', main, '')
 """
-# When it publishes its first odometry, its topics are closed; it does not count as shut down yet.
+# When it publishes its first message, the time, its topics are closed; it does not count as shut down yet.
 CLOSING_NODE = f"""
 import runpy
 import threading
@@ -51,7 +51,7 @@ import rospy
 publish = rospy.Publisher.publish
 
 def close_and_publish(publisher, *arguments):
-    if publisher.name == '/odom':
+    if publisher.name == '/clock':
         closed = threading.Event()
         rospy.core.add_preshutdown_hook(lambda _: closed.set() or published.wait())
         threading.Thread(target=rospy.signal_shutdown, args=['closed']).start()
@@ -59,7 +59,7 @@ def close_and_publish(publisher, *arguments):
     try:
         publish(publisher, *arguments)
     finally:
-        if publisher.name == '/odom':
+        if publisher.name == '/clock':
             published.set()
 
 published = threading.Event()
@@ -94,7 +94,8 @@ def test_a_node_that_waits_ends_quietly(master, package, program, signum):
         assert node.end(signum) == 0, node.output
 
 
-def test_a_simulator_that_is_ended_in_its_first_message_ends_quietly(master):
+@pytest.mark.usefixtures('simulated_time')
+def test_a_simulator_that_is_ended_in_its_first_message_ends_quietly():
     """Rospy raises what would be a traceback."""
     with Process(sys.executable, '-c', CLOSING_NODE) as node:
         assert node.wait() == 0, node.output

@@ -3,7 +3,6 @@
 import threading
 
 import pytest
-from odometry_common import registration
 from odometry_common.registration import mend_registration
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 from rospy.impl.registration import RegManager
@@ -58,13 +57,13 @@ class Registering:
 
 def test_a_node_goes_on_as_soon_as_it_is_registered(monkeypatch):
     """With one question of rospy's, which asks again a tenth of a second later."""
-    monkeypatch.setattr(registration, 'REGISTRATION_TIME', TIMEOUT * PATIENCE)
+    monkeypatch.setattr('odometry_common.registration.REGISTRATION_TIME', TIMEOUT * PATIENCE)
     mend_registration()
     assert RegManager.is_registered(Registering())
 
 
 def test_rospy_is_told_that_a_node_is_not_registered_yet(monkeypatch):
     """It must be able to end meanwhile."""
-    monkeypatch.setattr(registration, 'REGISTRATION_TIME', 0.0)
+    monkeypatch.setattr('odometry_common.registration.REGISTRATION_TIME', 0.0)
     mend_registration()
     assert not RegManager.is_registered(Registering())

@@ -93,13 +93,16 @@ class RobotTopics:
         """Return the transforms from base_footprint to all links but the wheels."""
         return self._links.fixed(stamp)
 
-    def moving_frames(self, stamp):
-        """Return the transforms from odom to base_footprint, and from base_link to the wheels."""
+    def base_frame(self, stamp):
+        """Return the transform from odom to base_footprint."""
+        transform = self._transform.transform
         self._transform.header.stamp = stamp
-        _fill_pose(self._transform.transform.translation, self._transform.transform.rotation,
-                  self._robot.odometry)
-        return [self._transform,
-                *self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))]
+        _fill_pose(transform.translation, transform.rotation, self._robot.odometry)
+        return self._transform
+
+    def wheel_frames(self, stamp):
+        """Return the transforms from base_link to the wheels."""
+        return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
 
 
 def _new_odometry(frame, child_frame):

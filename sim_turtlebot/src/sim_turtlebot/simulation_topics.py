@@ -112,8 +112,10 @@ class SimulationTopics:
             scan.publish(stamp, number)
 
     def _transforms(self, stamp):
-        return TFMessage([frame for topics in self._robots
-                          for frame in topics.moving_frames(stamp)])
+        frames = [topics.base_frame(stamp) for topics in self._robots]
+        for topics in self._robots:
+            frames += topics.wheel_frames(stamp)
+        return TFMessage(frames)
 
     def _stamp(self):
         """Return the time of all messages; in simulated time a rospy.Time that goes on with it."""
