@@ -1,5 +1,7 @@
 """How late the robot hears that it has arrived, and how far it goes on."""
 
+from contextlib import closing
+
 from graph import Graph
 from lockstep import LOCKSTEP
 from measuring import Target, compare
@@ -36,8 +38,8 @@ def _control(options, name, arguments, delay_target, overshoot_target):
 
 def _drive(arguments):
     """Drive two metres and return the moved distances (m), the last ones at rest."""
-    with Graph(*arguments, distance=DISTANCE) as graph:
-        moved = Recorder('/moved_distance', Float64)
+    with Graph(*arguments, distance=DISTANCE) as graph, \
+            closing(Recorder('/moved_distance', Float64)) as moved:
         moved.wait_for_publisher()
         with graph.running():
             wait_until(lambda: _rests(moved.messages), TIMEOUT, 'a robot that has arrived')

@@ -1,6 +1,7 @@
 """How long the detector takes to answer, beside a relay that only passes messages on."""
 
 import time
+from contextlib import closing
 from pathlib import Path
 from statistics import median, quantiles
 
@@ -30,9 +31,9 @@ def detector_latency(options):
 def _latency(options, rate):
     forget_parameters()
     count = min(options.messages, rate * options.longest)
-    with detector(start=Kept), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'):
-        answers = Answers('/odom', '/moved_distance', Float64)
-        relay = Answers('/relayed/odom', '/relayed/answer', Odometry)
+    with detector(start=Kept), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'), \
+            closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
+            closing(Answers('/relayed/odom', '/relayed/answer', Odometry)) as relay:
         pairs = in_turns(options.runs, lambda: answers.times(rate, count),
                          lambda: relay.times(rate, count))
     yield compare(f'latency at {rate} Hz, median', 'ms',
@@ -51,10 +52,16 @@ class Answers:
         self._arrivals = []
         self._x = 0.0
         self._publisher = advertise(question, Odometry)
-        rospy.Subscriber(answer, answer_class, self._on_answer, tcp_nodelay=True)
+        self._subscriber = rospy.Subscriber(answer, answer_class, self._on_answer,
+                                            tcp_nodelay=True)
         wait_for_subscribers(self._publisher, timeout=TIMEOUT)
         # The answers may be connected later than the questions.
         wait_until(self._is_answered, TIMEOUT, f'an answer on {answer}')
+
+    def close(self):
+        """Ask no more."""
+        self._publisher.unregister()
+        self._subscriber.unregister()
 
     def times(self, rate, count):
         """Send `count` messages at `rate` Hz; return the time until each one's answer (ms)."""

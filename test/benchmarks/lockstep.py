@@ -35,7 +35,8 @@ def _ring():
     with contextlib.ExitStack() as stack:
         for role in ('robot', 'detector', 'mover'):
             stack.enter_context(Process('python3', RING, role))
-        run, ran = advertise('/ring/run', Float64), Recorder('/ring/ran', Float64)
+        run = advertise('/ring/run', Float64)
+        ran = stack.enter_context(contextlib.closing(Recorder('/ring/ran', Float64)))
         wait_for_subscribers(run, timeout=TIMEOUT)
         for topic in ('odom', 'moved_distance', 'cmd_vel', 'ran'):
             wait_until(lambda topic=topic: has_listener(f'/ring/{topic}'), TIMEOUT,

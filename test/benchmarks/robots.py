@@ -1,9 +1,11 @@
 """What many robots cost in one simulator."""
 
-import rospy
+import contextlib
+
 from geometry_msgs.msg import Twist
 from graph import Graph
 from measuring import Target, compare, in_slices, in_turns
+from odometry_common.publishing import advertise
 from odometry_tests.waiting import wait_for_subscribers
 from speed import CPU_UNIT, SPEED_UNIT, UNPACED
 from start import start_bare, start_simulator
@@ -27,8 +29,8 @@ def _crowd(options, count, alone):
     bare, world = BareWorld(count), RobotWorld(count)
     yield compare(f'robot without ROS, {label}', SPEED_UNIT,
                   in_slices(options, world.speed, bare.speed))
-    with Graph('_cmd_vel_timeout:=0', f'_robots:={count}', *UNPACED, movers=False) as graph:
-        _drive_all(graph, count)
+    with Graph('_cmd_vel_timeout:=0', f'_robots:={count}', *UNPACED, movers=False) as graph, \
+            _all_driven(graph, count):
         pairs = in_slices(options, graph.watch,
                           lambda window: (bare.speed(window), alone.speed(window)))
     yield compare(f'simulator, {label}', SPEED_UNIT,
@@ -43,16 +45,21 @@ def _crowd(options, count, alone):
         options.runs, lambda: start_simulator(f'_robots:={count}', topic=topic), start_bare))
 
 
-def _drive_all(graph, count):
+@contextlib.contextmanager
+def _all_driven(graph, count):
     """Have each robot drive for ever."""
     command = Twist()
     command.linear.x = SPEED
+    topics = ['/cmd_vel' if count == 1 else f'/robot_{number}/cmd_vel'
+              for number in range(1, count + 1)]
+    publishers = [advertise(topic, Twist) for topic in topics]
     with graph.running():
-        for number in range(1, count + 1):
-            topic = '/cmd_vel' if count == 1 else f'/robot_{number}/cmd_vel'
-            publisher = rospy.Publisher(topic, Twist, queue_size=1, latch=True)
+        for publisher in publishers:
             wait_for_subscribers(publisher)
             publisher.publish(command)
+    yield
+    for publisher in publishers:
+        publisher.unregister()
 
 
 def robots(count):

@@ -3,6 +3,7 @@
 import signal
 import sys
 import time
+from contextlib import closing
 from pathlib import Path
 
 import rospkg
@@ -35,11 +36,11 @@ def end(options):
 def start_simulator(*arguments, topic='/odom'):
     """Start a simulator and return the time (s) to its first message on a topic."""
     forget_parameters()
-    odometry = Recorder(topic, Odometry)
-    begin = time.perf_counter()
-    with Process(sys.executable, SIMULATOR, *arguments):
-        odometry.wait_for(timeout=TIMEOUT)
-        return time.perf_counter() - begin
+    with closing(Recorder(topic, Odometry)) as odometry:
+        begin = time.perf_counter()
+        with Process(sys.executable, SIMULATOR, *arguments):
+            odometry.wait_for(timeout=TIMEOUT)
+            return time.perf_counter() - begin
 
 
 def start_bare():
