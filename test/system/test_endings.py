@@ -6,7 +6,9 @@ import sys
 import pytest
 import rosgraph
 import rosnode
+import rospy
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 from odometry_launch.keeping import Kept
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
@@ -43,27 +45,40 @@ def main():
 
 run_node('patient', main, '')
 """
-# When it publishes its first message, the time, its topics are closed; it does not count as shut down yet.
+# While it publishes the time, its topics are closed: by rosnode kill if that is on the main thread, by
+# Ctrl-C if it is on a command's. It does not count as shut down until what that raises was handled.
 CLOSING_NODE = f"""
+import os
 import runpy
+import signal
 import threading
 import rospy
-publish = rospy.Publisher.publish
+from rospy.topics import _SubscriberImpl
+MAIN = os.environ['THREAD'] == 'main'
+closed, handled = threading.Event(), threading.Event()
+publish, invoke = rospy.Publisher.publish, _SubscriberImpl._invoke_callback
 
 def close_and_publish(publisher, *arguments):
-    if publisher.name == '/clock':
-        closed = threading.Event()
-        rospy.core.add_preshutdown_hook(lambda _: closed.set() or published.wait())
-        threading.Thread(target=rospy.signal_shutdown, args=['closed']).start()
+    on_main = threading.current_thread() is threading.main_thread()
+    if publisher.name == '/clock' and on_main == MAIN:
+        rospy.core.add_preshutdown_hook(lambda _: closed.set() or handled.wait())
+        if MAIN:
+            threading.Thread(target=rospy.signal_shutdown, args=['killed']).start()
+        else:
+            os.kill(os.getpid(), signal.SIGINT)
         closed.wait()
     try:
         publish(publisher, *arguments)
     finally:
-        if publisher.name == '/clock':
-            published.set()
+        if MAIN and closed.is_set():
+            handled.set()
 
-published = threading.Event()
-rospy.Publisher.publish = close_and_publish
+def invoke_and_tell(*arguments):
+    invoke(*arguments)
+    if not MAIN and closed.is_set():
+        handled.set()
+
+rospy.Publisher.publish, _SubscriberImpl._invoke_callback = close_and_publish, invoke_and_tell
 runpy.run_path({str(ROOT / 'sim_turtlebot/script/sim_turtlebot_node.py')!r}, run_name='__main__')
 """
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
@@ -95,10 +110,16 @@ def test_a_node_that_waits_ends_quietly(master, package, program, signum):
 
 
 @pytest.mark.usefixtures('simulated_time')
-def test_a_simulator_that_is_ended_in_its_first_message_ends_quietly():
-    """Rospy raises what would be a traceback."""
-    with Process(sys.executable, '-c', CLOSING_NODE) as node:
+@pytest.mark.parametrize('thread', ['main', 'that of a command'])
+def test_a_simulator_that_is_ended_while_it_publishes_ends_quietly(thread):
+    """Rospy raises what would be a traceback, in the thread of a command too, as in lockstep."""
+    commands = rospy.Publisher('cmd_vel', Twist, queue_size=10)
+    odometry = rospy.Subscriber('odom', Odometry, lambda _: commands.publish(Twist()))
+    with Process(sys.executable, '-c', CLOSING_NODE, '_lockstep_rate:=20', '_real_time_factor:=0',
+                 env={'THREAD': thread}) as node:
         assert node.wait() == 0, node.output
+    odometry.unregister()
+    commands.unregister()
 
 
 def test_a_node_does_not_wait_at_its_end_until_a_thread_of_rospy_has_slept(master):

@@ -1,5 +1,6 @@
 """How a node ends at once."""
 
+import contextlib
 import threading
 
 import rospy
@@ -25,6 +26,16 @@ def end_without_delay():
     """
     for manager in get_registration_listeners().listeners:
         rospy.core.add_shutdown_hook(lambda _reason, cond=manager.cond: _wake(cond))
+
+
+@contextlib.contextmanager
+def quiet_at_shutdown():
+    """Swallow what rospy raises if it closes a topic, at shutdown, while it is being published."""
+    try:
+        yield
+    except rospy.ROSException:
+        if not rospy.core.is_shutdown_requested():
+            raise
 
 
 def _wake(condition):

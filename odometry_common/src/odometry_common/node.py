@@ -11,7 +11,7 @@ import rosgraph
 import rospkg
 import rospy
 
-from odometry_common.ending import end_without_delay
+from odometry_common.ending import end_without_delay, quiet_at_shutdown
 from odometry_common.handles import shortage, take_all_handles
 from odometry_common.output import LineOutput
 from odometry_common.parameters import (
@@ -55,7 +55,8 @@ def run_node(name, main, documentation, **init_node_options):
         _do_without_logs_if_need_be()
         _start(name, init_node_options)
         warn_of_unknown(documentation)
-        main()
+        with quiet_at_shutdown():
+            main()
     except StartError as error:
         print(f'{name}: {error}', file=sys.stderr)
         if isinstance(error, ParameterError):
@@ -66,10 +67,6 @@ def run_node(name, main, documentation, **init_node_options):
             raise
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
-    except rospy.ROSException:
-        # At shutdown rospy may close a topic while it is being published.
-        if not rospy.core.is_shutdown_requested():
-            raise
     finally:
         rospy.signal_shutdown('the node has ended')
     if _failures:

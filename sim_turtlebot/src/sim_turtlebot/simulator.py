@@ -9,7 +9,7 @@ import math
 import time
 
 import rospy
-from odometry_common.ending import LONGEST_WAIT
+from odometry_common.ending import LONGEST_WAIT, quiet_at_shutdown
 from std_srvs.srv import Empty, EmptyResponse
 
 from sim_turtlebot.current_warnings import CurrentWarnings
@@ -173,7 +173,8 @@ class Simulator:
         return EmptyResponse()
 
     def _on_command(self, *command):
-        self._requests.serve_if_lent(lambda: self._command(*command), self._go_on)
+        with quiet_at_shutdown():
+            self._requests.serve_if_lent(lambda: self._command(*command), self._go_on)
 
     def _command(self, index, linear, angular, mux_input):
         # A command that the multiplexer does not pass on is its controller's answer too.
