@@ -6,6 +6,7 @@ import signal
 import sys
 import tempfile
 import threading
+import time
 
 import rosgraph
 import rospkg
@@ -105,23 +106,24 @@ def _report(error):
 def _start(name, init_node_options):
     """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
 
-    rospy and rosgraph swallow exceptions in places, so that the signal is remembered.
+    rospy and rosgraph swallow exceptions in places, so that the signal is remembered; not in an
+    Event, whose lock this thread may hold when it is interrupted.
     """
-    interrupted = threading.Event()
+    interrupted = []
 
-    def interrupt(_signum, _frame):
-        interrupted.set()
+    def interrupt(signum, _frame):
+        interrupted.append(signum)
         raise KeyboardInterrupt
 
     _on_signals(interrupt)
     _wait_for_master(interrupted)
     use_closable_server(_report)
     mend_registration()
-    if not interrupted.is_set():
+    if not interrupted:
         rospy.init_node(name, disable_signals=True, **init_node_options)
         end_without_delay()
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
-    if interrupted.is_set():
+    if interrupted:
         raise KeyboardInterrupt
 
 
@@ -131,8 +133,8 @@ def _wait_for_master(interrupted):
         return
     print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
           'not be running yet. Will keep trying.', file=sys.stderr)
-    while not (interrupted.wait(MASTER_RETRY_PERIOD) or rosgraph.is_master_online()):
-        pass
+    while not (rosgraph.is_master_online() or interrupted):
+        time.sleep(MASTER_RETRY_PERIOD)
 
 
 def _do_without_logs_if_need_be():
