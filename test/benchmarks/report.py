@@ -49,7 +49,7 @@ def write_chart(figures, path):
     canvas, axes = pyplot.subplots(figsize=(6, 4), layout='constrained')
     axes.plot(COUNTS, cost, 'o-')
     axes.set(xscale='log', xticks=COUNTS, xticklabels=COUNTS, xlabel='robots in the simulator',
-             ylabel='cost of a robot (ms per simulated s)', ylim=(0, None),
+             ylabel='cost of a robot (ms per simulated s)', ylim=(0, 1.1 * max(cost)),
              title='sim_turtlebot, unpaced, all robots driving')
     axes.minorticks_off()
     axes.grid(alpha=0.3)
