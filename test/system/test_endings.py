@@ -1,5 +1,6 @@
 """However a node that moves the robot ends, the robot stops, and nobody sees a traceback."""
 
+import contextlib
 import signal
 import sys
 
@@ -113,13 +114,15 @@ def test_a_node_that_waits_ends_quietly(master, package, program, signum):
 @pytest.mark.parametrize('thread', ['main', 'that of a command'])
 def test_a_simulator_that_is_ended_while_it_publishes_ends_quietly(thread):
     """Rospy raises what would be a traceback, in the thread of a command too, as in lockstep."""
-    commands = rospy.Publisher('cmd_vel', Twist, queue_size=10)
-    odometry = rospy.Subscriber('odom', Odometry, lambda _: commands.publish(Twist()))
-    with Process(sys.executable, '-c', CLOSING_NODE, '_lockstep_rate:=20', '_real_time_factor:=0',
-                 env={'THREAD': thread}) as node:
+    with contextlib.ExitStack() as stack:
+        commands = rospy.Publisher('cmd_vel', Twist, queue_size=10)
+        stack.callback(commands.unregister)
+        stack.callback(rospy.Subscriber(
+            'odom', Odometry, lambda _: commands.publish(Twist())).unregister)
+        node = stack.enter_context(Process(
+            sys.executable, '-c', CLOSING_NODE, '_lockstep_rate:=20', '_real_time_factor:=0',
+            env={'THREAD': thread}))
         assert node.wait() == 0, node.output
-    odometry.unregister()
-    commands.unregister()
 
 
 def test_a_node_does_not_wait_at_its_end_until_a_thread_of_rospy_has_slept(master):

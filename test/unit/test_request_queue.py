@@ -1,7 +1,6 @@
 """Whose turn it is to serve requests, and in which order they are served."""
 
 import threading
-import time
 from functools import partial
 
 import pytest
@@ -9,7 +8,6 @@ from sim_turtlebot.request_queue import RequestQueue
 
 PATIENCE = 60.0  # s
 COUNT = 200  # requests of each thread
-PERIOD = 0.001  # s, in which the turn is usually lent
 MAIN = threading.current_thread()
 
 
@@ -80,7 +78,7 @@ def test_the_turn_comes_back_with_a_request_or_after_its_time(requests, served):
 
 def test_no_request_is_lost_or_overtakes_another_one_of_its_thread(requests):
     """However often the turn is lent."""
-    served = []
+    served, about_to_lend = [], threading.Semaphore(0)
 
     def note(*request):
         requests.serve_if_lent(lambda: served.append(request), lambda: None)
@@ -93,12 +91,13 @@ def test_no_request_is_lost_or_overtakes_another_one_of_its_thread(requests):
 
     def bring_all(name):
         for number in range(0, COUNT, 2):
-            time.sleep(PERIOD)
+            assert about_to_lend.acquire(timeout=PATIENCE)
             requests.serve_if_lent(partial(have_noted, name, number), lambda: None)
             note(name, number + 1)
 
     threads = [run(bring_all, name) for name in 'ab']
     while any(thread.is_alive() for thread in threads):
+        about_to_lend.release()
         if requests.lend_turn(0.01):
             requests.serve(0.0)
     while requests.serve(0.0):

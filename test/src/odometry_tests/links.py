@@ -4,10 +4,10 @@ import xmlrpc.client
 from typing import NamedTuple
 
 import rosgraph
+from odometry_common.connections import ANSWERED, SENDS
 
-SENDS, HEARS = 'o', 'i'
+HEARS = 'i'
 CALLER = '/links'
-ANSWERED = 2  # what a node says for itself stands there in its answers
 
 
 class Link(NamedTuple):
