@@ -77,7 +77,9 @@ class CornersTest(unittest.TestCase):
 
     def test_it_ends_where_it_began(self):
         """And stands on each corner on the way, in truth and not just by its own account."""
-        truth, client = Truth(), CornerClient()
+        truth = Truth()
+        truth.wait_for_publisher()
+        client = CornerClient()
         for number, corner in enumerate(CORNERS, 1):
             client.drive_to(*corner)
             client.turn_to(number * math.pi / 2)

@@ -15,11 +15,12 @@ RESULTS = ROOT / '.ws' / 'test_results'
 EXAMPLE = ROOT / 'docs' / 'example'  # which catkin does not find by itself
 LAUNCH_FILES = ['sim.launch', 'move_two_meters.launch', 'rotate.launch']
 # They begin first, so that no processor idles at the end.
-LONGEST = ['test_container', 'test_documents', 'unit', 'test_demo_endings', 'test_demo_faults',
-           'test_tutorial_commands', 'test_fault_time', 'test_fault_kills', 'test_bad_parameters',
-           'test_sweep_replay', 'test_sweep', 'test_demo', 'test_endings', 'test_lockstep',
-           'test_soak', 'test_demo_page', 'test_bench',
-           'test_fault_environment', 'test_two_machines', 'test_fault_minute', 'simulator.test']
+LONGEST = ['test_container', 'test_documents', 'unit', 'test_demo_faults', 'test_sweep',
+           'test_sweep_replay', 'test_endings', 'test_lockstep', 'test_sweep_cluster',
+           'test_tutorial_commands', 'test_soak', 'test_example', 'test_demo_endings',
+           'test_fault_kills', 'test_bad_parameters', 'test_demo_page', 'test_bench',
+           'test_ros_tools', 'test_fault_time', 'test_set_up', 'test_demo', 'simulator.test',
+           'test_loopback', 'test_two_machines', 'test_placing']
 
 
 class Job(NamedTuple):

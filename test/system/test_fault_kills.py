@@ -43,6 +43,7 @@ def test_the_base_stops_when_the_mover_is_killed_and_a_new_one_goes_on(master):
     moved, truth = Distance(), Truth()
     with simulator('_real_time_factor:=3'), detector():
         with mover(FAR) as first:
+            moved.wait_for(lambda m: m.data > 0, what='a distance')
             truth.wait_until_moving()
             assert moves_on(truth, lambda: kill(first)) <= BASE_TIMEOUT + BRAKING
         goal = moved.last.data + 0.3

@@ -172,6 +172,7 @@ def test_a_robot_that_drives_over_an_edge_is_warned_of(ns, tmp_path):
         truth, odometry = Truth(ns), Recorder(f'{ns}odom', Odometry)
         Placer(ns).put(3.0, 0.0, 0.3)
         truth.wait_for(lambda m: m.pose.pose.position.z > 0.29, what='a robot on the table')
+        odometry.wait_for()
         velocity = rospy.Publisher(f'{ns}cmd_vel', Twist, queue_size=1)
         wait_for_subscribers(velocity)
         velocity.publish(twist(0.1))

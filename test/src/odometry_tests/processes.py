@@ -33,7 +33,9 @@ class Process:
         # Nothing is left of it when pytest is killed.
         self._kept = start(*command, env=environment, stdout=subprocess.PIPE,
                            stderr=subprocess.PIPE, **popen_options)
+        self._changed = threading.Condition()
         self._lines = {'stdout': [], 'stderr': []}
+        self._open = set(self._lines)
         self._readers = [self._read('stdout'), self._read('stderr')]
 
     @property
@@ -63,11 +65,12 @@ class Process:
 
     def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
-        def what():
-            return f'{text!r} from {self.command}; it printed:\n{self.output}'
-
-        wait_until(lambda: text in self.output or self._is_silent(), timeout, what)
-        assert text in self.output, f'it has ended without {what()}'
+        bound = timeout * PATIENCE
+        with self._changed:
+            self._changed.wait_for(lambda: text in self.output or not self._open, bound)
+            how = f'has run for {bound:g} s' if self._open else 'has ended'
+        assert text in self.output, \
+            f'{self.command} {how} without {text!r}; it printed:\n{self.output}'
 
     def send(self, signum):
         """Send a signal to the command itself."""
@@ -109,17 +112,18 @@ class Process:
             self._kept.wait()
             assert kind, f'{self.command} has not ended on Ctrl-C; it printed:\n{self.output}'
 
-    def _is_silent(self):
-        """Return whether it can print no more, and all that it has printed is read."""
-        return not any(reader.is_alive() for reader in self._readers)
-
     def _read(self, name):
         stream, lines = getattr(self._kept, name), self._lines[name]
 
         def collect():
             with stream:
                 for line in stream:
-                    lines.append(line.decode(errors='replace').rstrip('\n'))
+                    with self._changed:
+                        lines.append(line.decode(errors='replace').rstrip('\n'))
+                        self._changed.notify_all()
+            with self._changed:
+                self._open.discard(name)
+                self._changed.notify_all()
 
         reader = threading.Thread(target=collect, daemon=True)
         reader.start()
