@@ -1,6 +1,7 @@
 """Whose turn it is to serve requests, and in which order they are served."""
 
 import threading
+from contextlib import suppress
 from functools import partial
 
 import pytest
@@ -63,6 +64,26 @@ def test_who_is_lent_the_turn_serves_at_once(requests, served):
             requests.serve(0.0)
     assert served[-2:] == [thread, 'then']
     assert set(served[:-2]) <= {MAIN}
+
+
+def test_what_goes_wrong_on_a_lent_turn_is_raised_on_the_main_thread(requests, served):
+    """There it ends the node; of what its own threads raise rospy only logs a line."""
+    def fail():
+        if threading.current_thread() is not MAIN:
+            served.append('nothing')
+            raise ZeroDivisionError
+
+    def bring_until_it_has_failed():
+        with suppress(ZeroDivisionError):
+            while not served:
+                requests.serve_if_lent(fail, lambda: None)
+
+    thread = run(bring_until_it_has_failed)
+    with pytest.raises(ZeroDivisionError):
+        while thread.is_alive() or not requests.empty():
+            if requests.lend_turn(0.01):
+                requests.serve(0.0)
+    end(thread)
 
 
 def test_the_turn_comes_back_with_a_request_or_after_its_time(requests, served):

@@ -2,6 +2,7 @@
 
 import queue
 import threading
+from functools import partial
 
 ANSWER_TIMEOUT = 5.0  # s
 
@@ -36,13 +37,19 @@ class RequestQueue(queue.SimpleQueue):
         done.wait(ANSWER_TIMEOUT)
 
     def serve_if_lent(self, request, then):
-        """Serve a request on this thread, and call `then`, if the turn is lent; else put it."""
+        """Serve a request on this thread, and call `then`, if the turn is lent; else put it.
+
+        What either raises is raised on the main thread, too: rospy would only log it here.
+        """
         if self._turn.acquire(blocking=False):
             try:
                 if self.empty():
                     request()
                     then()
                     return
+            except BaseException as error:
+                self.put(partial(_raise, error))
+                raise
             finally:
                 self._turn.release()
         self.put(request)
@@ -63,3 +70,7 @@ class RequestQueue(queue.SimpleQueue):
             self._has_come.wait(timeout)
             self._turn.acquire()
         return not self.empty()
+
+
+def _raise(error):
+    raise error
