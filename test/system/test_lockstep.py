@@ -26,6 +26,7 @@ from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
 
+PERIOD = 0.05  # s, of the odometry
 COMPARED = 24  # s of simulated time; two metres take 20
 RUN_TIME = 60.0  # s
 PATIENCE = 30.0  # s of wall time for a controller that the machine lets wait
@@ -176,6 +177,13 @@ def test_simulated_time_stands_still_until_the_first_command():
     assert all(message == seen[0] for message in seen)
 
 
+def time_reached(odometry):
+    """Return how far time goes (s) before it waits for another command."""
+    odometry.wait_for(lambda m: m.header.stamp.to_sec() > 0, 30.0, 'the next odometry')
+    pause(odometry)
+    return max(m.header.stamp.to_sec() for m in odometry.messages)
+
+
 def test_a_late_answer_to_a_repetition_is_not_one_to_the_next_odometry():
     """Also if the first command is read in a pause, and not while it is waited for."""
     with simulator_in_step(UNPACED, patience=PATIENCE):
@@ -186,9 +194,7 @@ def test_a_late_answer_to_a_repetition_is_not_one_to_the_next_odometry():
         for service in 'pause_physics', 'unpause_physics':
             call(service)
             commands.publish(Twist())
-        odometry.wait_for(lambda m: m.header.stamp.to_sec() > 0, 30.0, 'the next odometry')
-        pause(odometry)
-        assert max(m.header.stamp.to_sec() for m in odometry.messages) == 0.05
+        assert time_reached(odometry) == PERIOD
 
 
 def test_an_answer_to_what_is_shown_in_a_pause_is_not_one_to_the_next_odometry():
@@ -203,9 +209,25 @@ def test_an_answer_to_what_is_shown_in_a_pause_is_not_one_to_the_next_odometry()
         commands.publish(Twist())
         call('unpause_physics')
         commands.publish(Twist())
-        odometry.wait_for(lambda m: m.header.stamp.to_sec() > 0, 30.0, 'the next odometry')
-        pause(odometry)
-        assert max(m.header.stamp.to_sec() for m in odometry.messages) == 0.05
+        assert time_reached(odometry) == PERIOD
+
+
+def test_an_answer_from_before_a_reset_is_not_one_to_time_zero():
+    """Whoever resets cannot know whether one is under way."""
+    with simulator_in_step(UNPACED, '_paused:=true', patience=PATIENCE):
+        odometry = Recorder('odom', Odometry)
+        odometry.wait_for_publisher()
+        commands = rospy.Publisher('cmd_vel', Twist, queue_size=2)
+        wait_for_subscribers(commands)
+        call('unpause_physics')
+        commands.publish(Twist())
+        assert time_reached(odometry) == PERIOD
+        odometry.clear()
+        for service in 'unpause_physics', 'reset_simulation':
+            call(service)
+        for _ in 'late', 'in time':
+            commands.publish(Twist())
+        assert time_reached(odometry) == PERIOD
 
 
 def test_while_time_stands_still_a_line_says_what_it_waits_for():

@@ -24,6 +24,10 @@ class Lockstep:
         """Whether any controller has ever sent a command."""
         return bool(self._in_step)
 
+    def is_owed_an_answer(self, steps):
+        """Return whether, after so many steps, a controller that is in step has yet to command."""
+        return steps >= self.last_step and bool(self._awaited & self._in_step)
+
     def heard(self, controller):
         """Note a command from a controller (an index)."""
         self._in_step.add(controller)

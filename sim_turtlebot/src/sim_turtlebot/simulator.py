@@ -24,7 +24,7 @@ SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
 REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
 REMIND_PERIOD = 2.0  # s of wall time between two lines that say so
 NAMED = 4  # topics in such a line; more would not be read
-LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: no more to the repetitions will come
+LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: no late one will come
 
 
 class Simulator:
@@ -40,7 +40,8 @@ class Simulator:
         if settings.lockstep_rate:
             self._lockstep = Lockstep(
                 settings.lockstep_rate, self._timeline.step_rate, settings.robots)
-        self._repeated = False  # whether odometry was published more than once at this time
+        # Whether a command may be an answer to an earlier odometry than the latest.
+        self._may_be_late = False
         self._reminded = time.monotonic()
         self._paused = settings.paused
         self._begun = False  # whether time zero has been published
@@ -64,7 +65,7 @@ class Simulator:
         """Serve one request if there is one, else advance if it is time to."""
         if not self._requests.empty() or self._paused:
             self._requests.serve(LONGEST_WAIT)
-        elif self._lockstep and self._repeated and self._lockstep.started:
+        elif self._lockstep and self._may_be_late and self._lockstep.started:
             self._wait_for_late_answers()
         elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
             self._wait_for_controllers()
@@ -100,14 +101,14 @@ class Simulator:
     def _wait_for_first_command(self):
         """Repeat the odometry while there is no command."""
         if not self._requests.serve(REPEAT_PERIOD):
-            self._repeated = True
+            self._may_be_late = True
             self._topics.repeat()
             self._remind()
 
     def _wait_for_late_answers(self):
-        """Serve the answers to repetitions of the odometry that are still to come.
+        """Serve the answers to earlier odometries that are still to come.
 
-        They must not be taken for answers to the next odometry. Nothing in a Twist tells them
+        They must not be taken for answers to the next one. Nothing in a Twist tells them
         apart; so wait until no more come.
         """
         patience = self._settings.lockstep_patience
@@ -115,7 +116,7 @@ class Simulator:
         while not self._stopping and time.monotonic() < end:
             if not self._requests.serve(LATE_SHARE * patience):
                 break
-        self._repeated = False
+        self._may_be_late = False
 
     def _remind(self):
         """Say from time to time what is waited for: a client cannot see why its sleep has no end."""
@@ -195,7 +196,7 @@ class Simulator:
             return
         if self._paused:
             self._publish_robots()
-            self._repeated = True
+            self._may_be_late = True
 
     def _report_fall(self, name, text):
         """Warn, in the log and for the page, of a robot on its side, or take that back."""
@@ -228,9 +229,10 @@ class Simulator:
 
     def _reset(self):
         """Take time and robots back to the start."""
-        self._simulation.reset()
         if self._lockstep:
+            self._may_be_late |= self._lockstep.is_owed_an_answer(self._timeline.steps)
             self._lockstep.restart()
+        self._simulation.reset()
         self._pacer.restart(self._timeline.now)
         self._publish()
 
