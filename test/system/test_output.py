@@ -27,4 +27,5 @@ def test_a_log_line_that_nobody_reads_any_more_ends_the_node_quietly(master):
         distances.publish(0.0)
         assert shell.wait() == 0, shell.output
     assert shell.output.split('\n') == ['status 0', '']
-    assert [message.linear.x for message in commands.messages][-2:] == [0.1, 0.0]
+    wait_until(lambda: [m.linear.x for m in commands.messages][-2:] == [0.1, 0.0], 20.0,
+               lambda: f'zero after 0.1 m/s; the last commands are\n{commands.messages[-2:]}')

@@ -101,6 +101,7 @@ def test_what_is_no_place_for_it_is_refused_in_one_line(ns):
     """The robot stays as it was, and can be put elsewhere later."""
     with simulator() as node:
         truth = Truth(ns)
+        truth.wait_for()
         placer = Placer(ns)
 
         def is_refused(words, wrong):
@@ -121,6 +122,7 @@ def test_rviz_puts_it_where_it_is_said_to_be(ns):
     """By its button 2D Pose Estimate, in the frame world; in another one there is a line."""
     with simulator() as node, rosrun('sim_turtlebot', 'world_frame.py'):
         truth = Truth(ns)
+        truth.wait_for()
         rviz = rospy.Publisher(f'{ns}initialpose', PoseWithCovarianceStamped, queue_size=10)
         wait_for_subscribers(rviz)
         message = PoseWithCovarianceStamped()
