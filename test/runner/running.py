@@ -1,12 +1,15 @@
 """Jobs as processes: some at a time, and none left behind."""
 
 import contextlib
+import shutil
 import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 
 from odometry_launch.keeping import Kept
+from odometry_tests.processes import ATTEMPTS, GAVE_UP
 
 END_TIMEOUT = 60.0  # s; a test that is interrupted ends its nodes first
 POLL_PERIOD = 0.05  # s
@@ -25,6 +28,7 @@ class Running:
         self.job = job
         self._log = log
         self._start = time.monotonic()
+        shutil.rmtree(job.results, ignore_errors=True)
         job.results.mkdir(parents=True)
         with open(log, 'wb') as file:
             # In a session of its own: Ctrl-C is passed on by end(), and then once.
@@ -46,6 +50,11 @@ class Running:
         """What it has printed."""
         return self._log.read_text(errors='replace')
 
+    @property
+    def has_given_up(self):
+        """Whether its tests were never run, since it had no patience with its master."""
+        return self.job.starts_master and GAVE_UP in self.output
+
     def end(self):
         """Interrupt it as Ctrl-C does, and kill what does not end."""
         self._kept.send_signal(signal.SIGINT)
@@ -57,7 +66,7 @@ class Running:
 
 
 def run(jobs, at_a_time, logs, on_tick):
-    """Run jobs, and yield each as a Running when it has ended.
+    """Run jobs, and yield each as a Running when it has ended; what has given up is run again.
 
     :param jobs: those that run alone run after all others
     :param at_a_time: how many of the others run side by side
@@ -65,17 +74,21 @@ def run(jobs, at_a_time, logs, on_tick):
     :param on_tick: called with the list of Running again and again meanwhile
     """
     waiting = sorted(jobs, key=lambda job: job.alone)
-    running = []
+    running, runs = [], Counter()
     try:
         while waiting or running:
             while waiting and _may_start(waiting[0], running, at_a_time):
                 job = waiting.pop(0)
+                runs[job.name] += 1
                 running.append(Running(job, logs / f'{job.results.name}.txt'))
             on_tick(running)
             time.sleep(POLL_PERIOD)
             for ended in [one for one in running if one.status is not None]:
                 running.remove(ended)
-                yield ended
+                if ended.has_given_up and runs[ended.job.name] < ATTEMPTS:
+                    waiting.insert(0, ended.job)
+                else:
+                    yield ended
     finally:
         for one in running:
             one.end()

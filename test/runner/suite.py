@@ -30,6 +30,7 @@ class Job(NamedTuple):
     command: list
     is_linter: bool = False  # one test, passed if the command exits with 0
     alone: bool = False  # nothing else runs meanwhile
+    starts_master: bool = False  # as roslaunch does, which may give up
 
     @property
     def results(self):
@@ -78,7 +79,8 @@ def _job(name):
     if file.suffix == '.py':
         return _pytest(name, f'{file}{separator}{case}')
     made = Job(name, ['rostest', '--results-filename', f'{file.stem}.xml', '--results-base-dir'])
-    return made._replace(command=[*made.command, made.results, 'odometry_tests', file.name])
+    return made._replace(command=[*made.command, made.results, 'odometry_tests', file.name],
+                         starts_master=True)
 
 
 def _pytest(name, path, alone=False):

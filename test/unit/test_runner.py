@@ -4,6 +4,7 @@ import sys
 import time
 
 import pytest
+from odometry_tests.processes import ATTEMPTS, GAVE_UP
 from odometry_tests.scripts import load_script
 
 suite = load_script('test/runner/suite.py')
@@ -85,6 +86,16 @@ def test_a_command_that_is_not_there_has_failed(tmp_path):
     ended, = running.run([job], 1, tmp_path, lambda _: None)
     case, = results.read_cases(job, ended.status, ended.output, ended.seconds)
     assert case.counts == (0, 1, 0) and 'no_such_linter' in case.failure
+
+
+@pytest.mark.parametrize('late, printed', [(1, 'ok'), (100, GAVE_UP)])
+def test_who_gives_up_its_master_is_run_again(tmp_path, late, printed):
+    """As roslaunch does after ten seconds, however busy the machine is; but not for ever."""
+    code = ("with open('../runs', 'a') as runs:\n    runs.write('.')\n    number = runs.tell()\n"
+            f"print('{GAVE_UP}' if number <= {late} else 'ok')")
+    ended, = running.run([python('late', code, starts_master=True)], 1, tmp_path, lambda _: None)
+    assert ended.output.strip() == printed
+    assert len((tmp_path / 'runs').read_text()) == min(late + 1, ATTEMPTS)
 
 
 def test_an_interrupted_run_leaves_no_process(tmp_path):
