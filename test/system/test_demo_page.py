@@ -34,7 +34,7 @@ def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run
             ROOT, {**os.environ, 'ROS_MASTER_URI': f'http://localhost:{master_port}'}) as terminal:
         terminal.type('./ws demo --view --distance 0.15 --speed 0.05 --real-time-factor 3')
         terminal.wait_for_output(STAYS, 60.0)
-        url, port = ADDRESS.search(terminal.output).groups()
+        url, port = ADDRESS.search('\n'.join(terminal.lines)).groups()
         assert USUAL_PORT <= int(port) < USUAL_PORT + 100
         assert_the_page_is_served(url)
         assert_loopback_only(terminal.pid)

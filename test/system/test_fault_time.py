@@ -1,15 +1,18 @@
 """Time that stops, goes back, crawls, races and jumps."""
 
 import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_launch.keeping import Kept
 from odometry_tests.pausing import call, pause
 from odometry_tests.placing import Placer
-from odometry_tests.processes import rosrun
+from odometry_tests.processes import Process, rosrun
 from odometry_tests.tutorial import (
     LONGEST_STEP,
     OVERSHOOT,
@@ -125,17 +128,26 @@ def jumping_clock(tmp_path):
     jump.write_text('0')
     source = Path(__file__).with_name('jumping_clock.c')
     subprocess.run(['g++', '-x', 'c', '-shared', '-fPIC', '-o', library, source], check=True)
-    return jump, {'LD_PRELOAD': str(library), 'CLOCK_JUMP': str(jump)}
+    # A forked node would not load the library.
+    return jump, {'start': Kept, 'env': {'LD_PRELOAD': str(library), 'CLOCK_JUMP': str(jump)}}
+
+
+def wall_clock(options):
+    """Return what time it is (s) to a process that is started with these options."""
+    with Process(sys.executable, '-c', 'import time; print(time.time())', **options) as process:
+        assert process.wait() == 0, process.output
+    return float(process.stdout)
 
 
 def test_the_wall_clock_may_jump(master, jumping_clock):
     """In simulated time nobody feels it: a day forward, then a day back, in mid-drive."""
     jump, fake = jumping_clock
     moved, commands = Distance(), Recorder('cmd_vel', Twist)
-    with simulator_in_step('_real_time_factor:=10', env=fake), detector(env=fake), \
-            mover('_distance:=1', env=fake) as driver:
+    with simulator_in_step('_real_time_factor:=10', **fake), detector(**fake), \
+            mover('_distance:=1', **fake) as driver:
         moved.wait_for(lambda m: m.data > 0.3, what='0.3 m')
         jump.write_text('86400')
+        assert wall_clock(fake) > time.time() + 80000
         moved.wait_for(lambda m: m.data > 0.6, what='0.6 m')
         jump.write_text('-86400')
         assert moved.wait_until_arrived(1.0) < 1.0 + OVERSHOOT

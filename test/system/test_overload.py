@@ -24,7 +24,7 @@ def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):
     with simulator('_odom_rate:=1000', '_real_time_factor:=1000',
                    env={'ROS_NAMESPACE': 'fast'}) as robot:
         robot.wait_for_output('too slow')
-        warning = Recorder('/fast/sim_turtlebot/warning', String).wait_for()
+        warning = Recorder('/fast/sim_turtlebot/warning', String).wait_for(lambda m: m.data)
         assert robot.end() == 0, robot.output
     line, = robot.stderr.splitlines()
     assert warning.data in line
@@ -57,7 +57,8 @@ def test_a_node_that_starts_with_too_few_file_handles_says_so(master):
 def test_a_node_that_runs_out_of_file_handles_says_so(master):
     """Nobody would reach it any more, and one of its threads would try again and again for ever."""
     with mover('__name:=crowded', **with_handles(HANDLES)) as node, contextlib.ExitStack() as crowd:
-        address = urlsplit(wait_until(lambda: address_of('/crowded'), 20.0, 'a node'))
+        wait_until(lambda: '/crowded' in listeners('/moved_distance'), 20.0, 'a node that listens')
+        address = urlsplit(rosgraph.Master('/test').lookupNode('/crowded'))
         for _ in range(HANDLES):
             with contextlib.suppress(OSError):
                 crowd.enter_context(socket.create_connection((address.hostname, address.port)))
@@ -71,10 +72,10 @@ def test_a_test_goes_on_when_a_master_takes_it_for_a_node_that_was_killed(master
     assert not rospy.core.is_shutdown_requested()
 
 
-def address_of(node):
-    """Return where a node is reached, or None."""
-    with contextlib.suppress(rosgraph.MasterError):
-        return rosgraph.Master('/test').lookupNode(node)
+def listeners(topic):
+    """Return the nodes that have subscribed to a topic."""
+    _, subscribed, _ = rosgraph.Master('/test').getSystemState()
+    return dict(subscribed).get(topic, [])
 
 
 def assert_short_of_handles(node, name):

@@ -36,6 +36,8 @@ def commands():
 
 def drive(page, recorder, label='forward'):
     """Hold a button until a command comes, release it, and return the commands until zero."""
+    recorder.clear()
+
     def command():
         page.hold(label)
         return any(message != Twist() for message in recorder.messages)

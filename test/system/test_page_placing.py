@@ -57,12 +57,13 @@ def test_the_button_puts_the_chosen_robot_there(page, truths):
 def test_what_is_no_coordinate_is_ignored(page, truths, value):
     """What the input said before counts."""
     first, _ = truths
+    first.clear()
     put(page, 'robot_1', 4.0, 1.0, 0.0)
     first.wait_for(lambda m: place(m) == (4.0, 1.0, 0.0), what='robot_1 where it was put')
     page.set(X, value)
     page.set(Y, 2.0)
-    page.set(PUT, True)
     first.clear()
+    page.set(PUT, True)
     first.wait_for(lambda m: place(m) == (4.0, 2.0, 0.0), what='robot_1 at x 4 m')
 
 

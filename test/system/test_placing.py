@@ -47,6 +47,7 @@ def test_it_is_there_and_nothing_counts_it(ns, source, believed):
         Placer(ns).put(*THERE[:2], yaw=THERE[2])
         jump = wait_until_at(truth, THERE).header.stamp
         truth.wait_seconds(1.0)
+        odometry.wait_for(lambda m: m.header.stamp > jump)
         seen = [place(m) for m in odometry.messages if m.header.stamp > jump]
         assert seen and set(seen) == {believed}
         distance.clear()
@@ -115,7 +116,9 @@ def test_what_is_no_place_for_it_is_refused_in_one_line(ns):
         placer.put(*THERE[:2], yaw=THERE[2])
         wait_until_at(truth, THERE)
         assert node.end() == 0, node.output
-    assert all('~set_pose refused: ' in line for line in node.stderr.splitlines()), node.stderr
+    # A busy machine may be too slow for it, too.
+    assert all('~set_pose refused: ' in line or 'this machine is too slow' in line
+               for line in node.stderr.splitlines()), node.stderr
 
 
 def test_rviz_puts_it_where_it_is_said_to_be(ns):
@@ -142,7 +145,8 @@ def test_rviz_puts_it_where_it_is_said_to_be(ns):
 
 def test_a_robot_on_its_side_is_warned_of_until_it_stands(ns):
     """In the log and for the page, which of them; at once also while time stands still."""
-    with simulator('_robots:=2', '_odometry_source:=encoder') as node:
+    # Without a pace nobody is warned that the machine is too slow for it.
+    with simulator('_robots:=2', '_odometry_source:=encoder', '_real_time_factor:=0') as node:
         warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
         warnings.wait_for(lambda m: m.data == '', what='no warning')
         first, second = Placer(ns, 'robot_1/'), Placer(ns, 'robot_2/')

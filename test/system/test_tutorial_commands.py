@@ -1,9 +1,12 @@
 """The commands of the tutorials, exactly as a reader types them, in real time."""
 
+import contextlib
+
 import pytest
 import yaml
 from nav_msgs.msg import Odometry
 from odometry_tests.processes import Process
+from odometry_tests.tutorial import Distance
 from odometry_tests.waiting import Recorder, wait_until
 
 
@@ -50,9 +53,13 @@ def test_the_heading_printer_prints_yaws_and_quaternions(robot):
 
 def test_the_robot_drives_two_metres_and_rostopic_shows_it(robot):
     """The first tutorial: detector, mover and a look at the moved distance, 20 s long."""
-    with command('rosrun odom_movement_detector odom_movement_detector.py'), \
-            command('rostopic echo /moved_distance') as echo, \
-            command('rosrun test_movement test_movement.py'):
+    with contextlib.ExitStack() as terminals:
+        terminals.enter_context(command('rosrun odom_movement_detector odom_movement_detector.py'))
+        # Bare rospy may never hear of a publisher that starts at the same moment.
+        Distance().wait_for()
+        echo = terminals.enter_context(command('rostopic echo /moved_distance'))
+        terminals.enter_context(command('rosrun test_movement test_movement.py'))
+
         def distances():
             return [float(line.split()[1]) for line in echo.stdout.splitlines()
                     if line.startswith('data:')]

@@ -64,9 +64,17 @@ def values(echo):
             if not line.startswith('%')]
 
 
-def echo(machine, field):
-    """Print a field of the robot's true motion or of its commands, seen from a machine."""
-    return on(machine, 'rostopic', 'echo', '-p', field)
+def echo(machine, topic, field):
+    """Print a field of the messages on a topic, once it is published, seen from a machine.
+
+    Bare rospy may never hear of a publisher that starts at the same moment.
+    """
+    def is_published():
+        info = on(machine, 'rostopic', 'info', topic)
+        return info.wait() == 0 and 'Publishers: None' not in info.stdout
+
+    wait_until(is_published, 30.0, f'a publisher of {topic}', period=0.2)
+    return on(machine, 'rostopic', 'echo', '-p', f'{topic}{field}')
 
 
 def stands(speeds):
@@ -83,9 +91,9 @@ def test_two_metres_across_a_link_that_is_cut_for_three_seconds(machines):
         with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py'), \
                 on(DESK, 'rosrun', 'odom_movement_detector', 'odom_movement_detector.py'), \
                 on(DESK, 'rosrun', 'test_movement', 'test_movement.py', '_speed:=0.2'), \
-                echo(ROBOT, '/base_pose_ground_truth/twist/twist/linear/x') as speeds, \
-                echo(ROBOT, '/base_pose_ground_truth/pose/pose/position/x') as positions, \
-                echo(DESK, '/cmd_vel/linear/x') as commands:
+                echo(ROBOT, '/base_pose_ground_truth', '/twist/twist/linear/x') as speeds, \
+                echo(ROBOT, '/base_pose_ground_truth', '/pose/pose/position/x') as positions, \
+                echo(DESK, '/cmd_vel', '/linear/x') as commands:
             wait_until(lambda: values(positions)[-1:] > [0.5], 40.0, 'half a metre')
             ip('-n', ROBOT, 'link', 'set', CABLE, 'down')
             cut_at = len(values(speeds))

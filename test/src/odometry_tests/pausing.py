@@ -39,12 +39,11 @@ def pause(*recorders, namespace='/'):
 
 
 def moves_on(truth, action):
-    """Do something while time stands still; return for how long (s) the robot then moves on.
+    """Do something while a moving robot's time stands still; return for how long (s) it moves on.
 
     That is until it was last seen moving, so that a message that gets lost changes nothing.
     """
-    pause(truth)
-    paused = truth.stamp
+    paused = _pause_in_motion(truth)
     action()
     pause(truth)
     truth.clear()
@@ -53,6 +52,21 @@ def moves_on(truth, action):
                    what=f'{WATCHED:g} s of the robot\'s time')
     return max((m.header.stamp.to_sec() - paused for m in truth.messages
                 if speed(m) >= REST_SPEED), default=0.0)
+
+
+def _pause_in_motion(truth):
+    """Pause a robot while it moves; return when that is (s).
+
+    Before it is paused a busy machine may let it stop, by its watchdog, and drive on.
+    """
+    def moves():
+        call('unpause_physics')
+        truth.wait_until_moving()
+        pause(truth)
+        return speed(truth.last) >= REST_SPEED
+
+    wait_until(moves, TIMEOUT, 'a robot that moves')
+    return truth.stamp
 
 
 def _service(name, namespace, **options):

@@ -11,6 +11,7 @@ from odometry_tests.processes import rosrun
 from odometry_tests.waiting import PATIENCE, Recorder, wait_until
 
 NODES = 'sim_turtlebot', 'test_movement', 'rotate_robot'  # with parameters, by their own names
+LONGEST_SILENCE = 3.0 * PATIENCE  # s of wall time, of a controller that the machine lets wait
 REST_SPEED = 1e-3  # m/s or rad/s
 REST_COUNT = 100  # distances in a row; five seconds of the robot's time
 # Of the mover in lockstep, at its 0.1 m/s and 20 Hz; both have a margin of a tenth.
@@ -23,7 +24,7 @@ def simulator(*arguments, **options):
     return _node('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
 
 
-def simulator_in_step(*arguments, rate=20, patience=PATIENCE, **options):
+def simulator_in_step(*arguments, rate=20, patience=LONGEST_SILENCE, **options):
     """Start the simulated robot in lockstep with a controller at `rate` (Hz).
 
     Whatever the pace, no message is lost then and no command is late: what the robot does is the
