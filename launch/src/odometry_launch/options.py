@@ -8,7 +8,7 @@ from odometry_common.kobuki import MAX_LINEAR_SPEED
 
 from odometry_launch.ports import PAGE_PORT
 
-LOCKSTEP_PATIENCE = 10.0  # s of wall time; who lets a node wait for longer is no controller
+LOCKSTEP_PATIENCE = 10.0  # s of wall time; a busy machine may let a node wait for longer than two
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; nobody would wait for a slower robot
 MIN_FACTOR = 0.001  # what the simulator accepts
