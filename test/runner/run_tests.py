@@ -7,12 +7,15 @@ import signal
 import sys
 import time
 
+from odometry_tests.waiting import PATIENCE
 from report import Report
 from results import read_cases
 from running import load, run
 from suite import RESULTS, all_jobs, job
 
 JOBS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
+# A test that hangs ends the tests of its process after half an hour, with what each thread does.
+HANGS = f'-o faulthandler_timeout={450 * PATIENCE} -o faulthandler_exit_on_timeout=true'
 
 
 def main():
@@ -24,6 +27,8 @@ def main():
         signal.signal(signum, lambda signum, _: sys.exit(128 + signum))
     if options.nightly:
         os.environ['HYPOTHESIS_PROFILE'] = 'nightly'
+    else:
+        os.environ['PYTEST_ADDOPTS'] = HANGS
     if options.cpus:
         os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:options.cpus])
     try:

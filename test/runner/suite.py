@@ -19,8 +19,8 @@ LONGEST = ['test_container', 'test_documents', 'unit', 'test_demo_faults', 'test
            'test_sweep_replay', 'test_endings', 'test_lockstep', 'test_sweep_cluster',
            'test_tutorial_commands', 'test_soak', 'test_example', 'test_demo_endings',
            'test_fault_kills', 'test_bad_parameters', 'test_demo_page', 'test_bench',
-           'test_ros_tools', 'test_fault_time', 'test_set_up', 'test_demo', 'simulator.test',
-           'test_loopback', 'test_two_machines', 'test_placing']
+           'test_ros_tools', 'turtlebot.test', 'test_fault_time', 'test_set_up', 'test_demo',
+           'simulator.test', 'test_loopback', 'test_two_machines', 'test_placing']
 
 
 class Job(NamedTuple):

@@ -1,6 +1,7 @@
 """Whose turn it is to serve requests, and in which order they are served."""
 
 import threading
+import time
 from contextlib import suppress
 from functools import partial
 
@@ -30,6 +31,12 @@ def bring(requests, served):
                            lambda: served.append('then'))
 
 
+def wait_until_served(requests):
+    """Return once nothing is left that would keep the main thread from lending its turn."""
+    while not requests.empty():
+        time.sleep(0.001)
+
+
 def run(target, *arguments):
     """Return a thread that is under way."""
     thread = threading.Thread(target=target, args=arguments, daemon=True)
@@ -57,6 +64,7 @@ def test_who_is_lent_the_turn_serves_at_once(requests, served):
     def bring_until_it_is_lent():
         while 'then' not in served:
             bring(requests, served)
+            wait_until_served(requests)
 
     thread = run(bring_until_it_is_lent)
     while thread.is_alive():
@@ -77,6 +85,7 @@ def test_what_goes_wrong_on_a_lent_turn_is_raised_on_the_main_thread(requests, s
         with suppress(ZeroDivisionError):
             while not served:
                 requests.serve_if_lent(fail, lambda: None)
+                wait_until_served(requests)
 
     thread = run(bring_until_it_has_failed)
     with pytest.raises(ZeroDivisionError):
