@@ -11,13 +11,14 @@ from odometry_tests.punctual_rate import PunctualRate
 from odometry_tests.robots import twist
 from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Truth, heading
-from odometry_tests.waiting import wait_for_subscribers, wait_until
+from odometry_tests.waiting import TIMEOUT, wait_for_subscribers, wait_until
 
 RATE = 20  # Hz
 CORNERS = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]  # m, in odom
 SPEED, TURN_SPEED = 0.25, 0.8  # m/s, rad/s; at most
 SLOWEST = 0.1  # of each, near the goal
 BRAKING = 10  # periods
+SOON = 0.001  # s between two looks at tf
 CLOSE, AIMED = 0.01, math.radians(0.5)  # m, rad; what the controller takes for there
 PRECISION, ANGULAR_PRECISION = 0.03, 1.0  # m, degrees; what the issue allows
 
@@ -25,13 +26,16 @@ PRECISION, ANGULAR_PRECISION = 0.03, 1.0  # m, degrees; what the issue allows
 class CornerClient:
     """Drives from corner to corner, and turns on each."""
 
-    def __init__(self):
-        """Find the robot."""
+    def __init__(self, truth):
+        """Find the robot; from then on answer each moment of its time once."""
         self._listener = tf.TransformListener()
         self._publisher = rospy.Publisher('cmd_vel_mux/input/navi', Twist, queue_size=1)
         wait_for_subscribers(self._publisher)
-        wait_until(self._listens, 20.0, 'base_link in tf')
-        self._rate = PunctualRate(RATE)
+        begin = truth.wait_for().header.stamp
+        while not self._knows(begin):
+            self._publisher.publish(twist(0.0))
+            begin = truth.wait_for(lambda m, last=begin: m.header.stamp > last).header.stamp
+        self._rate = PunctualRate(RATE, begin)
 
     @property
     def now(self):
@@ -64,17 +68,17 @@ class CornerClient:
             self._move(0.0, 0.0)
 
     def _pose(self):
-        position, rotation = self._listener.lookupTransform('odom', 'base_link', rospy.Time(0))
+        """Return the place and yaw now: tf may be heard after the clock."""
+        wait_until(lambda: self._knows(self.now), TIMEOUT, f'tf at {self.now.to_sec():g} s', SOON)
+        position, rotation = self._listener.lookupTransform('odom', 'base_link', self.now)
         return position[:2], tf.transformations.euler_from_quaternion(rotation)[2]
 
     def _move(self, linear, angular):
         self._publisher.publish(twist(linear, angular))
         self._rate.sleep()
 
-    def _listens(self):
-        """Return whether time goes on, as it does after the first command, and tf has the robot."""
-        self._publisher.publish(twist(0.0))
-        return rospy.get_time() > 0 and self._listener.canTransform('odom', 'base_link', rospy.Time(0))
+    def _knows(self, time):
+        return self._listener.canTransform('odom', 'base_link', time)
 
 
 class CornersTest(unittest.TestCase):
@@ -84,7 +88,7 @@ class CornersTest(unittest.TestCase):
         """And stands on each corner on the way, in truth and not just by its own account."""
         truth = Truth()
         truth.wait_for_publisher()
-        client = CornerClient()
+        client = CornerClient(truth)
         for number, corner in enumerate(CORNERS, 1):
             client.drive_to(*corner)
             client.turn_to(number * math.pi / 2)

@@ -33,7 +33,8 @@ class SquareTest(unittest.TestCase):
                 loop.sleep()
             self.assertAlmostEqual(rospy.get_time(), loop.due.to_sec(), delta=1.5 / rate)
             expected.drive(linear, angular, duration)
-        place, perfect = robot.truth.last.pose.pose, expected.robot.ground_truth
+        place = robot.truth.wait_for(lambda m: m.header.stamp >= loop.due).pose.pose
+        perfect = expected.robot.ground_truth
         self.assertLess(math.dist((place.position.x, place.position.y), perfect.position[:2]), NEAR)
         turned = yaw_of((0.0, 0.0, place.orientation.z, place.orientation.w))
         apart = math.degrees(math.remainder(turned - yaw_of(perfect.orientation), 2 * math.pi))
