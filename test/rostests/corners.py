@@ -32,7 +32,7 @@ class CornerClient:
         self._publisher = rospy.Publisher('cmd_vel_mux/input/navi', Twist, queue_size=1)
         wait_for_subscribers(self._publisher)
         begin = truth.wait_for().header.stamp
-        while not self._knows(begin):
+        while not (rospy.get_time() > 0 and self._knows(begin)):
             self._publisher.publish(twist(0.0))
             begin = truth.wait_for(lambda m, last=begin: m.header.stamp > last).header.stamp
         self._rate = PunctualRate(RATE, begin)
