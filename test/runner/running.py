@@ -11,7 +11,7 @@ from collections import Counter
 from odometry_launch.keeping import Kept
 from odometry_tests.processes import ATTEMPTS, GAVE_UP
 
-END_TIMEOUT = 60.0  # s; a test that is interrupted ends its nodes first
+END_TIMEOUT = 20.0  # s; a test that is interrupted ends its nodes first
 POLL_PERIOD = 0.05  # s
 # Ends with its parent, whatever becomes of that.
 BUSY_LOOP = 'import os\nparent = os.getppid()\nwhile os.getppid() == parent:\n    pass\n'
@@ -31,7 +31,7 @@ class Running:
         shutil.rmtree(job.results, ignore_errors=True)
         job.results.mkdir(parents=True)
         with open(log, 'wb') as file:
-            # In a session of its own: Ctrl-C is passed on by end(), and then once.
+            # In a session of its own: Ctrl-C is passed on by interrupt(), and then once.
             self._kept = Kept(*job.command, cwd=job.results, stdout=file,
                               stderr=subprocess.STDOUT)
 
@@ -55,9 +55,12 @@ class Running:
         """Whether its tests were never run, since it had no patience with its master."""
         return self.job.starts_master and GAVE_UP in self.output
 
-    def end(self):
-        """Interrupt it as Ctrl-C does, and kill what does not end."""
+    def interrupt(self):
+        """Press Ctrl-C."""
         self._kept.send_signal(signal.SIGINT)
+
+    def end(self):
+        """Wait until it has ended, and kill what does not."""
         try:
             self._kept.wait(END_TIMEOUT)
         except subprocess.TimeoutExpired:
@@ -90,6 +93,8 @@ def run(jobs, at_a_time, logs, on_tick):
                 else:
                     yield ended
     finally:
+        for one in running:
+            one.interrupt()
         for one in running:
             one.end()
 

@@ -116,6 +116,26 @@ def test_an_interrupted_run_leaves_no_process(tmp_path):
     assert time.monotonic() - begin < 600
 
 
+def test_all_jobs_are_interrupted_before_any_is_waited_for(tmp_path):
+    """Each of these two ends only if the other one has been interrupted, too."""
+    code = ("import pathlib, sys, time\nprint('up', flush=True)\ntry:\n    time.sleep(600)\n"
+            "except KeyboardInterrupt:\n    me, other = map(pathlib.Path, sys.argv[1:])\n"
+            "    me.touch()\n    while not other.exists():\n        time.sleep(0.01)\n"
+            "    print('both')")
+    jobs = [suite.Job(me, [sys.executable, '-c', code, f'../{me}.end', f'../{other}.end'])
+            for me, other in ('ab', 'ba')]
+    started = []
+
+    def press_ctrl_c(some):
+        started[:] = some
+        if all('up' in one.output for one in some):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        list(running.run(jobs, 2, tmp_path, press_ctrl_c))
+    assert [one.output.split() for one in started] == [['up', 'both']] * 2
+
+
 @pytest.mark.parametrize('name', ['report', 'test_nothing', 'run_soak', ''])
 def test_a_name_of_no_test_is_refused(name):
     """In one line, also if there is another file of that name."""
