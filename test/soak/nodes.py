@@ -33,7 +33,7 @@ class Stream:
     def __init__(self, topic, message_class):
         """Subscribe."""
         self._topic = topic
-        self._messages = queue.SimpleQueue()
+        self._messages = queue.Queue()
         rospy.Subscriber(topic, message_class, self._messages.put, tcp_nodelay=True)
 
     def next(self, timeout=SILENCE):

@@ -10,6 +10,7 @@ from sim_turtlebot.request_queue import RequestQueue
 
 PATIENCE = 60.0  # s
 COUNT = 200  # requests of each thread
+WAITS = 200_000  # of a SimpleQueue one in some 40 000 had no end
 MAIN = threading.current_thread()
 
 
@@ -104,6 +105,20 @@ def test_the_turn_comes_back_with_a_request_or_after_its_time(requests, served):
     while requests.serve(0.0):
         pass
     assert served == ['put', MAIN]
+
+
+def test_no_wait_outlasts_its_time(requests):
+    """Not even one that is over before it begins, as where the machine lets its thread stand."""
+    def wait_again_and_again():
+        for _ in range(WAITS):
+            requests.put(lambda: None)
+            assert requests.serve(0.0)
+            assert not requests.serve(1e-9)
+        ended.set()
+
+    ended = threading.Event()
+    end(run(wait_again_and_again))
+    assert ended.is_set()
 
 
 def test_no_request_is_lost_or_overtakes_another_one_of_its_thread(requests):

@@ -7,23 +7,21 @@ from functools import partial
 ANSWER_TIMEOUT = 5.0  # s
 
 
-class RequestQueue(queue.SimpleQueue):
+class RequestQueue(queue.Queue):
     """Functions without arguments, served one after the other by the thread whose turn it is.
 
     That is the main thread, which takes some 40 us to wake up. While it has nothing to do but to
     wait, it can lend its turn: whoever brings a request then serves it at once.
+
+    queue.SimpleQueue would be faster, but its get() may wait for ever: when the machine lets it
+    stand for longer than its timeout before it begins to wait.
     """
 
     def __init__(self):
         """Give the turn to this thread, the main one."""
+        super().__init__()
         self._turn = threading.Lock()
         self._turn.acquire()
-        self._has_come = threading.Event()
-
-    def put(self, request):
-        """Have the main thread serve a request."""
-        super().put(request)
-        self._has_come.set()
 
     def put_and_wait(self, request):
         """Add a request and wait until it has been served."""
@@ -64,10 +62,10 @@ class RequestQueue(queue.SimpleQueue):
 
     def lend_turn(self, timeout):
         """Lend the turn until there is a request to serve (s of wall time); return whether there is."""
-        self._has_come.clear()
         if self.empty():
             self._turn.release()
-            self._has_come.wait(timeout)
+            with self.not_empty:
+                self.not_empty.wait_for(self._qsize, timeout)
             self._turn.acquire()
         return not self.empty()
 

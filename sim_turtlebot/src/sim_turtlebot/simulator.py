@@ -72,7 +72,7 @@ class Simulator:
         else:
             lead = self._pacer.lead(self._timeline.now)
             if lead > SHORTEST_SLEEP:
-                self._requests.serve(lead)
+                self._requests.serve(min(lead, LONGEST_WAIT))
             else:
                 self._advance()
 

@@ -13,10 +13,10 @@ class PunctualRate:
     the client, until the robot's patience ends and time runs on without any command.
     """
 
-    def __init__(self, rate, begin=None):
-        """Sleep at a rate (Hz), counted from `begin` (rospy.Time; None: now)."""
+    def __init__(self, rate, begin):
+        """Sleep at a rate (Hz), counted from `begin` (rospy.Time)."""
         self._period = rospy.Duration(0, round(1e9 / rate))
-        self.due = rospy.get_rostime() if begin is None else begin
+        self.due = begin
 
     def sleep(self):
         """Return once another period has passed on the clock, at once if it has already.
