@@ -2,8 +2,8 @@
 """Drive one metre ahead, and stop."""
 
 import rospy
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_common.velocity import VelocityPublisher
 
 DISTANCE = 1.0  # m
 SPEED = 0.2  # m/s
@@ -12,21 +12,12 @@ SPEED = 0.2  # m/s
 def main():
     """Answer each odometry message with a command."""
     rospy.init_node('one_metre')
-    velocity = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+    velocity = VelocityPublisher()  # whose last word is zero
 
     def on_odometry(message):
-        command = Twist()
-        if message.pose.pose.position.x < DISTANCE:
-            command.linear.x = SPEED
-        velocity.publish(command)
+        velocity.publish(SPEED if message.pose.pose.position.x < DISTANCE else 0.0)
 
-    odometry = rospy.Subscriber('odom', Odometry, on_odometry, tcp_nodelay=True)
-
-    def stop():
-        odometry.unregister()  # or a callback could have the last word
-        velocity.publish(Twist())
-
-    rospy.on_shutdown(stop)
+    rospy.Subscriber('odom', Odometry, on_odometry, tcp_nodelay=True)
     rospy.spin()
 
 
