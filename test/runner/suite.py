@@ -20,7 +20,9 @@ LONGEST = ['test_container', 'test_documents', 'unit', 'test_demo_faults', 'test
            'test_tutorial_commands', 'test_soak', 'test_example', 'test_demo_endings',
            'test_fault_kills', 'test_bad_parameters', 'test_demo_page', 'test_bench',
            'test_ros_tools', 'turtlebot.test', 'test_fault_time', 'test_set_up', 'test_demo',
-           'simulator.test', 'test_loopback', 'test_two_machines', 'test_placing']
+           'simulator.test', 'test_loopback', 'test_two_machines', 'test_placing',
+           'test_fault_minute', 'test_set_up_again', 'test_page_nonsense', 'test_plot_run',
+           'test_view_start', 'robots.test']
 
 
 class Job(NamedTuple):
