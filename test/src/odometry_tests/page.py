@@ -90,8 +90,14 @@ class Page:
         field = self._wait_until(lambda: self.driver.find_elements(
             By.XPATH, f'//label[.="{label}"]/following::input'), f'an input {label!r}')[0]
         self._wait_until(field.is_displayed, f'{label!r} in sight')
-        field.send_keys(Keys.CONTROL, 'a')
-        field.send_keys(text)
+
+        def is_typed():
+            field.send_keys(Keys.CONTROL, 'a')
+            field.send_keys(text)
+            return field.get_attribute('value') == text
+
+        # A page that draws anew meanwhile may lose a key, which a user would see.
+        self._wait_until(is_typed, f'{text} in {label!r}')
 
     def unfold(self, label):
         """Open a folder by its heading."""
