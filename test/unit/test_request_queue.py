@@ -1,11 +1,11 @@
 """Whose turn it is to serve requests, and in which order they are served."""
 
 import threading
-import time
 from contextlib import suppress
 from functools import partial
 
 import pytest
+from odometry_tests.waiting import TIMEOUT, wait_until
 from sim_turtlebot.request_queue import RequestQueue
 
 PATIENCE = 60.0  # s
@@ -34,8 +34,7 @@ def bring(requests, served):
 
 def wait_until_served(requests):
     """Return once nothing is left that would keep the main thread from lending its turn."""
-    while not requests.empty():
-        time.sleep(0.001)
+    wait_until(requests.empty, TIMEOUT, 'the main thread to serve what was put', period=0.001)
 
 
 def run(target, *arguments):
