@@ -54,7 +54,10 @@ def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
     shown = [line for line in shown_of('./ws bench') if name_in(line) in names]
     assert first_missing(shown, rows) is None
     with open(file, newline='') as lines:
-        assert [row['name'] for row in csv.DictReader(lines) if float(row['value']) > 0] == names
+        values = {row['name']: float(row['value']) for row in csv.DictReader(lines)}
+    assert list(values) == names
+    # Only the first: in so short a window a graph that is held up may have no tick of CPU time.
+    assert values[names[0]] > 0, values
     missed = re.search('^targets missed: (.*)', run.stdout, re.MULTILINE).group(1)
     assert status == (0 if missed == 'none' else 1), run.output
 
