@@ -64,11 +64,15 @@ class Graph:
         call('pause_physics')
 
     def watch(self, window):
-        """Let time pass for `window` s of wall time; return the differences as a Sample."""
+        """Let time pass for `window` s of wall time; return the differences as a Sample.
+
+        It takes longer if the machine holds the graph up all the while: some simulated time has
+        passed, so that one can divide by it.
+        """
         with self.running():
             start = self._sample()
             time.sleep(window)
-            end = self._sample()
+            end = wait_until(lambda: self._sample_after(start), TIMEOUT, 'simulated time to pass')
         return Sample(*(after - before for before, after in zip(start, end)))
 
     def run_until(self, simulated, look_every):
@@ -81,6 +85,11 @@ class Graph:
         """Return the resident memory of all processes (MB)."""
         return sum(psutil.Process(process.pid).memory_info().rss
                    for process in self._processes) / MEGABYTE
+
+    def _sample_after(self, start):
+        """Return a Sample, or nothing if no simulated time has passed since `start`."""
+        sample = self._sample()
+        return sample if sample.simulated > start.simulated else None
 
     def _sample(self):
         simulated = _now()

@@ -38,8 +38,8 @@ def robot():
     rospy.Subscriber('ring/cmd_vel', Twist, heard.put, tcp_nodelay=True)
 
     def run(window):
-        rounds, start = 0, time.perf_counter()
-        while (duration := time.perf_counter() - start) < window:
+        rounds, duration, start = 0, 0.0, time.perf_counter()
+        while not rounds or duration < window:
             world.step_to_odometry()
             clock.publish(Clock())
             odometry.publish(Odometry())
@@ -47,6 +47,7 @@ def robot():
             tf.publish(TFMessage([TransformStamped()]))
             heard.get(timeout=TIMEOUT)
             rounds += 1
+            duration = time.perf_counter() - start
         ran.publish(rounds / ODOM_RATE / duration)
 
     windows = queue.Queue()

@@ -28,11 +28,12 @@ class BareWorld:
 
     def speed(self, window):
         """Return the simulated seconds per second in a window (s of wall time)."""
-        step, steps, start = self._step, 0, time.perf_counter()
-        while (duration := time.perf_counter() - start) < window:
+        step, steps, duration, start = self._step, 0, 0.0, time.perf_counter()
+        while not steps or duration < window:
             for _ in range(100):
                 step()
             steps += 100
+            duration = time.perf_counter() - start
         return steps / self._step_rate / duration
 
 
@@ -57,11 +58,12 @@ class RobotWorld:
 
     def speed(self, window):
         """Return the simulated seconds per second in a window (s of wall time)."""
-        ticks, start = 0, time.perf_counter()
-        while (duration := time.perf_counter() - start) < window:
+        ticks, duration, start = 0, 0.0, time.perf_counter()
+        while not ticks or duration < window:
             self.run_to_odometry()
             self.command(SPEED)
             ticks += 1
+            duration = time.perf_counter() - start
         return ticks / ODOM_RATE / duration
 
 
