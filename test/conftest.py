@@ -4,7 +4,7 @@ import pytest
 import rospy
 from odometry_common.registration import mend_registration
 from odometry_tests.forked import Forked
-from odometry_tests.processes import Master
+from odometry_tests.processes import Master, started
 from odometry_tests.tutorial import forget_parameters
 from odometry_tests.waiting import open_recorders
 from rospy.impl.masterslave import ROSHandler
@@ -23,6 +23,17 @@ def master():
             rospy.init_node('system_test', anonymous=True, disable_signals=True,
                             disable_rostime=True)
         yield process
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item):
+    """Let a test that fails say what each process that it started has printed."""
+    report = (yield).get_result()
+    if report.failed:
+        report.sections += [(f'{process.command} {process.state}', process.output)
+                            for process in started]
+    if report.when == 'teardown':
+        started.clear()
 
 
 @pytest.fixture(autouse=True)

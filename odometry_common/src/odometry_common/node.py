@@ -22,6 +22,7 @@ from odometry_common.parameters import (
     forget_argument,
 )
 from odometry_common.registration import mend_registration
+from odometry_common.same_name import mend_same_name
 from odometry_common.usage import show_help_if_asked, warn_of_unknown
 from odometry_common.xmlrpc_server import use_closable_server
 
@@ -119,6 +120,7 @@ def _start(name, init_node_options):
     _wait_for_master(interrupted)
     use_closable_server(_report)
     mend_registration()
+    mend_same_name()
     if not interrupted:
         rospy.init_node(name, disable_signals=True, **init_node_options)
         end_without_delay()

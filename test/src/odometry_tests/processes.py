@@ -18,6 +18,8 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 GAVE_UP = 'could not contact master'
 ATTEMPTS = 5
 
+started = []  # every Process of this test, in the order in which they were started
+
 
 class Process:
     """A command with its output."""
@@ -37,6 +39,7 @@ class Process:
         self._lines = {'stdout': [], 'stderr': []}
         self._open = set(self._lines)
         self._readers = [self._read('stdout'), self._read('stderr')]
+        started.append(self)
 
     @property
     def pid(self):
@@ -62,6 +65,11 @@ class Process:
     def running(self):
         """Whether the command has not ended yet."""
         return self._kept.poll() is None
+
+    @property
+    def state(self):
+        """Whether it runs, or how it has ended, in words."""
+        return 'is running' if self.running else f'has ended with status {self._kept.poll()}'
 
     def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
@@ -133,6 +141,10 @@ class Process:
 class Master(Process):
     """A ROS master of its own, which this process and its children use from now on.
 
+    So is the address of loopback at which all of them listen: a master that knows of a node that was
+    killed tells whoever has that node's address of other publishers, and asks it to shut down. Were
+    there only one address, that could be a node of another run.
+
     roscore would give up after 10 s in which its master has not answered, as on a busy machine.
     """
 
@@ -142,8 +154,9 @@ class Master(Process):
         :param options: those of a Process
         """
         self._port = contextlib.ExitStack()
-        port = self._port.enter_context(hold_port())
-        os.environ['ROS_MASTER_URI'] = f'http://localhost:{port}'
+        address = _own_address()
+        port = self._port.enter_context(hold_port(address))
+        os.environ.update(ROS_MASTER_URI=f'http://{address}:{port}', ROS_HOSTNAME=address)
         super().__init__(shutil.which('rosmaster'), '--core', '-p', port, **options)
         try:
             wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
@@ -177,13 +190,18 @@ def launched(start, text):
     raise AssertionError(f'{process.command} has given up {ATTEMPTS} times:\n{process.output}')
 
 
+def _own_address():
+    """Return an address of loopback (127.64.0.0 to 127.127.255.255) that no other process returns."""
+    return f'127.{64 + (os.getpid() >> 16)}.{os.getpid() >> 8 & 255}.{os.getpid() & 255}'
+
+
 @contextlib.contextmanager
-def hold_port():
+def hold_port(host='localhost'):
     """Yield a TCP port of this machine that is given to nobody else meanwhile.
 
     Only who is told of it can listen on it, or hold it as the demo does.
     """
-    with bind(('localhost', 0)) as holder:
+    with bind((host, 0)) as holder:
         yield holder.getsockname()[1]
 
 
