@@ -9,7 +9,7 @@ import pytest
 from odometry_tests.documents import shown_of
 from odometry_tests.forms import first_missing
 from odometry_tests.linux import LOOK_PERIOD, command_lines, marked, new_mark, wait_until_none
-from odometry_tests.listening import LOOPBACK, listened_on
+from odometry_tests.listening import assert_loopback, listened_on
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.waiting import wait_until
@@ -47,7 +47,7 @@ def test_a_part_is_measured_and_shown_as_a_table(tmp_path, part, names):
                  '--csv', file) as run:
         addresses = listened_on(run, TIMEOUT)
         status = run.wait()
-        assert addresses and addresses <= LOOPBACK, addresses
+        assert_loopback(addresses)
     _, heading, *rows = run.stdout.splitlines()
     assert heading.split() == ['name', 'value', 'unit', 'limit', 'ratio', 'target'], run.output
     assert [name_in(row) for row in rows[:len(names)]] == names, run.output

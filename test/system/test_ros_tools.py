@@ -46,7 +46,8 @@ def test_roscore_tells_the_version_that_rosversion_tells(name, command):
     rosversion = Process('rosversion', command)
     assert rosversion.wait() == 0
     with hold_port() as port, launched(
-            lambda: Process('roscore', '-p', port, env={'PYTHONUNBUFFERED': '1'}),
+            lambda: Process('roscore', '-p', port,
+                            env={'PYTHONUNBUFFERED': '1', 'ROS_HOSTNAME': 'localhost'}),
             'started core service'):
         parameters = rosgraph.Master('/test', f'http://localhost:{port}')
         wait_until(lambda: parameters.hasParam(name), TIMEOUT, name)

@@ -1,13 +1,12 @@
 """On which addresses processes listen."""
 
 import contextlib
+import ipaddress
 
 import psutil
 
 from odometry_tests.linux import LOOK_PERIOD
 from odometry_tests.waiting import wait_until
-
-LOOPBACK = {'127.0.0.1', '::1'}
 
 
 def listening_addresses(pid):
@@ -34,7 +33,12 @@ def listened_on(process, timeout):
     return seen
 
 
+def assert_loopback(addresses):
+    """Assert that there are IP addresses, and that nobody but this machine reaches them."""
+    assert addresses
+    assert all(ipaddress.ip_address(address).is_loopback for address in addresses), addresses
+
+
 def assert_loopback_only(pid):
     """Assert that a process and its descendants listen, and nobody but this machine reaches them."""
-    addresses = listening_addresses(pid)
-    assert addresses and addresses <= LOOPBACK, addresses
+    assert_loopback(listening_addresses(pid))
