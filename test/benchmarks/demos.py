@@ -77,7 +77,7 @@ def _start_bare():
 def _bare(port):
     scripts = [f'{name}:={ROOT / script}' for name, script in SCRIPTS.items()]
     return Process('roslaunch', '-p', port, BARE, *scripts,
-                   env={'ROS_MASTER_URI': f'http://localhost:{port}'})
+                   env={'ROS_MASTER_URI': f'http://localhost:{port}', 'ROS_HOSTNAME': 'localhost'})
 
 
 def _wait_for_nodes(process):
