@@ -7,6 +7,7 @@ import time
 import rospy
 from odometry_common.ending import end_without_delay
 from odometry_common.registration import mend_registration
+from odometry_common.same_name import mend_same_name
 from std_srvs.srv import Empty
 
 from odometry_launch.folders import RUNS
@@ -50,6 +51,7 @@ def follow(options, graph, page, picture):
 
 def _join():
     mend_registration()
+    mend_same_name()
     rospy.init_node('demo', anonymous=True, disable_signals=True)
     end_without_delay()
     return True

@@ -9,6 +9,7 @@ import rospy
 from moved_distance.parameters import read_counter
 from odometry_common.parameters import read_from
 from odometry_common.registration import mend_registration
+from odometry_common.same_name import mend_same_name
 from odometry_launch.folders import RUNS
 from odometry_launch.graph import DemoError
 from odometry_launch.logs import find_place_for_logs
@@ -108,6 +109,7 @@ def _record(nodes, tutorial, parameters, duration):
 
 def _join():
     mend_registration()
+    mend_same_name()
     rospy.init_node('sweep', anonymous=True, disable_signals=True)
     return True
 

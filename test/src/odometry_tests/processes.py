@@ -6,6 +6,7 @@ import shutil
 import signal
 import subprocess
 import threading
+from collections import deque
 
 import rosgraph
 from odometry_common.ports import bind
@@ -18,7 +19,7 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 GAVE_UP = 'could not contact master'
 ATTEMPTS = 5
 
-started = []  # every Process of this test, in the order in which they were started
+started = deque(maxlen=20)  # the latest Processes of this test; a soak starts hundreds
 
 
 class Process:
