@@ -5,7 +5,10 @@ from xmlrpc.client import ServerProxy
 
 import pytest
 import rosgraph
+import rospy
 from odometry_tests.tutorial import detector
+from odometry_tests.waiting import Recorder
+from rosgraph_msgs.msg import Log
 
 REQUEST = '[{}] Reason: new node registered with same name'  # as rosmaster words it
 
@@ -31,3 +34,14 @@ def test_the_master_forgets_a_node_that_has_ended(master):
         assert node.end() == 0
     with pytest.raises(rosgraph.MasterError):
         rosgraph.Master('/test').lookupNode('/short')
+
+
+@pytest.mark.parametrize('disabled', [True, False])
+def test_that_parameter_is_obeyed(master, disabled):
+    """A line of the log comes with the node's topics, or without."""
+    rospy.set_param('/rosout_disable_topics_generation', disabled)
+    log = Recorder('/rosout', Log)
+    name = f'/disabled_{disabled}'
+    with detector(f'__name:={name[1:]}'):
+        line = log.wait_for(lambda m: m.name == name and 'waiting for' in m.msg)
+    assert (line.topics == []) == disabled, line
