@@ -12,7 +12,7 @@ from odometry_launch.output import complain, forget_output
 from odometry_sweep.limits import broken
 from odometry_sweep.options import parse
 from odometry_sweep.progress import Progress
-from odometry_sweep.results import FILE, written_results
+from odometry_sweep.results import FILE, count_written, written_results
 from odometry_sweep.running import LostError, side_by_side
 from odometry_sweep.summary import Setting
 from odometry_sweep.table import name_of, table
@@ -67,8 +67,9 @@ def _sweep(campaign, run_all):
                 progress.step()
             progress.finish()
     except (KeyboardInterrupt, LostError) as error:
-        complain(f'{str(error) or "interrupted"} after {len(rows)} of {total} runs, which are in '
-                 f'{os.path.relpath(folder)}', PROGRAM)
+        # Ctrl-C may come when a run is in the file, and not yet among the rows.
+        complain(f'{str(error) or "interrupted"} after {count_written(folder)} of {total} runs, '
+                 f'which are in {os.path.relpath(folder)}', PROGRAM)
         raise
     return _report(campaign, rows, folder)
 

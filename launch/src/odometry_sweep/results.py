@@ -28,3 +28,11 @@ def written_results(folder, campaign):
             rows.writerow({'run': count, **parameters, **figures})
 
         yield write
+
+
+def count_written(folder):
+    """Return how many runs are in the file of a folder; 0 without a file."""
+    if not (folder / FILE).exists():
+        return 0
+    with open(folder / FILE, newline='', encoding='utf-8') as file:
+        return sum(1 for _ in csv.DictReader(file))
