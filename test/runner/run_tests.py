@@ -13,7 +13,6 @@ from results import read_cases
 from running import load, run
 from suite import RESULTS, all_jobs, job
 
-JOBS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
 # A test that hangs ends the tests of its process after half an hour, with what each thread does.
 HANGS = f'-o faulthandler_timeout={450 * PATIENCE} -o faulthandler_exit_on_timeout=true'
 
@@ -57,8 +56,8 @@ def _run(jobs):
     shutil.rmtree(RESULTS, ignore_errors=True)
     RESULTS.mkdir(parents=True)
     report = Report(len(jobs))
-    at_a_time = JOBS_PER_PROCESSOR * len(os.sched_getaffinity(0))
-    for ended in run(jobs, at_a_time, RESULTS, report.show_progress):
+    processors = len(os.sched_getaffinity(0))
+    for ended in run(jobs, processors, RESULTS, report.show_progress):
         cases = read_cases(ended.job, ended.status, ended.output, ended.seconds)
         report.add(cases, ended.seconds)
     report.close(RESULTS)

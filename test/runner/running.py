@@ -11,6 +11,7 @@ from collections import Counter
 from odometry_launch.keeping import Kept
 from odometry_tests.processes import ATTEMPTS, GAVE_UP
 
+JOBS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
 END_TIMEOUT = 20.0  # s; a test that is interrupted ends its nodes first
 POLL_PERIOD = 0.05  # s
 # Ends with its parent, whatever becomes of that.
@@ -68,19 +69,19 @@ class Running:
             self._kept.wait()
 
 
-def run(jobs, at_a_time, logs, on_tick):
+def run(jobs, processors, logs, on_tick):
     """Run jobs, and yield each as a Running when it has ended; what has given up is run again.
 
-    :param jobs: those that run alone run after all others
-    :param at_a_time: how many of the others run side by side
+    :param jobs: those that draw run after all others, one for each processor
+    :param processors: how many there are
     :param logs: folder for their output
     :param on_tick: called with the list of Running again and again meanwhile
     """
-    waiting = sorted(jobs, key=lambda job: job.alone)
+    waiting = sorted(jobs, key=lambda job: job.draws)
     running, runs = [], Counter()
     try:
         while waiting or running:
-            while waiting and _may_start(waiting[0], running, at_a_time):
+            while waiting and _may_start(waiting[0], running, processors):
                 job = waiting.pop(0)
                 runs[job.name] += 1
                 running.append(Running(job, logs / f'{job.results.name}.txt'))
@@ -99,10 +100,9 @@ def run(jobs, at_a_time, logs, on_tick):
             one.end()
 
 
-def _may_start(job, running, at_a_time):
-    if job.alone:
-        return not running
-    return len(running) < at_a_time and not any(one.job.alone for one in running)
+def _may_start(job, running, processors):
+    at_a_time = processors if job.draws else JOBS_PER_PROCESSOR * processors
+    return len(running) < at_a_time and all(one.job.draws == job.draws for one in running)
 
 
 @contextlib.contextmanager

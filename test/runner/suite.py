@@ -22,7 +22,7 @@ LONGEST = ['test_container', 'test_documents', 'unit', 'test_demo_faults', 'test
            'test_ros_tools', 'turtlebot.test', 'test_fault_time', 'test_set_up', 'test_demo',
            'simulator.test', 'test_loopback', 'test_two_machines', 'test_placing',
            'test_fault_minute', 'test_set_up_again', 'test_page_nonsense', 'test_plot_run',
-           'test_view_start', 'robots.test']
+           'test_view_start', 'robots.test', 'test_browser_robots', 'test_browser']
 
 
 class Job(NamedTuple):
@@ -31,7 +31,7 @@ class Job(NamedTuple):
     name: str
     command: list
     is_linter: bool = False  # one test, passed if the command exits with 0
-    alone: bool = False  # nothing else runs meanwhile
+    draws: bool = False  # which keeps a processor busy
     starts_master: bool = False  # as roslaunch does, which may give up
 
     @property
@@ -43,12 +43,12 @@ class Job(NamedTuple):
 def all_jobs():
     """Return a job for each test file and linter, the longest first.
 
-    Unit tests share one process, and so do the tests that draw, which share a browser.
+    Unit tests share one process.
     """
     files = _test_files()
-    jobs = [_pytest('unit', TESTS / 'unit'), _pytest('screen', TESTS / 'screen', alone=True)]
+    jobs = [_pytest('unit', TESTS / 'unit')]
     jobs += [_job(name) for name, file in files.items()
-             if file.parent.name in ('system', 'rostests')]
+             if file.parent.name in ('system', 'screen', 'rostests')]
     jobs.sort(key=lambda job: LONGEST.index(job.name) if job.name in LONGEST else len(LONGEST))
     return [*jobs, *(Job(name, command, is_linter=True) for name, command in _linters().items())]
 
@@ -85,13 +85,14 @@ def _job(name):
                          starts_master=True)
 
 
-def _pytest(name, path, alone=False):
+def _pytest(name, path):
     command = [sys.executable, '-m', 'pytest', '-q', '--color=no', '--tb=short',
                '-p', 'no:cacheprovider', str(path)]
-    if 'unit' not in str(Path(path).relative_to(TESTS)):
+    kind = Path(path).relative_to(TESTS).parts[0]
+    if kind != 'unit':
         # Only unit tests need hypothesis, which takes pytest a second to load.
         command += ['-p', 'no:hypothesispytest']
-    made = Job(name, command, alone=alone)
+    made = Job(name, command, draws=kind == 'screen')
     return made._replace(command=[*command, f'--junitxml={made.results / "pytest.xml"}'])
 
 

@@ -68,16 +68,19 @@ def test_a_linter_is_one_test(status, counts):
     assert counts_of(cases) == counts
 
 
-def test_jobs_run_side_by_side_but_for_those_that_run_alone(tmp_path):
-    """At most so many at a time; a job that runs alone waits for all others."""
-    jobs = [python('alone', 'print(1)', alone=True),
-            *(python(f'job{number}', 'print(1)') for number in range(5))]
+@pytest.mark.parametrize('processors', [1, 2])
+def test_jobs_run_side_by_side_but_what_draws_has_a_processor_to_itself(tmp_path, processors):
+    """It waits for all others."""
+    drawing, others = [[f'{kind}{number}' for number in range(7)] for kind in ('drawing', 'other')]
+    jobs = [*(python(name, 'print(1)', draws=True) for name in drawing),
+            *(python(name, 'print(1)') for name in others)]
     seen = []
     ended = [one.job.name for one in running.run(
-        jobs, 2, tmp_path, lambda some: seen.append({one.job.name for one in some}))]
-    assert sorted(ended[:-1]) == [f'job{number}' for number in range(5)] and ended[-1] == 'alone'
-    assert max(map(len, seen)) == 2
-    assert all(names == {'alone'} for names in seen if 'alone' in names)
+        jobs, processors, tmp_path, lambda some: seen.append({one.job.name for one in some}))]
+    assert sorted(ended[:7]) == others and sorted(ended[7:]) == drawing
+    assert max(len(names) for names in seen if names <= {*others}) == 3 * processors
+    assert max(len(names) for names in seen if names <= {*drawing}) == processors
+    assert all(names <= {*others} or names <= {*drawing} for names in seen)
 
 
 def test_a_command_that_is_not_there_has_failed(tmp_path):
@@ -146,8 +149,7 @@ def test_a_name_of_no_test_is_refused(name):
 def test_every_test_file_is_run():
     """Each file of each folder is in a job, and has one of its own by name."""
     commands = [' '.join(map(str, job.command)) for job in suite.all_jobs()]
-    for folder in ('unit', 'screen'):
-        assert any(command.count(f'/test/{folder} ') for command in commands)
-    for file in [*suite.TESTS.glob('system/test_*.py'), *suite.TESTS.glob('rostests/*.test')]:
+    assert any('/test/unit ' in command for command in commands)
+    for file in [*suite.TESTS.glob('s*/test_*.py'), *suite.TESTS.glob('rostests/*.test')]:
         assert any(file.name in command for command in commands), file
         assert suite.job(file.stem if file.suffix == '.py' else file.name)
