@@ -2,6 +2,7 @@
 
 import contextlib
 import signal
+import socket
 import sys
 
 import pytest
@@ -24,7 +25,7 @@ from odometry_tests.tutorial import (
     simulator,
     speed,
 )
-from odometry_tests.waiting import Recorder, wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
 
 # rospy's thread for registrations sleeps until it is woken, instead of for half a second, and
 # rospy waits for it for ever, instead of for five seconds.
@@ -94,6 +95,19 @@ def test_a_node_without_a_master_says_so_and_ends_at_once(signum):
         node.wait_for_output('Unable to register with master node')
         assert node.running
         assert node.end(signum, timeout=2.0) == 0
+
+
+def test_a_node_whose_master_never_answers_ends_by_one_ctrl_c():
+    """As behind an address that swallows what is sent there; rosgraph catches what Ctrl-C raises."""
+    with socket.create_server(('localhost', 0)) as mute, rosrun(
+            'test_movement', 'test_movement.py',
+            env={'ROS_MASTER_URI': f'http://localhost:{mute.getsockname()[1]}'}) as node:
+        mute.settimeout(TIMEOUT * PATIENCE)
+        question, _ = mute.accept()
+        with question:
+            assert question.recv(1)
+            assert node.end(signal.SIGINT) == 0, node.output
+    assert not node.output.strip()
 
 
 @pytest.mark.parametrize('package, program', [

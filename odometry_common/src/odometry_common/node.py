@@ -120,8 +120,8 @@ def _start(name, init_node_options):
     _wait_for_master(interrupted)
     use_closable_server(_report)
     mend_registration()
-    mend_same_name()
     if not interrupted:
+        mend_same_name()
         rospy.init_node(name, disable_signals=True, **init_node_options)
         end_without_delay()
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
@@ -131,11 +131,11 @@ def _start(name, init_node_options):
 
 def _wait_for_master(interrupted):
     """Wait as rospy does, which ends with a traceback if it has parameters to upload."""
-    if rosgraph.is_master_online():
+    if rosgraph.is_master_online() or interrupted:
         return
     print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
           'not be running yet. Will keep trying.', file=sys.stderr)
-    while not (rosgraph.is_master_online() or interrupted):
+    while not (interrupted or rosgraph.is_master_online()):
         time.sleep(MASTER_RETRY_PERIOD)
 
 
