@@ -8,7 +8,7 @@ import sys
 import psutil
 import pytest
 from odometry_launch.keeping import KEEPER, Kept
-from odometry_tests.linux import marked, wait_until_none
+from odometry_tests.linux import marked, new_mark, wait_until_none
 from odometry_tests.waiting import PATIENCE, wait_until
 
 STARTER = '''
@@ -28,10 +28,12 @@ keeper.main(sys.argv[1:])
 
 
 @pytest.fixture
-def mark(request, monkeypatch):
+def mark(monkeypatch):
     """Mark the processes that a test starts."""
-    monkeypatch.setenv('KEPT_UNDER_TEST', request.node.name)
-    return {'KEPT_UNDER_TEST': request.node.name}
+    made = new_mark()
+    for name, value in made.items():
+        monkeypatch.setenv(name, value)
+    return made
 
 
 @pytest.mark.parametrize('script, status', [
