@@ -70,7 +70,7 @@ def _parse():
                         help='run only these, such as test_drive, test_drive::test_x, '
                              'detector.test, unit or ruff')
     parser.add_argument('--nightly', action='store_true',
-                        help='try many more random sequences; takes hours')
+                        help='try many more random sequences, new ones; takes hours')
     parser.add_argument('--repeat', type=_count, default=1, metavar='N',
                         help='run N times; stop at the first failure')
     parser.add_argument('--load', type=_count, default=0, metavar='K',
