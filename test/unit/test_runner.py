@@ -121,7 +121,7 @@ def test_an_interrupted_run_leaves_no_process(tmp_path):
 
 def test_all_jobs_are_interrupted_before_any_is_waited_for(tmp_path):
     """Each of these two ends only if the other one has been interrupted, too."""
-    code = ("import pathlib, sys, time\nprint('up', flush=True)\ntry:\n    time.sleep(600)\n"
+    code = ("import pathlib, sys, time\ntry:\n    print('up', flush=True)\n    time.sleep(600)\n"
             "except KeyboardInterrupt:\n    me, other = map(pathlib.Path, sys.argv[1:])\n"
             "    me.touch()\n    while not other.exists():\n        time.sleep(0.01)\n"
             "    print('both')")
