@@ -71,6 +71,7 @@ class Gate:
     def __init__(self, publisher):
         """Stand before a publisher."""
         self._publisher = publisher
+        self.impl = publisher.impl
         self.meanwhile = None
 
     def publish(self, command):

@@ -7,12 +7,12 @@ import sys
 import tempfile
 import threading
 import time
+import traceback
 
 import rosgraph
 import rospkg
 import rospy
 
-from odometry_common.ending import end_without_delay, quiet_at_shutdown
 from odometry_common.handles import shortage, take_all_handles
 from odometry_common.output import LineOutput
 from odometry_common.parameters import (
@@ -23,15 +23,19 @@ from odometry_common.parameters import (
 )
 from odometry_common.registration import mend_registration
 from odometry_common.same_name import mend_same_name
+from odometry_common.transport import use_non_blocking_transport
 from odometry_common.usage import show_help_if_asked, warn_of_unknown
 from odometry_common.xmlrpc_server import use_closable_server
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
-SHUTDOWN_THREAD = 'shutdown'
 MASTER_RETRY_PERIOD = 0.5  # s
+FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
 
-_failures = []  # why this process cannot go on
+_failures = []  # why this process cannot go on: exit status and text
+_hooks_have_run = threading.Event()  # so that the last command is out
+_unregistered = threading.Event()
+_exit_lock = threading.Lock()
 _pythons_excepthook = threading.excepthook  # which it names __excepthook__ since 3.10 only
 
 
@@ -44,12 +48,14 @@ def run_node(name, main, documentation, **init_node_options):
     :param init_node_options: passed on to rospy.init_node
 
     The exit status is 0, or 2 with one line on stderr if it cannot start, or 1 if there
-    are no file handles left.
+    are no file handles left, or if main() fails.
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
     sys.stdout, sys.stderr = (LineOutput(stream, lambda: _shut_down('nobody reads the output'))
                               for stream in (sys.stdout, sys.stderr))
+    rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
+    rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         show_help_if_asked(documentation)
         check_command_line()
@@ -57,32 +63,36 @@ def run_node(name, main, documentation, **init_node_options):
         _do_without_logs_if_need_be()
         _start(name, init_node_options)
         warn_of_unknown(documentation)
-        with quiet_at_shutdown():
-            main()
+        main()
     except StartError as error:
-        print(f'{name}: {error}', file=sys.stderr)
+        _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
         if isinstance(error, ParameterError):
             forget_argument(error.name)
-        sys.exit(EXIT_BAD_PARAMETER)
-    except OSError as error:
-        if not _report(error):
-            raise
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
-    finally:
-        rospy.signal_shutdown('the node has ended')
-    if _failures:
-        print(f'{name}: {_failures[0]}', file=sys.stderr)
-        sys.exit(EXIT_FAILURE)
-
-
-def leave():
-    """Shut the node down and end the process, whatever threads of libraries still run."""
+    except Exception as error:
+        # rospy raises one where a topic is closed, at shutdown, while it is being published.
+        if not rospy.core.is_shutdown_requested() and not _report(error):
+            _failures.append((EXIT_FAILURE, traceback.format_exc()))
     rospy.signal_shutdown('the node has ended')
-    for thread in threading.enumerate():
-        if thread.name == SHUTDOWN_THREAD:
-            thread.join()  # or the node would stay registered
-    os._exit(0)
+    _exit(name)
+
+
+def _exit_soon(name):
+    """Exit even if main() does not return; rospy calls this after the hooks of the node."""
+    _hooks_have_run.set()
+    threading.Thread(target=_exit, args=[name], daemon=True).start()
+
+
+def _exit(name):
+    """End the process, whatever its other threads wait for, such as a master that is stuck."""
+    _hooks_have_run.wait()
+    _unregistered.wait(FAREWELL_TIMEOUT)
+    _exit_lock.acquire()  # for ever: only one thread may tell why
+    status, reason = _failures[0] if _failures else (0, None)
+    if reason:
+        sys.stderr.write(f'{name}: {reason}')
+    os._exit(status)
 
 
 def _report_thread(failure):
@@ -91,7 +101,7 @@ def _report_thread(failure):
     rospy's threads stumble over the sockets that it closes at shutdown. The one that takes
     connections ends when there is no file handle for one: then nobody reaches the node any more.
     """
-    if not rospy.is_shutdown() and not _report(failure.exc_value):
+    if not rospy.core.is_shutdown_requested() and not _report(failure.exc_value):
         _pythons_excepthook(failure)
 
 
@@ -99,7 +109,7 @@ def _report(error):
     """Have the node end if there are no file handles left; return whether that is so."""
     reason = shortage(error)
     if reason and not rospy.is_shutdown():
-        _failures.append(reason)
+        _failures.append((EXIT_FAILURE, f'{reason}\n'))
         _shut_down(reason)
     return reason is not None
 
@@ -119,11 +129,11 @@ def _start(name, init_node_options):
     _on_signals(interrupt)
     _wait_for_master(interrupted)
     use_closable_server(_report)
+    use_non_blocking_transport()
     mend_registration()
     if not interrupted:
         mend_same_name()
         rospy.init_node(name, disable_signals=True, **init_node_options)
-        end_without_delay()
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted:
         raise KeyboardInterrupt
@@ -168,5 +178,4 @@ def _shut_down(reason):
     on top of whatever this thread is doing: a hook that publishes could then wait for a lock
     that its own thread holds, or cut in front of a message that is half written.
     """
-    threading.Thread(
-        target=rospy.signal_shutdown, args=[reason], name=SHUTDOWN_THREAD).start()
+    threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()

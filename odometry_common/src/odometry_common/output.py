@@ -1,13 +1,17 @@
-"""Output that is seen as soon as a line of it is written."""
+"""Output that is seen as soon as a line of it is written, and never holds a node up."""
 
 import os
+import select
+
+PATIENCE = 100  # ms, for a reader to make room
 
 
 class LineOutput:
-    """A text stream whose lines are passed on at once, also into a pipe.
+    """A text stream that passes on whole lines, each at once.
 
     Python keeps a node's output in a buffer until it ends if it does not go to a terminal, and
-    ``roslaunch ... | tee`` would show nothing.
+    ``roslaunch ... | tee`` would show nothing. And it waits for as long as nobody reads, as behind
+    ``| less`` or after Ctrl-S: here the lines are lost, and the node goes on.
     """
 
     def __init__(self, stream, on_closed):
@@ -17,20 +21,37 @@ class LineOutput:
         """
         # Python has no stream where the parent process has closed it.
         self._stream = stream or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w')
-        self._stream.reconfigure(line_buffering=True)
         self._on_closed = on_closed
+        self._line = ''
+        self._timeout = PATIENCE
+        self._poll = select.poll()
+        self._poll.register(self._stream.fileno(), select.POLLOUT)
 
     def write(self, text):
         """Write text; there is no error if nobody reads it."""
+        self._line += text
+        if '\n' in text:
+            self.flush()
+        return len(text)
+
+    def flush(self):
+        """Pass on what has been written."""
+        text, self._line = self._line, ''
+        data = text.encode(self._stream.encoding, self._stream.errors)
         try:
-            return self._stream.write(text)
+            while data and self._has_room():
+                data = data[os.write(self._stream.fileno(), data[:select.PIPE_BUF]):]
         except BrokenPipeError:
-            # What the buffer still holds has to go somewhere, or it would be tried again.
-            nowhere = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(nowhere, self._stream.fileno())
-            os.close(nowhere)
-            self._on_closed()
-            return len(text)
+            on_closed, self._on_closed = self._on_closed, lambda: None
+            on_closed()
+        except OSError:  # the disk is full, or the terminal gone
+            pass
+
+    def _has_room(self):
+        """Return whether a write of PIPE_BUF bytes would not wait; wait only while it helps."""
+        has_room = bool(self._poll.poll(self._timeout))
+        self._timeout = PATIENCE if has_room else 0
+        return has_room
 
     def __getattr__(self, name):
         """Be the stream in all other respects."""

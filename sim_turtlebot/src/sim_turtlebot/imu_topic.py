@@ -17,14 +17,14 @@ NumberedImu = numbered(Imu)
 class ImuTopic:
     """Publishes the heading and the yaw rate of a sim_turtlebot.gyro.Gyro, if anybody listens."""
 
-    def __init__(self, gyro, namespace, queue_size):
-        """Advertise; namespace and queue_size are as for RobotTopics."""
+    def __init__(self, gyro, namespace):
+        """Advertise; the namespace is as for RobotTopics."""
         self._gyro = gyro
         self._message = NumberedImu()
         self._message.header.frame_id = f'{namespace}gyro_link'
         self._message.orientation_covariance[::4] = VARIANCES
         self._message.angular_velocity_covariance[::4] = VARIANCES
-        self._publisher = advertise(f'{namespace}mobile_base/sensors/imu_data', Imu, queue_size)
+        self._publisher = advertise(f'{namespace}mobile_base/sensors/imu_data', Imu)
 
     def publish(self, stamp, number):
         """Publish what the gyro senses.

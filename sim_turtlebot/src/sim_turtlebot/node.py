@@ -1,6 +1,5 @@
 """The ROS node: it builds the simulation that its parameters ask for, and runs it."""
 
-from odometry_common.node import leave
 from odometry_common.parameters import ParameterError
 
 from sim_turtlebot.building import new_simulation
@@ -20,5 +19,3 @@ def simulate():
     except WorldFileError as error:
         raise ParameterError('~world', settings.world, error) from None
     simulator.run()
-    if settings.gui:
-        leave()  # PyBullet would wait for its window's thread, which may not end

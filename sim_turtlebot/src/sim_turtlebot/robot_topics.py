@@ -21,12 +21,11 @@ NumberedOdometry, NumberedJointState = numbered(Odometry), numbered(JointState)
 class RobotTopics:
     """Publishes the state of a Robot, and passes commands on."""
 
-    def __init__(self, robot, namespace, queue_size):
+    def __init__(self, robot, namespace):
         """Advertise.
 
         :param robot: sim_turtlebot.robot.Robot
         :param namespace: '' or one that ends in a slash; topics and frames begin with it
-        :param queue_size: of the publishers; None writes each message before going on
         """
         self._robot = robot
         self._namespace = namespace
@@ -38,11 +37,10 @@ class RobotTopics:
         self._transform.header.frame_id = self._odometry.header.frame_id
         self._links = LinkFrames(namespace)
         self._publishers = [
-            (self._odometry, advertise(f'{namespace}odom', Odometry, queue_size)),
-            (self._ground_truth,
-             advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size))]
-        self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
-        self._imu = ImuTopic(robot.gyro, namespace, queue_size)
+            (self._odometry, advertise(f'{namespace}odom', Odometry)),
+            (self._ground_truth, advertise(f'{namespace}base_pose_ground_truth', Odometry))]
+        self._joint_publisher = advertise(f'{namespace}joint_states', JointState)
+        self._imu = ImuTopic(robot.gyro, namespace)
 
     def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
         """Listen for commands.

@@ -13,13 +13,12 @@ NumberedLaserScan = numbered(LaserScan)
 class ScanTopic:
     """Publishes what a Scanner measures, when there is somebody to whom it matters."""
 
-    def __init__(self, scanner, namespace, rate, odom_rate, queue_size):
+    def __init__(self, scanner, namespace, rate, odom_rate):
         """Advertise.
 
         :param scanner: sim_turtlebot.scanner.Scanner
         :param namespace: '' or one that ends in a slash; topic and frame begin with it
         :param rate, odom_rate: Hz, of scans and of odometry
-        :param queue_size: as for odometry_common.publishing.advertise()
         """
         self._scanner = scanner
         self._rates = rate, odom_rate
@@ -28,7 +27,7 @@ class ScanTopic:
             angle_increment=scanner.field_of_view / (scanner.beams - 1), scan_time=1 / rate,
             range_min=scanner.range_min, range_max=scanner.range_max)
         self._message.header.frame_id = f'{namespace}{DEPTH_CAMERA_FRAME}'
-        self.publisher = advertise(f'{namespace}scan', LaserScan, queue_size)
+        self.publisher = advertise(f'{namespace}scan', LaserScan)
 
     def publish(self, stamp, number):
         """Publish a scan if one is due, with the odometry of the same moment.

@@ -6,6 +6,7 @@ from functools import partial
 
 import rospy
 from odometry_common.publishing import advertise
+from odometry_common.transport import wait_for_subscribers
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
@@ -14,7 +15,7 @@ from sim_turtlebot.building import new_scanners
 from sim_turtlebot.robot_topics import RobotTopics
 from sim_turtlebot.scan_topic import ScanTopic
 
-QUEUE_SIZE = 10
+PATIENCE = 1.0  # s of wall time, for a subscriber that is behind while time is not paced
 
 
 class _Newcomers(rospy.SubscribeListener):
@@ -48,23 +49,21 @@ class SimulationTopics:
         self._time = rospy.Time()
         self._clock_message = Clock()
         self._use_sim_time = settings.use_sim_time
-        paced = settings.real_time_factor != 0 and not settings.lockstep_rate
-        # A queue keeps a subscriber that has stopped reading from stopping the simulation. It
-        # costs much time, so there is none where every microsecond counts.
-        queue_size = QUEUE_SIZE if paced else None
-        self._clock = advertise('/clock', Clock, queue_size) if self._use_sim_time else None
+        if settings.real_time_factor == 0 or settings.lockstep_rate:
+            wait_for_subscribers(PATIENCE)
+        self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._newcomers = _Newcomers()
-        self._tf = advertise('/tf', TFMessage, queue_size, self._newcomers)
+        self._tf = advertise('/tf', TFMessage, self._newcomers)
         names = namespaces(settings.robots)
-        self._robots = [RobotTopics(robot, namespace, queue_size) for robot, namespace
+        self._robots = [RobotTopics(robot, namespace) for robot, namespace
                         in zip(simulation.robots, names)]
         self._scans = [
-            ScanTopic(scanner, namespace, settings.scan_rate, settings.odom_rate, queue_size)
+            ScanTopic(scanner, namespace, settings.scan_rate, settings.odom_rate)
             for scanner, namespace in zip(new_scanners(simulation, settings), names)]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
             [frame for topics in self._robots for frame in topics.fixed_frames(copy(self._stamp()))]))
-        self._warning = rospy.Publisher('~warning', String, queue_size=QUEUE_SIZE, latch=True)
+        self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
 
     def subscribe(self, *callbacks):
         """Listen as RobotTopics.subscribe() does; each callback takes the robot's index first."""

@@ -208,6 +208,11 @@ def hold_port(host='localhost'):
 
 def rosrun(package, program, *arguments, **options):
     """Start a node as rosrun does, but for its search, which takes longer than many a node."""
+    return Process(path_of(package, program), *arguments, **options)
+
+
+def path_of(package, program):
+    """Return the path that rosrun starts."""
     folders = os.environ['CMAKE_PREFIX_PATH'].split(os.pathsep)
     places = [os.path.join(folder, 'lib', package, program) for folder in folders]
-    return Process(next(filter(os.path.exists, places)), *arguments, **options)
+    return next(filter(os.path.exists, places))

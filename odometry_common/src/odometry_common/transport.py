@@ -1,0 +1,137 @@
+"""Connections to subscribers, none of which can hold up a publisher."""
+
+import contextlib
+import socket
+import threading
+import time
+from collections import deque
+
+import rospy
+from rospy.exceptions import TransportTerminated
+from rospy.impl import tcpros_pubsub
+from rospy.impl.tcpros_base import TCPROSServer, TCPROSTransport
+
+BACKLOG = 10  # messages kept for a subscriber whose socket is full
+PATIENCE_PER_MESSAGE = 0.01  # s
+HEADER_TIMEOUT = 5.0  # s, for a peer that connects and does not say what it wants
+
+_answer = TCPROSServer._tcp_server_callback
+
+
+class NonBlockingTransport(TCPROSTransport):
+    """Writes each message at once, or queues it while the subscriber's socket is full.
+
+    rospy's own transport blocks in its write, and so does the publisher, as long as the subscriber
+    does not read. Here a full backlog loses its oldest message.
+    """
+
+    patience = 0.0  # s, see wait_for_subscribers()
+
+    def __init__(self, *arguments, **options):
+        """Take what rospy passes to a TCPROSTransport."""
+        super().__init__(*arguments, **options)
+        self._changed = threading.Condition()
+        self._backlog = deque()  # a thread is sending the first
+        self._patience_left = self.patience
+        self._warned = False
+
+    def write_data(self, data):
+        """Send a serialized message, or queue it.
+
+        :raises TransportTerminated: if the subscriber has gone; rospy then forgets it
+        """
+        with self._changed:
+            if self._backlog:
+                self._queue(data)
+            else:
+                rest = self._send(data)
+                if not rest:
+                    return True
+                self._backlog.append(rest)
+                threading.Thread(target=self._drain, daemon=True).start()
+            if self.patience:
+                self._wait()
+        return True
+
+    def wait_until_sent(self, timeout):
+        """Wait (s of wall time) until nothing is queued."""
+        with self._changed:
+            self._changed.wait_for(lambda: not self._backlog, timeout)
+
+    def _send(self, data):
+        """Send what the socket takes at once; return the rest."""
+        try:
+            sent = self.socket.send(data, socket.MSG_DONTWAIT)
+        except BlockingIOError:
+            sent = 0
+        except (OSError, AttributeError) as error:  # no socket: closed on another thread
+            self.close()
+            raise TransportTerminated(str(error)) from None
+        if sent == len(data):
+            self._count(sent)
+        return data[sent:]
+
+    def _count(self, size):
+        """Note that a message, or the last of its bytes, has been sent."""
+        self.stat_bytes += size
+        self.stat_num_msg += 1
+        self._patience_left = min(self.patience, self._patience_left + PATIENCE_PER_MESSAGE)
+
+    def _queue(self, data):
+        if len(self._backlog) > BACKLOG:
+            del self._backlog[1]
+            if not self._warned:
+                self._warned = True
+                rospy.logwarn(f'{self.endpoint_id} does not keep up with {self.name}: '
+                              'it loses messages')
+        self._backlog.append(data)
+
+    def _drain(self):
+        with contextlib.suppress(OSError, AttributeError):  # the subscriber or the node is ending
+            while self._backlog:
+                self.socket.sendall(self._backlog[0])
+                with self._changed:
+                    self._count(len(self._backlog.popleft()))
+                    self._changed.notify_all()
+            return
+        self.close()
+        with self._changed:
+            self._backlog.clear()
+            self._changed.notify_all()
+
+    def _wait(self):
+        start = time.monotonic()
+        self._changed.wait_for(lambda: not self._backlog, self._patience_left)
+        self._patience_left = max(0.0, self._patience_left - (time.monotonic() - start))
+
+
+def use_non_blocking_transport():
+    """Have rospy write to subscribers without blocking, and take each connection on its own thread.
+
+    rospy reads the headers of all new connections on one thread: a peer that sends none would keep
+    every later subscriber out.
+    """
+    tcpros_pubsub.TCPROSTransport = NonBlockingTransport
+    TCPROSServer._tcp_server_callback = _answer_on_thread
+
+
+def wait_for_subscribers(patience):
+    """Let a publisher that outruns its subscribers wait, so that those who read lose nothing.
+
+    :param patience: s of wall time for which it waits for one subscriber, plus a hundredth of a
+        second for each message that the subscriber takes
+    """
+    NonBlockingTransport.patience = patience
+
+
+def flush(publisher, timeout):
+    """Wait (s of wall time) until the subscribers of a rospy.Publisher have taken what is queued."""
+    end = time.monotonic() + timeout
+    for connection in publisher.impl.connections:
+        if isinstance(connection, NonBlockingTransport):
+            connection.wait_until_sent(max(0.0, end - time.monotonic()))
+
+
+def _answer_on_thread(server, connection, address):
+    connection.settimeout(HEADER_TIMEOUT)  # rospy makes it blocking again after the header
+    threading.Thread(target=_answer, args=[server, connection, address], daemon=True).start()

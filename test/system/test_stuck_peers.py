@@ -1,0 +1,146 @@
+"""Subscribers that do not read, and others that are stuck: nobody else notices them."""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+from functools import partial
+from urllib.parse import urlparse
+
+import pytest
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from odometry_launch.keeping import Kept
+from odometry_tests.processes import path_of
+from odometry_tests.stuck import connected, publisher_of, stuck_subscriber
+from odometry_tests.tutorial import Truth, detector, mover, rotator, simulator, simulator_in_step
+from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from std_msgs.msg import Float64
+from std_srvs.srv import Empty
+
+COUNT = 2000  # messages; a stuck subscriber's socket holds some hundred of them
+WARNING = '/stuck does not keep up with {}: it loses messages'
+
+
+@contextlib.contextmanager
+def published(topic, message_class):
+    """Yield a publisher, once another node subscribes to it."""
+    publisher = rospy.Publisher(topic, message_class, queue_size=COUNT, tcp_nodelay=True)
+    wait_for_subscribers(publisher)
+    yield publisher
+    publisher.unregister()
+
+
+def assert_ends_at_once(node):
+    """Assert that a node ends by Ctrl-C, in order."""
+    assert node.end(signal.SIGINT) == 0, node.output
+
+
+def test_the_mover_commands_others_notices_silence_and_ends(master):
+    """With a subscriber to its commands that does not read; the last command is zero."""
+    commands = Recorder('cmd_vel', Twist)
+    with mover('_timeout:=0.2') as node, stuck_subscriber('/cmd_vel'), \
+            published('moved_distance', Float64) as distances:
+        commands.wait_for_publisher()
+        for _ in range(COUNT):
+            distances.publish(0.0)
+        commands.wait_for_count(COUNT)
+        node.wait_for_output('stopping: no moved_distance arrives')
+        wait_until(lambda: commands.last == Twist(), 10.0, 'zero in silence')
+        distances.publish(0.0)
+        wait_until(lambda: commands.last != Twist(), 10.0, 'a command')
+        assert_ends_at_once(node)
+        wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
+    assert node.output.count(WARNING.format('/cmd_vel')) == 1
+
+
+def test_the_detector_counts_for_others_and_ends(master):
+    """With a subscriber to the distance that does not read; the others miss none."""
+    moved = Recorder('moved_distance', Float64)
+    with detector('_max_speed:=0') as node, stuck_subscriber('/moved_distance'), \
+            published('odom', Odometry) as odometry:
+        moved.wait_for_publisher()
+        message = Odometry()
+        for number in range(COUNT):
+            message.pose.pose.position.x = number / COUNT
+            odometry.publish(message)
+        distances = [message.data for message in moved.wait_for_count(COUNT)]
+        assert_ends_at_once(node)
+    assert distances == sorted(set(distances))
+    assert node.output.count(WARNING.format('/moved_distance')) == 1
+
+
+@pytest.mark.usefixtures('simulated_time')
+@pytest.mark.parametrize('start', [simulator, partial(simulator_in_step, rate=10)],
+                         ids=['unpaced', 'in lockstep'])
+def test_the_simulator_goes_on_for_others_and_ends(start):
+    """With a subscriber to each topic that does not read; the others miss nothing."""
+    truth = Truth()
+    topics = '/odom', '/tf', '/clock'
+    with start('_real_time_factor:=0', '_paused:=true') as node, rotator('_kp:=0.01'):
+        with contextlib.ExitStack() as stuck:
+            for topic in topics:
+                stuck.enter_context(stuck_subscriber(topic))
+            truth.wait_for_publisher()
+            rospy.ServiceProxy('/sim_turtlebot/unpause_physics', Empty)()
+            numbers = [message.header.seq for message in truth.wait_for_count(COUNT)]
+            for topic in topics:
+                node.wait_for_output(WARNING.format(topic))
+            assert_ends_at_once(node)
+    assert numbers == list(range(numbers[0], numbers[0] + COUNT))
+    assert node.output.count('does not keep up') == len(topics)
+
+
+def test_peers_that_say_nothing_keep_no_subscriber_out_and_no_node_alive(master):
+    """One is connected to the port of the node's topics, one to that of its XML-RPC API."""
+    with mover() as node:
+        wait_until(lambda: publisher_of('/cmd_vel'), 20.0, 'the mover')
+        api = urlparse(rosgraph.Master('/test').lookupNode(publisher_of('/cmd_vel')))
+        with connected(publisher_of('/cmd_vel'), '/cmd_vel'), \
+                socket.create_connection((api.hostname, api.port)), \
+                published('moved_distance', Float64) as distances:
+            commands = Recorder('cmd_vel', Twist)
+            commands.wait_for_publisher()
+            distances.publish(0.0)
+            commands.wait_for(what='a command')
+            assert_ends_at_once(node)
+
+
+def test_a_node_whose_master_is_stuck_stops_the_robot_and_ends(master):
+    """It cannot unregister; under names of its own, which stay on the master."""
+    commands = Recorder('/forgotten/cmd_vel', Twist)
+    with mover(env={'ROS_NAMESPACE': '/forgotten'}) as node, \
+            published('/forgotten/moved_distance', Float64) as distances:
+        commands.wait_for_publisher()
+        distances.publish(0.0)
+        commands.wait_for(what='a command')
+        master.send(signal.SIGSTOP)
+        try:
+            assert_ends_at_once(node)
+        finally:
+            master.send(signal.SIGCONT)
+    wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
+
+
+def test_rotate_commands_while_nobody_reads_what_it_prints(master):
+    """As behind `| less`, or after Ctrl-S in its terminal."""
+    commands = Recorder('cmd_vel', Twist)
+    node = Kept(path_of('rotate_robot', 'rotate.py'), '_rate:=1000', env=os.environ,
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    try:
+        with published('odom', Odometry) as odometry:
+            commands.wait_for_publisher()
+            message = Odometry()
+            message.pose.pose.orientation.w = 1.0
+            for number in range(1, COUNT + 1):
+                message.header.stamp = rospy.Time(number / 1000)
+                odometry.publish(message)
+            commands.wait_for_count(COUNT)
+        node.send_signal(signal.SIGINT)
+        assert node.wait(TIMEOUT * PATIENCE) == 0
+        wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
+    finally:
+        node.let_go()
