@@ -134,7 +134,7 @@ def test_rotate_commands_while_nobody_reads_what_it_prints(master):
         with published('odom', Odometry) as odometry:
             commands.wait_for_publisher()
             message = Odometry()
-            message.pose.pose.orientation.w = 1.0
+            message.pose.pose.orientation.z, message.pose.pose.orientation.w = 0.6, 0.8
             for number in range(1, COUNT + 1):
                 message.header.stamp = rospy.Time(number / 1000)
                 odometry.publish(message)

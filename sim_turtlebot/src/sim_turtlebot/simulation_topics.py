@@ -15,7 +15,7 @@ from sim_turtlebot.building import new_scanners
 from sim_turtlebot.robot_topics import RobotTopics
 from sim_turtlebot.scan_topic import ScanTopic
 
-PATIENCE = 1.0  # s of wall time, for a subscriber that is behind while time is not paced
+PATIENCE = 2.0  # s of wall time, for a subscriber that is behind while time is not paced
 
 
 class _Newcomers(rospy.SubscribeListener):
