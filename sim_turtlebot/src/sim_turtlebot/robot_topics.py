@@ -42,7 +42,7 @@ class RobotTopics:
             (self._ground_truth,
              advertise(f'{namespace}base_pose_ground_truth', Odometry, queue_size))]
         self._joint_publisher = advertise(f'{namespace}joint_states', JointState, queue_size)
-        self._imu = ImuTopic(robot.gyro, namespace, queue_size)
+        self._imu = ImuTopic(robot, namespace, queue_size)
 
     def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
         """Listen for commands.
