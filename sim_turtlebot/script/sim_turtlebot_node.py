@@ -26,7 +26,13 @@ Publishes:
         and which one it reaches; which robot lies on its side, and where; empty otherwise
 
 Services:
-    ~pause_physics, ~unpause_physics, ~reset_simulation (std_srvs/Empty): as Gazebo's
+    ~pause_physics, ~unpause_physics (std_srvs/Empty): as Gazebo's. Each service answers when it is
+        done, and fails after 5 s of wall time; a call that has not begun by then has no effect
+    ~reset_simulation (std_srvs/Empty): back to the start: simulated time and header.seq are zero;
+        robots, and whatever a world file adds, are at their first poses, at rest; odometry and gyro
+        are zero; the noise repeats its random numbers; the multiplexer is open to every input; all
+        commands are forgotten. It takes back the ~warning of a robot on its side, but not that of
+        a slow machine. A paused simulation stays paused
 
 Parameters:
     ~gui (bool, false): open PyBullet's window

@@ -6,6 +6,7 @@ import subprocess
 import pytest
 import rosgraph
 import rosnode
+from odometry_tests.pausing import call
 from odometry_tests.processes import Process
 from odometry_tests.screen import Screen
 from odometry_tests.tutorial import Truth
@@ -70,9 +71,10 @@ def test_rviz_shows_the_robot_and_ends_cleanly(screen):
 
 
 def test_the_window_of_the_physics_shows_the_robot(screen):
-    """gui:=true draws, and Ctrl-C ends it as without a window."""
+    """gui:=true draws, also after a reset, and Ctrl-C ends it as without a window."""
     with Process('roslaunch', 'odometry_launch', 'sim.launch', 'gui:=true') as launch:
         wait_for_odometry(launch)
+        call('reset_simulation')
         wait_for_robot(screen, launch)
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output

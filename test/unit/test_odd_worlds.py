@@ -98,6 +98,17 @@ def test_a_wall_beside_the_robot_is_no_overlap(tmp_path):
     settled(tmp_path, box('0.1 4 0.5', '0.24 0 0.25'))
 
 
+def test_a_world_is_rebuilt_without_its_file(tmp_path):
+    """Whatever has become of it since the start."""
+    path = tmp_path / 'wall.urdf'
+    path.write_text(f'<robot name="r"><link name="a">{box("0.1 4 0.5", "1 0 0.25")}</link></robot>')
+    world = settled_world(STEP_RATE, [(0.0, 0.0)], world_file=str(path))
+    path.unlink()
+    world.rebuild()
+    robot, = world.robots
+    assert robot.cast_rays([[0, 0, 0.2]], [[1.9, 0, 0.2]]) == [pytest.approx(0.5)]
+
+
 def test_the_room_has_room():
     """In its middle; the wall has not."""
     world = settled_world(STEP_RATE, [(0.0, 0.0)], world_file=ROOM)

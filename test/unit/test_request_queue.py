@@ -8,6 +8,8 @@ import pytest
 from odometry_tests.waiting import TIMEOUT, wait_until
 from sim_turtlebot.request_queue import RequestQueue
 
+from sim_turtlebot import request_queue
+
 PATIENCE = 60.0  # s
 COUNT = 200  # requests of each thread
 WAITS = 200_000  # of a SimpleQueue one in some 40 000 had no end
@@ -118,6 +120,31 @@ def test_no_wait_outlasts_its_time(requests):
     ended = threading.Event()
     end(run(wait_again_and_again))
     assert ended.is_set()
+
+
+def test_a_request_that_nobody_begins_to_serve_in_time_fails_and_never_takes_effect(
+        requests, served, monkeypatch):
+    """Its caller may have given up by then, and done something else."""
+    monkeypatch.setattr(request_queue, 'ANSWER_TIMEOUT', 0.01)
+    with pytest.raises(TimeoutError, match='not begun within 0.01 s of wall time, and dropped'):
+        requests.put_and_wait(lambda: served.append('late'))
+    assert requests.serve(0.0)
+    assert not served
+
+
+def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(requests, monkeypatch):
+    """What has begun cannot be stopped."""
+    begun, failed = threading.Event(), threading.Event()
+
+    def serve_on_another_thread(request):
+        run(request)
+        assert begun.wait(PATIENCE)
+
+    monkeypatch.setattr(request_queue, 'ANSWER_TIMEOUT', 0.01)
+    monkeypatch.setattr(requests, 'put', serve_on_another_thread)
+    with pytest.raises(TimeoutError, match='not finished within 0.01 s of wall time; it will'):
+        requests.put_and_wait(lambda: begun.set() or failed.wait(PATIENCE))
+    failed.set()
 
 
 def test_no_request_is_lost_or_overtakes_another_one_of_its_thread(requests):

@@ -121,7 +121,7 @@ def test_a_reset_of_the_simulation_takes_it_back_to_its_start(odometry):
     at_start = robot.ground_truth, robot.odometry, robot.wheels[:2]
     simulation.drive(0.5, 1.0, 3.0)
     first = robot.ground_truth
-    robot.reset()
+    simulation.reset()
     assert (robot.ground_truth, robot.odometry, robot.wheels[:2]) == at_start
     simulation.run(1.0)
     assert (robot.ground_truth, robot.odometry, robot.wheels[:2]) == at_start
@@ -143,7 +143,7 @@ def test_after_a_reset_an_old_command_is_forgotten():
     """The robot and its motors wait for a new one, though another robot drives."""
     simulation = Simulation((0, 0, 0), (0, 1, 0), cmd_vel_timeout=0.6)
     simulation.drive(0.5, 0.0, 0.5)
-    simulation.robot.reset()
+    simulation.reset()
     simulation.command(0.5, 0.0, robot=1)
     assert {motion.position[:2] for motion in simulation.run(0.5).odometry} == {(0.0, 0.0)}
 

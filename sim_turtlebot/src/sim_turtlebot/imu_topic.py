@@ -15,11 +15,11 @@ NumberedImu = numbered(Imu)
 
 
 class ImuTopic:
-    """Publishes the heading and the yaw rate of a sim_turtlebot.gyro.Gyro, if anybody listens."""
+    """Publishes the heading and the yaw rate of a Robot's gyro, if anybody listens."""
 
-    def __init__(self, gyro, namespace):
-        """Advertise; the namespace is as for RobotTopics."""
-        self._gyro = gyro
+    def __init__(self, robot, namespace):
+        """Advertise; the parameters are those of RobotTopics."""
+        self._robot = robot
         self._message = NumberedImu()
         self._message.header.frame_id = f'{namespace}gyro_link'
         self._message.orientation_covariance[::4] = VARIANCES
@@ -34,7 +34,7 @@ class ImuTopic:
         """
         if not self._publisher.get_num_connections():
             return
-        orientation = self._message.orientation
-        orientation.x, orientation.y, orientation.z, orientation.w = about_z(self._gyro.heading)
-        self._message.angular_velocity.z = self._gyro.rate
+        gyro, orientation = self._robot.gyro, self._message.orientation
+        orientation.x, orientation.y, orientation.z, orientation.w = about_z(gyro.heading)
+        self._message.angular_velocity.z = gyro.rate
         publish(self._publisher, self._message, stamp, number)

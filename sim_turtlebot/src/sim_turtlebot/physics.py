@@ -55,22 +55,16 @@ class World:
         self.robots = []  # TurtleBots
         self._world_file = world_file
         self.client = client or connect(gui)
-        if client:
-            client.resetSimulation()
-        self._steps_at_once = 1
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
         # With a mouse, or with things that fall, more than the robots may move.
         self.only_robots_move = not gui and not world_file
-        self._configure()
         self.window = Window() if gui else None
         if gui:
             self.client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
-        self._add_floor()
         if world_file:
             check_world_file(world_file)
-            with suppress_native_output():
-                load(self.client, world_file)
+        self._build()
 
     def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
         """Put a TurtleBot on the floor (m, rad) and return it."""
@@ -101,15 +95,46 @@ class World:
         self.step(round(SETTLING_TIME * self._step_rate))
         for robot in self.robots:
             robot.settle_here()
+        self._draw(True)
 
     def restart(self):
-        """Put each robot at its start again, at rest; nothing else goes back."""
+        """Put each robot at its start again, at rest; nothing else goes back.
+
+        A robot that has touched only the floor then moves as after rebuild(), which takes longer.
+        """
         for robot in self.robots:
             robot.place_at_start()
+
+    def rebuild(self):
+        """Put everything back as it was after settle(), to the last bit.
+
+        PyBullet's restoreState() does not: robots that have touched something then move
+        differently in the last digits. PyBullet keeps the world file in memory.
+        """
+        self._build()
+        for robot in self.robots:
+            robot.load()
+        self.settle()
 
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
         self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
+
+    def _build(self):
+        """Empty the world but for the floor and what the world file adds."""
+        self._draw(False)
+        self.client.resetSimulation()
+        self._steps_at_once = 1
+        self._configure()
+        self._add_floor()
+        if self._world_file:
+            with suppress_native_output():
+                load(self.client, self._world_file)
+
+    def _draw(self, whether):
+        """Draw the window or not: if it is drawn, each shape that is loaded waits for a frame."""
+        if self.window:
+            self.client.configureDebugVisualizer(pybullet.COV_ENABLE_RENDERING, whether)
 
     def _configure(self):
         client = self.client

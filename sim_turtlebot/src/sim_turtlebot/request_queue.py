@@ -2,6 +2,7 @@
 
 import queue
 import threading
+from concurrent import futures
 from functools import partial
 
 ANSWER_TIMEOUT = 5.0  # s
@@ -24,15 +25,23 @@ class RequestQueue(queue.Queue):
         self._turn.acquire()
 
     def put_and_wait(self, request):
-        """Add a request and wait until it has been served."""
-        done = threading.Event()
+        """Add a request and return once it has been served.
+
+        :raises TimeoutError: after ANSWER_TIMEOUT; a request that has not begun by then is dropped,
+            one that has begun still takes effect
+        """
+        answer = futures.Future()
 
         def serve():
-            request()
-            done.set()
+            if answer.set_running_or_notify_cancel():
+                request()
+                answer.set_result(None)
 
         self.put(serve)
-        done.wait(ANSWER_TIMEOUT)
+        if not futures.wait([answer], ANSWER_TIMEOUT).done:
+            bound = f'within {ANSWER_TIMEOUT:g} s of wall time'
+            raise TimeoutError(f'not begun {bound}, and dropped' if answer.cancel() else
+                               f'not finished {bound}; it will still take effect')
 
     def serve_if_lent(self, request, then):
         """Serve a request on this thread, and call `then`, if the turn is lent; else put it.

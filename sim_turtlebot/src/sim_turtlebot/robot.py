@@ -20,21 +20,21 @@ class Robot:
     Times are counted in physics steps.
     """
 
-    def __init__(self, body, step_rate, odometry, cmd_vel_timeout):
+    def __init__(self, body, step_rate, new_odometry, cmd_vel_timeout):
         """Take over a body.
 
         :param body: sim_turtlebot.turtlebot.TurtleBot, settled
         :param step_rate: physics steps per second (Hz)
-        :param odometry: WorldOdometry or EncoderOdometry
+        :param new_odometry: function that returns a WorldOdometry or EncoderOdometry as it is at
+            the start
         :param cmd_vel_timeout: stop when no command has come for this long (s); 0: never
         """
         self.body = body
         self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
         self._timeout = _whole_steps(cmd_vel_timeout, step_rate) if cmd_vel_timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
-        self._odometry = odometry
-        self.covariance = odometry.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
-        self._begin()
+        self._new_odometry = new_odometry
+        self.begin()
 
     @property
     def resting(self):
@@ -45,6 +45,11 @@ class Robot:
     def wheels(self):
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         return self._anchor[1] if self._anchor else self.body.wheels()
+
+    @property
+    def covariance(self):
+        """Variances of the odometry's x, y, z (m^2), roll, pitch and yaw (rad^2)."""
+        return self._odometry.covariance
 
     @property
     def gyro(self):
@@ -108,13 +113,9 @@ class Robot:
         """Let the odometry start from zero at the last known place."""
         self.odometry = self._odometry.reset(self.ground_truth)
 
-    def reset(self):
-        """Go back to the start, at rest."""
-        self.body.place_at_start()
-        self._begin()
-
-    def _begin(self):
-        """Start at rest where the body was put."""
+    def begin(self):
+        """Start at rest where the body is, with the random numbers of the start."""
+        self._odometry = self._new_odometry()
         self._forget_commands()
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()

@@ -40,7 +40,7 @@ class RobotTopics:
             (self._odometry, advertise(f'{namespace}odom', Odometry)),
             (self._ground_truth, advertise(f'{namespace}base_pose_ground_truth', Odometry))]
         self._joint_publisher = advertise(f'{namespace}joint_states', JointState)
-        self._imu = ImuTopic(robot.gyro, namespace)
+        self._imu = ImuTopic(robot, namespace)
 
     def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
         """Listen for commands.

@@ -1,6 +1,7 @@
 """Robots in a world, stepped through simulated time. The only place where they step; no ROS."""
 
 import math
+from functools import partial
 
 from odometry_common.kobuki import CMD_VEL_TIMEOUT
 
@@ -23,7 +24,8 @@ class Simulation:
         """Put robots down.
 
         :param starts: x, y (m) and yaw (rad) of each robot
-        :param new_odometry: function that returns the odometry of a robot (an index)
+        :param new_odometry: function that returns the odometry of a robot (an index); it is called
+            again at each reset
         :param odom_rate: Hz
         :param cmd_vel_timeout: a robot stops when no command has come for this long (s); 0: never
         :param gui, world_file: as for sim_turtlebot.physics.World, and what it raises
@@ -33,7 +35,7 @@ class Simulation:
         self.timeline = Timeline(odom_rate, clock_rate)
         step_rate = self.timeline.step_rate
         self.world = build_world(step_rate, starts, gui, world_file)
-        self.robots = [Robot(body, step_rate, new_odometry(index), cmd_vel_timeout)
+        self.robots = [Robot(body, step_rate, partial(new_odometry, index), cmd_vel_timeout)
                        for index, body in enumerate(self.world.robots)]
         self._muxes = [VelocityMux() for _ in self.robots]
 
@@ -79,10 +81,11 @@ class Simulation:
         return True
 
     def reset(self):
-        """Take time and robots back to the start."""
+        """Go back to the start: the same commands then have the same effect, to the last bit."""
         self.timeline.restart()
+        self.world.rebuild()
         for robot, mux in zip(self.robots, self._muxes):
-            robot.reset()
+            robot.begin()
             mux.restart()
 
 

@@ -170,7 +170,10 @@ class Simulator:
             rospy.Service(name, Empty, lambda _, action=action: self._answer(action))
 
     def _answer(self, action):
-        self._requests.put_and_wait(action)
+        try:
+            self._requests.put_and_wait(action)
+        except TimeoutError as error:
+            raise rospy.ServiceException(error) from None
         return EmptyResponse()
 
     def _on_command(self, *command):

@@ -26,8 +26,15 @@ class TurtleBot:
         """Load the robot; use World.add_turtlebot()."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
+        self._flags = flags
+        self._settled_height = 0.0
+        self.load()
+
+    def load(self):
+        """Put the robot into a world in which it is not yet, at its start."""
+        client = self._client
         with _in_memory(without_frames(URDF.read_text())) as path, suppress_native_output():
-            self._body = client.loadURDF(path, *self._start, flags=flags)
+            self._body = client.loadURDF(path, *self._start, flags=self._flags)
         # The footprint is PyBullet's base link: its pose is the robot's without conversion.
         client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,
                               localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
@@ -38,7 +45,6 @@ class TurtleBot:
         self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
         self._get_velocity = partial(client.getBaseVelocity, self._body)
         self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
-        self._settled_height = 0.0
         # In a call of PyBullet, which reckons as if a torque had acted in a single one.
         self.steps_at_once = 1
         self.drive(0.0, 0.0)

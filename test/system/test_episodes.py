@@ -1,0 +1,112 @@
+"""A simulator that is reset: each episode is the first again, and a service never says more than is true."""
+
+import io
+import itertools
+import math
+import sys
+
+import pytest
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from odometry_tests.pausing import call, pause
+from odometry_tests.processes import Process
+from odometry_tests.robots import twist
+from odometry_tests.scripts import ROOT
+from odometry_tests.tutorial import simulator_in_step
+from odometry_tests.waiting import Recorder, wait_for_subscribers
+from sensor_msgs.msg import Imu, LaserScan
+from tf2_msgs.msg import TFMessage
+
+LENGTH = 3  # s of simulated time in an episode
+BY_NAVI = 20  # odometries that the first controller answers; then it is teleop's turn
+TOPICS = {'/odom': (Odometry, 20), '/scan': (LaserScan, 10), '/tf': (TFMessage, 20),
+          '/mobile_base/sensors/imu_data': (Imu, 20)}  # with their rates (Hz)
+ALL_NOISE = ['_odometry_source:=encoder', '_wheel_slip:=0.02', '_wheel_noise:=0.02',
+             '_gyro_noise:=0.02', '_gyro_drift:=0.01', '_scan:=true', '_scan_noise:=0.01',
+             f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf', '_real_time_factor:=0']
+# A node that never gets as far as to serve anything.
+STUCK = """
+import rospy
+from odometry_common.node import run_node
+from sim_turtlebot.building import new_simulation
+from sim_turtlebot.settings import read_settings
+from sim_turtlebot.simulator import Simulator
+
+def simulate():
+    settings = read_settings()
+    Simulator(new_simulation(settings), settings)
+    rospy.spin()
+
+run_node('sim_turtlebot', simulate, '', disable_rostime=True)
+"""
+
+pytestmark = pytest.mark.usefixtures('simulated_time')
+
+
+class Controllers:
+    """Two controllers that follow one after the other, and answer each odometry by its number."""
+
+    def __init__(self):
+        """Return once the robot listens."""
+        self._navi, self._teleop = (
+            rospy.Publisher(f'cmd_vel_mux/input/{name}', Twist, queue_size=10, tcp_nodelay=True)
+            for name in ('navi', 'teleop'))
+        for publisher in self._navi, self._teleop:
+            wait_for_subscribers(publisher)
+        self._subscriber = rospy.Subscriber('odom', Odometry, self._answer, tcp_nodelay=True)
+
+    def _answer(self, odometry):
+        number = odometry.header.seq
+        publisher = self._navi if number < BY_NAVI else self._teleop
+        publisher.publish(twist(0.4 * math.cos(number / 9), 2.0 * math.sin(number / 5)))
+
+    def close(self):
+        """Command no more."""
+        self._subscriber.unregister()
+
+
+def stamp(message):
+    """Return when a message was sent (s)."""
+    header = getattr(message, 'header', None) or message.transforms[0].header
+    return header.stamp.to_sec()
+
+
+def bytes_of(messages):
+    """Return the messages of an episode as they are sent; a repetition does not count."""
+    buffers = [io.BytesIO() for _ in messages]
+    for message, buffer in zip(messages, buffers):
+        message.serialize(buffer)
+    return [one for one, _ in itertools.groupby(buffer.getvalue() for buffer in buffers)]
+
+
+def test_after_a_reset_an_episode_is_the_same_bytes(master):
+    """Of odometry, IMU, scan and tf, with all noise on, in lockstep; also after a third."""
+    recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in TOPICS.items()}
+    episodes = []
+    with simulator_in_step('_paused:=true', *ALL_NOISE):
+        controllers = Controllers()
+        for recorder in recorders.values():
+            recorder.wait_for_publisher()
+        for _ in range(3):
+            call('unpause_physics')
+            for recorder in recorders.values():
+                recorder.wait_for(lambda m: stamp(m) >= LENGTH, what='the end of the episode')
+            pause(*recorders.values())
+            episodes.append({topic: bytes_of([m for m in recorder.messages if stamp(m) <= LENGTH])
+                             for topic, recorder in recorders.items()})
+            for recorder in recorders.values():
+                recorder.clear()
+            call('reset_simulation')
+        controllers.close()
+    for topic, (_, rate) in TOPICS.items():
+        first, *others = (episode[topic] for episode in episodes)
+        assert len(first) == rate * LENGTH + 1, topic
+        assert others == [first, first], topic
+
+
+def test_a_service_that_is_not_served_in_time_fails(master):
+    """With one line that says so; never does it say that it was done."""
+    with Process(sys.executable, '-c', STUCK), \
+            pytest.raises(rospy.ServiceException, match='not begun within 5 s of wall time'):
+        call('reset_simulation')
