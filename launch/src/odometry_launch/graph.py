@@ -50,12 +50,13 @@ class Graph:
         return self
 
     def __exit__(self, *_):
-        """Let everything end."""
+        """Return when everything has ended: until then it may write logs."""
         self.let_go()
+        self._roslaunch.wait()
         self._port.close()
 
     def let_go(self):
-        """Let everything end, which a busy machine may take long for: ./ws waits for it."""
+        """Let everything end; return at once."""
         self._roslaunch.let_go()
 
     def wait_until_read(self):
