@@ -1,6 +1,11 @@
 #!/usr/bin/env python3
 """Draw a run from a bag with odometry in it, a real robot's too, and print its figures."""
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import argparse
 import sys
 

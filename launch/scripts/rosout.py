@@ -10,6 +10,11 @@ Publishes:
     /rosout_agg (rosgraph_msgs/Log)
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import rospy
 from odometry_common.ending import spin
 from odometry_common.node import run_node

@@ -113,7 +113,8 @@ set_up_extras() {
             'sweep sweep') need_for_sweep ;;
             'bench bench') need_for_sweep; need_for_view ;;
             'sweep --cluster'* | 'dask dask') need_for_cluster ;;
-            *' pytest' | *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
+            *' pytest') need_python_for_tests ;;
+            *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
             *' catkin_lint') need_parts catkin-lint ;;
             *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
             *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) need_parts "${WINDOW_PARTS[@]}" ;;
@@ -124,6 +125,10 @@ set_up_extras() {
 
 need_for_tests() {
     need_parts "${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}"
+    need_python_for_tests
+}
+
+need_python_for_tests() {
     need_python tests "$ROOT/test/requirements.txt"
     need_for_cluster
     need_for_view

@@ -16,6 +16,11 @@ Parameters:
         between messages, however their stamps are bunched
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import rospy
 from moved_distance.parameters import read_counter
 from nav_msgs.msg import Odometry

@@ -8,6 +8,11 @@ Prints the yaw in radians for each message and, once a second, the quaternion [x
 computed back from roll, pitch and yaw.
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import euler_from_orientation

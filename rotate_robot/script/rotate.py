@@ -22,6 +22,11 @@ Parameters:
 The last command the robot receives is zero, however the node ends.
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import math
 
 import rospy

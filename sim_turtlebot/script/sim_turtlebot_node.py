@@ -77,6 +77,11 @@ Parameters:
     ~paused (bool, false): time begins with ~unpause_physics
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 from odometry_common.node import run_node
 from sim_turtlebot.node import simulate
 

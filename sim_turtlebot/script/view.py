@@ -31,6 +31,11 @@ Parameters:
         port, any will do
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 from odometry_common.node import run_node
 from odometry_common.parameters import StartError
 from robot_view.address import read_address

@@ -13,6 +13,11 @@ Publishes:
     sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 from geometry_msgs.msg import (
     PoseStamped,
     PoseWithCovarianceStamped,

@@ -18,7 +18,7 @@ def demo(*arguments, **env):
 
 
 def test_the_demo_drives_two_metres_and_leaves_a_picture():
-    """Exit status 0, both distances as in the README at each factor but one, a bag and a PNG."""
+    """Exit status 0, both distances as at each factor but one, a bag and a PNG."""
     with hold_port() as port:
         run = demo('--real-time-factor', '20', ROS_MASTER_URI=f'http://localhost:{port}')
     assert run.wait() == 0, run.output
@@ -31,6 +31,24 @@ def test_the_demo_drives_two_metres_and_leaves_a_picture():
     with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:
         topics = set(bag.get_type_and_topic_info().topics)
     assert topics == {'/odom', '/base_pose_ground_truth', '/moved_distance', '/cmd_vel'}
+
+
+def test_two_runs_print_the_same_of_their_arrival():
+    """The last line of progress and the summary, but for the real time that they took."""
+    with hold_port() as port:
+        first, second = (
+            demo('rotate', '--real-time-factor', '0', ROS_MASTER_URI=f'http://localhost:{port}')
+            for _ in range(2))
+    assert arrival(first) == arrival(second)
+    assert arrival(first)[0].endswith(f' {number_after("time", first.stdout)} s'), first.output
+
+
+def arrival(run):
+    """Return what a demo has printed of its arrival in lockstep."""
+    lines = re.sub(', .* real$', '', run.stdout, flags=re.MULTILINE).splitlines()
+    *_, start = (number for number, line in enumerate(lines) if line.startswith('['))
+    assert len(lines[start:]) == 5, run.output
+    return lines[start:-1]  # then comes the picture
 
 
 def test_a_bad_option_gets_one_clear_line():

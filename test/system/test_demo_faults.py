@@ -53,18 +53,33 @@ def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
     assert demo.stderr == f'demo: {node} has ended{how}', demo.output
 
 
-def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs):
-    """Settings that make no sense are not used; logs go where they can be written.
+def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs, tmp_path):
+    """Settings that make no sense are not used; logs go where they can be written, for so long.
 
     The ROS master is waited for, and the robot followed from its start, whatever matplotlib does.
     """
+    temporary = tmp_path / 'temporary'
+    temporary.mkdir()
     demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
                ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
-               PATH=f'{slow_programs}:{os.environ["PATH"]}')
+               TMPDIR=str(temporary), PATH=f'{slow_programs}:{os.environ["PATH"]}')
     assert demo.wait() == 0, demo.output
-    assert re.fullmatch(r'demo: logs are in \S+: .*', demo.stderr), demo.output
+    assert re.fullmatch(rf'demo: until the end logs are in {temporary}/\S+: .*', demo.stderr)
+    assert not list(temporary.iterdir())
     assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
     assert number_after('time', demo.stdout) > ROTATE_TIME, demo.output
+
+
+def test_ctrl_c_leaves_no_folder_for_logs(tmp_path):
+    """Where they could not be written as usual."""
+    with hold_port() as port, Process(
+            ROOT / 'ws', 'demo', *SHORT.split(), '--real-time-factor', '0.1', env={
+                'ROS_MASTER_URI': f'http://localhost:{port}', 'HOME': '/dev/null',
+                'TMPDIR': str(tmp_path)}) as demo:
+        demo.wait_for_output(' of 0.30 m', 60.0)
+        assert list(tmp_path.iterdir())
+        assert demo.end(signal.SIGINT) == 128 + signal.SIGINT, demo.output
+    assert not list(tmp_path.iterdir())
 
 
 def test_it_drives_as_it_is_told_when_the_disk_is_full():

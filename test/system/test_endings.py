@@ -1,6 +1,7 @@
 """However a node that moves the robot ends, the robot stops, and nobody sees a traceback."""
 
 import contextlib
+import re
 import signal
 import socket
 import sys
@@ -83,7 +84,48 @@ def invoke_and_tell(*arguments):
 rospy.Publisher.publish, _SubscriberImpl._invoke_callback = close_and_publish, invoke_and_tell
 runpy.run_path({str(ROOT / 'sim_turtlebot/script/sim_turtlebot_node.py')!r}, run_name='__main__')
 """
+# With each 25th module that a script imports, a copy of its process gets Ctrl-C.
+IMPORTING = """
+import itertools
+import os
+import signal
+import sys
+sys.argv.pop(0)
+numbers, statuses = itertools.count(), []
+
+def interrupt_a_copy(event, _):
+    if event == 'import' and next(numbers) % 25 == 0:
+        copy = os.fork()
+        if not copy:
+            try:
+                os.kill(os.getpid(), signal.SIGINT)
+            finally:
+                os._exit(1)
+        statuses.append(os.waitpid(copy, 0)[1])
+
+sys.addaudithook(interrupt_a_copy)
+with open(sys.argv[0]) as script:
+    code = compile(script.read(), sys.argv[0], 'exec')
+try:
+    exec(code, {'__name__': '__main__'})
+finally:
+    print('ended by Ctrl-C:', statuses.count(signal.SIGINT), 'of', len(statuses))
+"""
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
+
+
+@pytest.mark.parametrize('script', [
+    'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
+    'rotate_robot/script/main.py', 'rotate_robot/script/rotate.py',
+    'sim_turtlebot/script/sim_turtlebot_node.py', 'sim_turtlebot/script/view.py',
+    'sim_turtlebot/script/world_frame.py', 'launch/scripts/plot_run.py',
+    'launch/scripts/rosout.py', 'launch/bin/roslaunch'])
+def test_ctrl_c_ends_a_script_at_any_moment_of_its_imports(script):
+    """At once and without a word, where Python would end it with a traceback, or go on."""
+    with Process(sys.executable, '-c', IMPORTING, ROOT / script, '--help') as process:
+        assert process.wait() == 0, process.output
+    ended, moments = map(int, re.search(r'Ctrl-C: (\d+) of (\d+)$', process.stdout).groups())
+    assert ended == moments > 5
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])

@@ -72,6 +72,13 @@ def test_a_jump_is_no_distance(tmp_path):
     assert run.odometry.distance.max() == run.odometry.distance[-1]
 
 
+def test_what_comes_after_the_end_of_a_run_is_left_out(tmp_path):
+    """A demo's picture ends with the arrival, its recording a little later."""
+    run = read_run(record(tmp_path / 'run.bag', metre()), end=START + 5.0)
+    assert run.odometry.time[-1] == pytest.approx(5.0)
+    assert run.odometry.distance[-1] == pytest.approx(0.5)
+
+
 @pytest.mark.parametrize('length, drawn', [(0.5, False), (1.9, True), (2.005, True), (100, False)])
 def test_the_two_metre_line_is_there_for_a_run_of_about_two_metres(tmp_path, length, drawn):
     """On a long run it would lie on the axis."""

@@ -163,3 +163,10 @@ def test_help_needs_no_extras(checkout):
     """What only the tests themselves need is not installed for their help."""
     run = in_checkout(checkout, FASTER + 'need_for_tests() { echo extras; }\nset_up test --help')
     assert (run.wait(), run.output.strip()) == (0, ''), run.output
+
+
+def test_pytest_gets_all_that_the_unit_tests_import(checkout):
+    """Without the browser and the windows, which they do not need."""
+    run = in_checkout(checkout, 'need_python() { echo "$1"; }\nneed_parts() { echo parts; }\n'
+                                'find_root\nset_up_extras python3 -m pytest')
+    assert run.stdout.split() == ['tests', 'sweep', 'cluster', 'view'], run.output

@@ -22,8 +22,14 @@ HASTY = '''
 import sys
 sys.path.insert(0, sys.argv.pop(1))
 import keeper
-keeper.ASK_ALL_AFTER, keeper.KILL_AFTER = 0.2, 0.4
-keeper.main(sys.argv[1:])
+keeper.ASK_ALL_AFTER, keeper.KILL_AFTER, keeper.GIVE_UP_AFTER = 0.2, 0.4, 60.0
+'''
+RUN = 'keeper.main(sys.argv[1:])'
+# As the kernel answers who wants to end another user's process.
+POWERLESS = '''
+def refuse(*_):
+    raise PermissionError
+keeper.os.kill, keeper.GIVE_UP_AFTER = refuse, 0.6
 '''
 
 
@@ -101,13 +107,30 @@ def test_what_does_not_want_to_end_is_killed(mark):
     """With all that it goes on starting; here it is given less time for its end than usual."""
     script = 'trap : TERM INT; while :; do setsid sleep 1000; done'
     ours, theirs = socket.socketpair()
-    with subprocess.Popen([sys.executable, '-c', HASTY, KEEPER.parent, 'bash', '-c', script],
+    with subprocess.Popen([sys.executable, '-c', HASTY + RUN, KEEPER.parent, 'bash', '-c', script],
                           stdin=theirs) as keeper:
         theirs.close()
         wait_until(lambda: len(marked(mark)) >= 3, 10.0, 'the processes')
         ours.close()
         assert keeper.wait(30.0 * PATIENCE) == -signal.SIGKILL
     assert not marked(mark)
+
+
+def test_what_cannot_be_killed_is_named_and_left(mark):
+    """Instead of being waited for without an end."""
+    ours, theirs = socket.socketpair()
+    with subprocess.Popen(
+            [sys.executable, '-c', HASTY + POWERLESS + RUN, KEEPER.parent, 'sleep', '1000'],
+            stdin=theirs, stderr=subprocess.PIPE, text=True) as keeper:
+        theirs.close()
+        command = psutil.Process(int(ours.recv(64)))
+        try:
+            wait_until(lambda: command.name() == 'sleep', 10.0, 'the command')
+            ours.close()
+            assert keeper.wait(30.0 * PATIENCE) == 1
+        finally:
+            command.kill()
+        assert keeper.stderr.read() == f'cannot end {command.pid} (sleep 1000)\n'
 
 
 def test_the_command_is_asked_to_end_when_its_keeper_is_killed(mark):

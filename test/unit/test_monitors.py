@@ -1,12 +1,13 @@
 """What the demo shows during a run and how it judges it, from messages and a clock of ours."""
 
 import io
+import math
 import re
 from types import SimpleNamespace
 
 import pytest
 from odometry_launch import following
-from odometry_launch.monitors import MoveMonitor
+from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.options import launch_arguments, parse
 from odometry_launch.silence import Silence
 from odometry_tests.messages import odometry
@@ -75,21 +76,43 @@ def test_a_robot_of_which_nothing_is_heard_is_worth_one_line(monkeypatch, capsys
 
 
 @pytest.fixture
-def run(monkeypatch):
-    """Return a function that plays a robot's distances to a monitor and returns it."""
-    def played(arguments, moved, true=None):
+def play(monkeypatch):
+    """Return a function that plays messages of topics to a monitor, one of each after the other.
+
+    The last of the topics may be `late` by some messages, or early.
+    """
+    def played(kind, arguments, topics, late=0):
         callbacks = {}
         monkeypatch.setattr('odometry_launch.monitors.rospy.Subscriber',
                             lambda topic, kind, callback, **_: callbacks.update({topic: callback}))
-        monitor = MoveMonitor(parse(arguments))
-        for step, (distance, before) in enumerate(zip(moved, [0.0, *moved])):
-            callbacks['moved_distance'](Float64(distance))
-            truth = odometry(x=(true or moved)[step], stamp=0.05 * step)
-            truth.twist.twist.linear.x = (distance - before) / 0.05
-            callbacks['base_pose_ground_truth'](truth)
+        monitor = kind(parse(arguments))
+        last = [*topics][-1]
+        messages = [(number + late * (topic == last), topic, message)
+                    for topic, messages in topics.items()
+                    for number, message in enumerate(messages)]
+        for _, topic, message in sorted(messages, key=lambda message: message[0]):
+            callbacks[topic](message)
         return monitor
 
     return played
+
+
+@pytest.fixture
+def run(play):
+    """Return a function that plays a robot's distances to a monitor and returns it."""
+    def played(arguments, moved, true=None, **options):
+        truth = [odometry(x=x, stamp=0.05 * step) for step, x in enumerate(true or moved)]
+        for message, distance, before in zip(truth, moved, [0.0, *moved]):
+            message.twist.twist.linear.x = (distance - before) / 0.05
+        return play(MoveMonitor, arguments, {'moved_distance': map(Float64, moved),
+                                             'base_pose_ground_truth': truth}, **options)
+
+    return played
+
+
+def shown(monitor):
+    """Return all that is printed in the end."""
+    return monitor.progress(), monitor.result(), monitor.duration
 
 
 DRIVE = [0.005 * step for step in range(400)]
@@ -136,6 +159,32 @@ def test_distances_that_are_late_are_waited_for(run):
     truth = [*DRIVE, 2.002, 2.002, 2.002]
     monitor = run([], [*DRIVE, 2.0, 2.001, 2.002], truth)
     assert monitor.end is None
+
+
+ORDERS = [-30, -1, 0, 1, 30]
+
+
+@pytest.mark.parametrize('late', ORDERS)
+def test_a_drive_is_shown_as_it_was_on_arrival(run, late):
+    """Whichever topic comes first, and however the robot is pushed afterwards."""
+    pushed = [2.002 + 0.01 * step for step in range(40)]
+    monitor = run([], [*DRIVE, *AT_ONCE, *[2.002] * 40, *pushed], late=late)
+    assert shown(monitor) == shown(run([], [*DRIVE, *AT_ONCE]))
+    assert monitor.progress().endswith(' 2.00 of 2.00 m, 0.00 m/s, 20.1 s')
+    assert f'{monitor.duration:.1f}' == '20.1'
+
+
+@pytest.mark.parametrize('late', ORDERS)
+def test_a_turn_is_shown_as_it_was_on_arrival(play, late):
+    """The robot creeps on towards its target: each odometry has its own truth beside it."""
+    yaws = [math.pi / 2 * (1 - math.exp(-0.5 * 0.05 * step)) for step in range(400)]
+    topics = {topic: [odometry(yaw=yaw, stamp=0.05 * step) for step, yaw in enumerate(yaws)]
+              for topic in ('odom', 'base_pose_ground_truth')}
+    monitor = play(RotateMonitor, ['rotate'], topics, late)
+    assert shown(monitor) == shown(play(RotateMonitor, ['rotate'], topics))
+    assert re.search(r'heading +89\.90 .*\ntrue turn +89\.90 ', monitor.result()[0])
+    assert monitor.progress().endswith(' 89.9 degrees, 0.1 to go, 13.7 s')
+    assert f'{monitor.duration:.1f}' == '13.7'
 
 
 @pytest.mark.parametrize('factor, lockstep', [('1', 'false'), ('0', 'true'), ('0.5', 'true'),

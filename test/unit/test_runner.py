@@ -1,11 +1,12 @@
 """What runs the tests tells the truth about them."""
 
+import subprocess
 import sys
 import time
 
 import pytest
 from odometry_tests.processes import ATTEMPTS, GAVE_UP
-from odometry_tests.scripts import load_script
+from odometry_tests.scripts import ROOT, load_script
 
 suite = load_script('test/runner/suite.py')
 results = load_script('test/runner/results.py')
@@ -153,3 +154,12 @@ def test_every_test_file_is_run():
     for file in [*suite.TESTS.glob('s*/test_*.py'), *suite.TESTS.glob('rostests/*.test')]:
         assert any(file.name in command for command in commands), file
         assert suite.job(file.stem if file.suffix == '.py' else file.name)
+
+
+def test_bare_pytest_runs_the_unit_tests():
+    """Not the node test_movement.py, nor what needs to be started in its own way."""
+    collected = subprocess.run([sys.executable, '-m', 'pytest', '--collect-only', '-qq'],
+                               check=False, cwd=ROOT, capture_output=True, text=True)
+    files = {line.rpartition(':')[0] for line in collected.stdout.splitlines() if line}
+    assert files == {f'test/unit/{file.name}' for file in (ROOT / 'test/unit').glob('test_*.py')}, \
+        collected.stdout + collected.stderr

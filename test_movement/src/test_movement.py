@@ -21,6 +21,11 @@ Parameters:
 The last command the robot receives is zero, however the node ends.
 """
 
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import rospy
 from odometry_common.control_loop import ControlLoop
 from odometry_common.ending import spin

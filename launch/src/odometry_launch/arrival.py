@@ -15,8 +15,12 @@ def has_driven(moved, moved_before, wanted, linear):
     :param wanted: m
     :param linear: true velocity of the robot, along x and y at least (m/s)
     """
-    return (moved >= wanted and moved - moved_before < REST_STEP
-            and math.hypot(linear[0], linear[1]) < REST_SPEED)
+    return moved >= wanted and stands(moved - moved_before, linear)
+
+
+def stands(step, linear):
+    """Return whether a robot stands that has moved by a step (m) since the odometry before."""
+    return step < REST_STEP and math.hypot(linear[0], linear[1]) < REST_SPEED
 
 
 def has_turned(error, angular_speed):

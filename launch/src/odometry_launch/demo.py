@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 
 from odometry_launch.graph import DemoError, Graph
-from odometry_launch.logs import find_place_for_logs
+from odometry_launch.logs import place_for_logs
 from odometry_launch.options import launch_arguments, nodes_that_end, parse
 from odometry_launch.output import complain, forget_output
 from odometry_launch.page import Page
@@ -36,10 +36,9 @@ def _run(options):
     # The user need not know that rospy cannot write to its log, or that matplotlib reads fonts.
     logging.raiseExceptions = False
     logging.getLogger('matplotlib').setLevel(logging.ERROR)
-    find_place_for_logs()
     page = Page() if options.view else None
     launch_file, arguments = launch_arguments(options, page.port if page else None)
-    with Graph(launch_file, arguments, nodes_that_end(options)) as graph:
+    with place_for_logs(), Graph(launch_file, arguments, nodes_that_end(options)) as graph:
         if graph.unusual_address:
             print('rostopic in another terminal: '
                   f'export ROS_MASTER_URI={graph.unusual_address}', flush=True)

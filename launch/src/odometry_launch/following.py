@@ -43,7 +43,7 @@ def follow(options, graph, page, picture):
     if not page:
         graph.let_go()  # the nodes end while the picture is drawn
     if bag:
-        picture.result().leave_picture(bag)
+        picture.result().leave_picture(bag, monitor.end.to_sec())
     if complaint:
         complain(complaint)
     return complaint

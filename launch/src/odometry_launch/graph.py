@@ -50,12 +50,13 @@ class Graph:
         return self
 
     def __exit__(self, *_):
-        """Let everything end."""
+        """Return when everything has ended: until then it may write logs."""
         self.let_go()
+        self._roslaunch.wait()
         self._port.close()
 
     def let_go(self):
-        """Let everything end, which a busy machine may take long for: ./ws waits for it."""
+        """Let everything end; return at once."""
         self._roslaunch.let_go()
 
     def wait_until_read(self):
@@ -81,23 +82,31 @@ class Graph:
             raise DemoError(f'the nodes have ended: {self._log.reason()}')
 
     def wait_for(self, condition, complaint):
-        """Return once the condition holds; raise DemoError if it takes too long.
+        """Return once the condition holds; raise DemoError if it fails, or takes too long.
 
         It is checked in a thread, since rospy and the master may block for ever.
         """
-        holds = threading.Event()
+        ended, failures = threading.Event(), []
 
         def look():
-            while not holds.is_set():
-                with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
-                    if condition():
-                        holds.set()
-                time.sleep(LOOK_PERIOD)
+            try:
+                while not _holds(condition):
+                    time.sleep(LOOK_PERIOD)
+            except BaseException as error:  # noqa: BLE001
+                failures.append(f'{type(error).__name__}: {error}')
+            ended.set()
 
         threading.Thread(target=look, daemon=True).start()
         end = time.monotonic() + START_TIMEOUT
-        while not holds.wait(LOOK_PERIOD):
+        while not ended.wait(LOOK_PERIOD):
             self.check()
             if time.monotonic() > end:
                 raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
                                 f'{self._log.reason()}')
+        if failures:
+            raise DemoError(f'{complaint}: {failures[0]}')
+
+
+def _holds(condition):
+    with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
+        return condition()

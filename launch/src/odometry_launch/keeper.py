@@ -5,8 +5,9 @@ usage: python3 -I -S keeper.py COMMAND [ARGUMENT...]
 Standard input is a socket to the requester. The process id of the command is written to it. When
 it is closed at the other end, for whatever reason, or on SIGTERM, everything is asked to end,
 from the top: the command first, then what it leaves behind. What has not ended by then is asked
-regardless of order, and finally killed. The exit status is the command's; the same signal ends this
-process that has ended the command.
+regardless of order, and finally killed. What cannot be killed, such as a process of another user, is
+named in a line and left. The exit status is the command's, or 1 if it is left; the same signal ends
+this process that has ended the command.
 
 It starts in a few hundredths of a second, since it imports little: no psutil either.
 """
@@ -20,8 +21,10 @@ import time
 
 ASK_ALL_AFTER = 4.0  # s; roslaunch ends its nodes one after the other
 KILL_AFTER = 9.0  # s
+GIVE_UP_AFTER = 20.0  # s; on a busy machine a process may take some to die
 LOOK_PERIOD = 0.1  # s, for orphans; the end of a child is heard of at once
 LIFELINE = 0  # standard input
+STATUS_LEFT = 1 << 8  # as os.wait() would have it
 # prctl's numbers in <linux/prctl.h>
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 
@@ -48,7 +51,7 @@ def main(command):
     except OSError:
         pass  # the requester is gone
     _end_all(statuses, woken)
-    _end_as(statuses[command_pid])
+    _end_as(statuses.get(command_pid, STATUS_LEFT))
 
 
 def _wake_on_signals(told):
@@ -102,13 +105,16 @@ def _reap(statuses):
 
 
 def _end_all(statuses, woken):
-    """Return when no descendant is left."""
+    """Return when no descendant is left, or none that can be ended."""
     start, asked = time.monotonic(), set()
     asked_all = False
     while _reap(statuses):
         passed = time.monotonic() - start
         children = _children_by_parent()
         mine = children.get(os.getpid(), [])
+        if passed > GIVE_UP_AFTER:
+            _name(_with_descendants(mine, children))
+            return
         if passed > KILL_AFTER:
             _signal(signal.SIGKILL, _with_descendants(mine, children))
         elif passed > ASK_ALL_AFTER and not asked_all:
@@ -119,6 +125,23 @@ def _end_all(statuses, woken):
             _ask([pid for pid in mine if pid not in asked], asked)
         if select.select([woken], [], [], LOOK_PERIOD)[0]:
             os.read(woken, 4096)
+
+
+def _name(pids):
+    """Print a line that names processes."""
+    try:
+        os.write(2, f'cannot end {", ".join(map(_description, pids))}\n'.encode())
+    except OSError:
+        pass  # nobody reads it
+
+
+def _description(pid):
+    """Return the id of a process and, unless it has just ended, its command."""
+    try:
+        with open(f'/proc/{pid}/cmdline', 'rb') as file:
+            return f'{pid} ({file.read().replace(bytes(1), b" ").decode(errors="replace").strip()})'
+    except OSError:
+        return str(pid)
 
 
 def _ask(pids, asked):

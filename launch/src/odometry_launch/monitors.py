@@ -1,6 +1,8 @@
 """What there is to see of each tutorial: its progress, its end, its result."""
 
 import math
+import threading
+from functools import partial
 
 import rospy
 from nav_msgs.msg import Odometry
@@ -8,7 +10,7 @@ from odometry_common.connections import hears
 from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from std_msgs.msg import Float64
 
-from odometry_launch.arrival import HEADING_TOLERANCE, has_driven, has_turned
+from odometry_launch.arrival import HEADING_TOLERANCE, REST_STEP, has_turned, stands
 from odometry_launch.options import in_lockstep
 from odometry_launch.output import bar
 
@@ -18,15 +20,19 @@ AGREEMENT = 1e-3  # m and share of the distance; the path that is summed up is n
 
 
 class ProgressMonitor:
-    """Follows the robot's true motion from the world's origin; subclasses have arrived()."""
+    """Follows the robot's true motion from the world's origin until it has arrived.
+
+    Any topic may be late. What is shown of the arrival does not depend on that: the same motion gives
+    the same result.
+    """
 
     def __init__(self):
-        """Listen to the simulator."""
+        """Begin without a message."""
         self.ground_truth = None
         self.start = None
         self.end = None
         self._subscribers = []
-        self._listen('base_pose_ground_truth', Odometry, self._on_ground_truth)
+        self._lock = threading.Lock()
 
     def hears(self):
         """Return whether it hears the next message of everything that it listens to."""
@@ -43,14 +49,21 @@ class ProgressMonitor:
         return (self.end - self.start.header.stamp).to_sec()
 
     def _listen(self, topic, kind, callback):
-        self._subscribers.append(rospy.Subscriber(topic, kind, callback, tcp_nodelay=True))
+        """Have each message on a topic, up to the arrival, passed to a function."""
+        def hear(message):
+            with self._lock:
+                if self.end is None:
+                    callback(message)
 
-    def _on_ground_truth(self, message):
-        self.ground_truth = message
-        if self.start is None:
-            self.start = message
-        if self.end is None and self.arrived():
-            self.end = message.header.stamp
+        self._subscribers.append(rospy.Subscriber(topic, kind, hear, tcp_nodelay=True))
+
+    def _follow(self, ground_truth):
+        self.start = self.start or ground_truth
+        self.ground_truth = ground_truth
+
+    def _arrive(self, ground_truth):
+        self.ground_truth = ground_truth
+        self.end = ground_truth.header.stamp
 
 
 class MoveMonitor(ProgressMonitor):
@@ -63,18 +76,17 @@ class MoveMonitor(ProgressMonitor):
         if in_lockstep(options):
             self._furthest = (self._wanted + abs(options.speed) * ODOMETRY_PERIOD
                               + options.speed**2 / (2 * BRAKING))
-        self._moved = self._moved_before = 0.0
+        self._moved = 0.0
+        self._settled = None  # the distance, once it grows no more
+        self._has_moved = False
+        self._rest = None  # the first message of a robot that stands again
         super().__init__()
+        self._listen('base_pose_ground_truth', Odometry, self._on_ground_truth)
         self._listen('moved_distance', Float64, self._on_moved)
 
     def started(self):
         """Return whether the robot has begun to move."""
         return self.ground_truth is not None and self._moved > 0
-
-    def arrived(self):
-        """Return whether the distance is reached, and the robot stands by both accounts."""
-        linear = self.ground_truth.twist.twist.linear
-        return has_driven(self._moved, self._moved_before, self._wanted, (linear.x, linear.y))
 
     def progress(self):
         """Return one line."""
@@ -98,8 +110,30 @@ class MoveMonitor(ProgressMonitor):
             return 'the two distances do not agree'
         return None
 
+    def _on_ground_truth(self, message):
+        before = (self.ground_truth or message).pose.pose.position
+        position, linear = message.pose.pose.position, message.twist.twist.linear
+        step = math.hypot(position.x - before.x, position.y - before.y)
+        self._follow(message)
+        if not stands(step, (linear.x, linear.y)):
+            self._has_moved, self._rest = True, None
+        elif self._has_moved and self._rest is None:
+            self._rest = message
+        self._look()
+
     def _on_moved(self, message):
-        self._moved_before, self._moved = self._moved, message.data
+        before, self._moved = self._moved, message.data
+        if self._moved < self._wanted or self._moved - before >= REST_STEP:
+            self._settled = None
+        elif self._settled is None:
+            self._settled = self._moved
+        self._look()
+
+    def _look(self):
+        """Have arrived if the distance is reached, and the robot stands by both accounts."""
+        if self._rest is not None and self._settled is not None:
+            self._moved = self._settled
+            self._arrive(self._rest)
 
 
 class RotateMonitor(ProgressMonitor):
@@ -110,17 +144,14 @@ class RotateMonitor(ProgressMonitor):
         self._target = math.radians(options.target)
         self._yaw = None
         self._first_error = None
+        self._moments = {}  # what has come so far of a stamp, by topic
         super().__init__()
-        self._listen('odom', Odometry, self._on_odometry)
+        for topic in 'odom', 'base_pose_ground_truth':
+            self._listen(topic, Odometry, partial(self._on_message, topic))
 
     def started(self):
         """Return whether the heading is known."""
-        return self.ground_truth is not None and self._yaw is not None
-
-    def arrived(self):
-        """Return whether the heading is reached and the robot hardly turns."""
-        return self._yaw is not None and has_turned(
-            wrap_to_pi(self._target - self._yaw), self.ground_truth.twist.twist.angular.z)
+        return self.ground_truth is not None
 
     def progress(self):
         """Return one line."""
@@ -140,10 +171,24 @@ class RotateMonitor(ProgressMonitor):
     def _error(self):
         return abs(math.degrees(wrap_to_pi(self._target - self._yaw)))
 
-    def _on_odometry(self, message):
-        self._yaw = _yaw(message)
+    def _on_message(self, topic, message):
+        """Look at a moment once both of its messages are there."""
+        stamp = message.header.stamp.to_nsec()
+        moment = self._moments.setdefault(stamp, {})
+        moment[topic] = message
+        if len(moment) == 2:
+            del self._moments[stamp]
+            self._look(**moment)
+
+    def _look(self, odom, base_pose_ground_truth):
+        """Have arrived if the heading is reached and the robot hardly turns."""
+        self._yaw = _yaw(odom)
         if self._first_error is None:
             self._first_error = self._error()
+        self._follow(base_pose_ground_truth)
+        if has_turned(wrap_to_pi(self._target - self._yaw),
+                      base_pose_ground_truth.twist.twist.angular.z):
+            self._arrive(base_pose_ground_truth)
 
 
 def _yaw(message):

@@ -63,22 +63,23 @@ class Run(NamedTuple):
                 f'top speed   {numpy.abs(track.speed).max():.3f} m/s')
 
 
-def read_run(path, odometry_topic='/odom'):
+def read_run(path, odometry_topic='/odom', end=math.inf):
     """Return the Run in a bag.
 
+    :param end: of the run (s); what is later is left out
     :raises BagError: if it is not a bag, or has no odometry with finite numbers on that topic
     """
     try:
         with rosbag.Bag(str(path)) as bag:
             odometry, ground_truth, commands = (
-                list(bag.read_messages(topic))
+                [row for row in bag.read_messages(topic) if _stamp(row) <= end]
                 for topic in (odometry_topic, '/base_pose_ground_truth', '/cmd_vel'))
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
     if not odometry:
         raise BagError(f'{path} has no messages on {odometry_topic}')
     start = _stamp(odometry[0])
-    rows = [(row.timestamp.to_sec() - start, row.message.linear.x, row.message.angular.z)
+    rows = [(_stamp(row) - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
     track, true_track = _track(odometry, start), _track(ground_truth, start)
     if track is None:
@@ -146,5 +147,6 @@ def _yaw(orientation):
 
 
 def _stamp(row):
-    """Return when a message was measured, or recorded if its driver does not say (s)."""
-    return row.message.header.stamp.to_sec() or row.timestamp.to_sec()
+    """Return when a message was measured, or recorded if it does not say (s)."""
+    measured = row.message.header.stamp.to_sec() if hasattr(row.message, 'header') else 0.0
+    return measured or row.timestamp.to_sec()

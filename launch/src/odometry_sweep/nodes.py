@@ -33,9 +33,11 @@ class Nodes(Graph):
         return self
 
     def __exit__(self, *_):
-        """Let everything end."""
+        """Return when everything has ended: until then it may write logs."""
         for node in self._running.values():
             node.let_go()
+        for node in self._running.values():
+            node.wait()
         self._port.close()
 
     def start(self, package, script, *arguments):

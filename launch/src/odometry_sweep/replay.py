@@ -12,7 +12,7 @@ from odometry_common.registration import mend_registration
 from odometry_common.same_name import mend_same_name
 from odometry_launch.folders import RUNS
 from odometry_launch.graph import DemoError
-from odometry_launch.logs import find_place_for_logs
+from odometry_launch.logs import place_for_logs
 from odometry_launch.picture import leave_picture
 from odometry_launch.recording import Recording
 from sim_turtlebot.settings import read_settings
@@ -42,8 +42,7 @@ def replay(folder, number):
     """
     campaign, row, duration = _find(folder, number)
     parameters = next(itertools.islice(campaign.runs(), number - 1, None))
-    find_place_for_logs()
-    with Nodes() as nodes:
+    with place_for_logs(), Nodes() as nodes:
         recording = _record(nodes, campaign.tutorial, parameters, duration)
         bag = recording.close()
     figures = figures_of(recording.path, campaign.tutorial, parameters)
