@@ -4,7 +4,7 @@
 [ "${ROS_VERSION:-}" != 2 ] ||
     unset PYTHONPATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
 . "$ODOMETRY_ROOT/.ws/devel/setup.bash"
-export PATH=$ODOMETRY_ROOT/launch/bin:$ODOMETRY_ROOT/.venv/bin:$PATH
+export PATH=$ODOMETRY_ROOT/setup/bin:$ODOMETRY_ROOT/.venv/bin:$PATH
 
 listens_on_this_machine_only() {
     local address=${ROS_HOSTNAME:-${ROS_IP:-localhost}}

@@ -119,7 +119,7 @@ STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
     'rotate_robot/script/main.py', 'rotate_robot/script/rotate.py',
     'sim_turtlebot/script/sim_turtlebot_node.py', 'sim_turtlebot/script/view.py',
     'sim_turtlebot/script/world_frame.py', 'launch/scripts/plot_run.py',
-    'launch/scripts/rosout.py', 'launch/bin/roslaunch'])
+    'launch/scripts/rosout.py', 'setup/bin/roslaunch'])
 def test_ctrl_c_ends_a_script_at_any_moment_of_its_imports(script):
     """At once and without a word, where Python would end it with a traceback, or go on."""
     with Process(sys.executable, '-c', IMPORTING, ROOT / script, '--help') as process:
