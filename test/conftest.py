@@ -1,5 +1,7 @@
 """A ROS master for each run of pytest: rospy joins one only once."""
 
+import os
+
 import pytest
 import rospy
 from odometry_common.registration import mend_registration
@@ -23,6 +25,12 @@ def master():
             rospy.init_node('system_test', anonymous=True, disable_signals=True,
                             disable_rostime=True)
         yield process
+
+
+@pytest.fixture(scope='session', autouse=True)
+def runs(tmp_path_factory):
+    """Have demos, sweeps and benches leave their folders here, and nothing in the checkout."""
+    os.environ['ODOMETRY_RUNS'] = str(tmp_path_factory.mktemp('runs', numbered=False))
 
 
 @pytest.hookimpl(hookwrapper=True)

@@ -3,7 +3,11 @@
 # ROS 2 has modules and variables of the same names.
 [ "${ROS_VERSION:-}" != 2 ] ||
     unset PYTHONPATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
-. "$ODOMETRY_ROOT/.ws/devel/setup.bash"
+# It writes a file, and would show how that fails in a traceback.
+. "$ODOMETRY_ROOT/.ws/devel/setup.bash" &>/dev/null || {
+    echo "./ws: nothing can be written to ${TMPDIR:-/tmp}: full disk, or limited files (ulimit -f)" >&2
+    exit 1
+}
 export PATH=$ODOMETRY_ROOT/setup/bin:$ODOMETRY_ROOT/.venv/bin:$PATH
 
 listens_on_this_machine_only() {

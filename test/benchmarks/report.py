@@ -5,8 +5,7 @@ import math
 import os
 import platform
 
-import matplotlib
-from matplotlib import pyplot
+from odometry_launch.drawing import new_figure
 from robots import COUNTS, robots
 
 WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
@@ -43,17 +42,17 @@ def write_csv(figures, path):
 
 def write_chart(figures, path):
     """Draw what a robot costs in small and in large crowds."""
-    matplotlib.use('Agg')
     speeds = {figure.name: figure.value for figure in figures}
     cost = [1e3 / speeds[f'simulator, {robots(count)}'] / count for count in COUNTS]
-    canvas, axes = pyplot.subplots(figsize=(6, 4), layout='constrained')
+    figure = new_figure(6, 4)
+    axes = figure.subplots()
     axes.plot(COUNTS, cost, 'o-')
     axes.set(xscale='log', xticks=COUNTS, xticklabels=COUNTS, xlabel='robots in the simulator',
              ylabel='cost of a robot (ms per simulated s)', ylim=(0, 1.1 * max(cost)),
              title='sim_turtlebot, unpaced, all robots driving')
     axes.minorticks_off()
     axes.grid(alpha=0.3)
-    canvas.savefig(path, dpi=120)
+    figure.savefig(path)
 
 
 def _short(value):

@@ -7,7 +7,6 @@ absolute values belong to the machine. The exit status is 1 if a target was miss
 import argparse
 import math
 import sys
-import time
 from pathlib import Path
 
 import rospy
@@ -17,6 +16,7 @@ from latency import detector_latency
 from lockstep import graph_in_lockstep
 from measuring import Options
 from memory import memory
+from odometry_launch.folders import RUNS, new_folder
 from odometry_tests.processes import Master
 from report import machine, print_figure, print_heading, write_chart, write_csv
 from robots import many_robots
@@ -25,7 +25,6 @@ from start import end, start
 from sweeps import sweep
 from viewing import viewing
 
-RUNS = Path(__file__).resolve().parents[2] / 'runs'
 MEASUREMENTS = {
     'robot': robot_without_ros, 'unpaced': graph_unpaced, 'lockstep': graph_in_lockstep,
     'scan': graph_with_scan, 'clock': clock_ticks, 'sweep': sweep,
@@ -37,14 +36,13 @@ MEASUREMENTS = {
 def main():
     """Measure, report, and exit 0 if all targets are met."""
     options = parse(sys.argv[1:])
-    folder = RUNS / time.strftime('bench-%Y-%m-%d-%H%M%S')
     print(f'on {machine()}; medians of {options.runs} runs')
     with Master(use_sim_time=True):
         # The clock of the simulators must not become the clock of what measures them.
         rospy.init_node('bench', disable_signals=True, disable_rostime=True)
         print_heading()
         figures = list(_measure(options))
-    folder.mkdir(parents=True)
+    folder = new_folder(RUNS, 'bench-')
     write_csv(figures, options.csv or folder / 'figures.csv')
     print(f'figures  {options.csv or folder / "figures.csv"}')
     if 'robots' in options.only:

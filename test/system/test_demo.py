@@ -1,6 +1,8 @@
 """The main job: ./ws demo, from its first line to the picture it leaves."""
 
+import os
 import re
+from pathlib import Path
 
 import rosbag
 from odometry_tests.forms import number_after
@@ -26,6 +28,7 @@ def test_the_demo_drives_two_metres_and_leaves_a_picture():
     assert number_after('true distance', run.stdout) == 2.005
     assert re.search('^.* of 2.00 m', run.stdout, re.MULTILINE), 'no progress in plain lines'
     picture = re.search(r'picture +(.*)', run.stdout).group(1)
+    assert Path(picture).resolve().parents[1] == Path(os.environ['ODOMETRY_RUNS'])
     with open(picture, 'rb') as file:
         assert file.read(4) == PNG
     with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:

@@ -62,12 +62,14 @@ def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs, tmp_path):
     temporary.mkdir()
     demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
                ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
+               MPLBACKEND='module://matplotlib_inline.backend_inline',
                TMPDIR=str(temporary), PATH=f'{slow_programs}:{os.environ["PATH"]}')
     assert demo.wait() == 0, demo.output
     assert re.fullmatch(rf'demo: until the end logs are in {temporary}/\S+: .*', demo.stderr)
     assert not list(temporary.iterdir())
     assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
     assert number_after('time', demo.stdout) > ROTATE_TIME, demo.output
+    assert 'picture' in demo.stdout
 
 
 def test_ctrl_c_leaves_no_folder_for_logs(tmp_path):
@@ -91,6 +93,16 @@ def test_it_drives_as_it_is_told_when_the_disk_is_full():
     assert number_after('moved distance', demo.stdout) == 1.011
     assert number_after('true distance', demo.stdout) == 1.011
     assert 'picture' not in demo.stdout
+
+
+@pytest.mark.parametrize('limit, line', [
+    ('-v 500000', r'demo: the address space is limited to 500000 kB \(ulimit -v\), but must be .*'),
+    ('-f 0', r'\./ws: nothing can be written to \S+: .*')])
+def test_a_limit_under_which_it_cannot_drive_is_named_in_one_line(limit, line):
+    """Instead of threads that cannot start and those that wait for them."""
+    demo = run(f'ulimit {limit}; ./ws demo')
+    assert (demo.wait(), demo.stdout) == (1, ''), demo.output
+    assert re.fullmatch(line, demo.stderr), demo.output
 
 
 @pytest.mark.parametrize('output, status', [('>&-', 0), ('| head -n 1', 128 + signal.SIGPIPE)])

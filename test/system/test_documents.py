@@ -186,7 +186,7 @@ def environment(port, page_port):
     return {'PATH': '/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin',
             'TERM': 'xterm', 'LANG': 'C.UTF-8', 'DISPLAY': os.environ.get('DISPLAY', ''),
             'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}',
-            'PAGE_PORT': str(page_port)}
+            'PAGE_PORT': str(page_port), 'ODOMETRY_RUNS': os.environ['ODOMETRY_RUNS']}
 
 
 @pytest.mark.parametrize('key', SESSIONS)

@@ -5,10 +5,12 @@ import math
 import pytest
 import rosbag
 import rospy
-from odometry_launch.run_plot import make_figure, read_run
+from geometry_msgs.msg import TwistStamped
+from odometry_launch.run_plot import BagError, make_figure, read_run
 from odometry_tests.forms import number_after
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
+from std_msgs.msg import Float64
 
 PNG = b'\x89PNG'
 PERIOD = 0.1  # s
@@ -31,15 +33,16 @@ def record(path, messages):
     return path
 
 
-def plot(*arguments):
+def plot(*arguments, **options):
     """Run plot_run."""
-    return Process('rosrun', 'sim_turtlebot', 'plot_run.py', *arguments)
+    return Process('rosrun', 'sim_turtlebot', 'plot_run.py', *arguments, **options)
 
 
-def test_it_draws_any_bag_with_odometry(tmp_path):
-    """A real robot's bag has neither truth nor commands."""
+@pytest.mark.parametrize('backend', ['', 'module://matplotlib_inline.backend_inline', 'nonsense'])
+def test_it_draws_any_bag_with_odometry(tmp_path, backend):
+    """A real robot's bag has neither truth nor commands. Jupyter and editors set MPLBACKEND."""
     picture = tmp_path / 'real.png'
-    run = plot(record(tmp_path / 'real.bag', metre()), '-o', picture)
+    run = plot(record(tmp_path / 'real.bag', metre()), '-o', picture, env={'MPLBACKEND': backend})
     assert run.wait(30.0) == 0, run.output
     assert number_after('distance', run.stdout) == 1.0
     assert number_after('duration', run.stdout) == 10.0
@@ -116,6 +119,19 @@ def test_what_is_no_bag_is_refused(tmp_path, content):
 def test_a_bag_without_a_single_position_is_refused(tmp_path, messages):
     """One line that names the file."""
     assert_refused(record(tmp_path / 'empty.bag', messages))
+
+
+@pytest.mark.parametrize('topic, message, kind', [
+    ('/odom', Float64(), 'std_msgs/Float64'),
+    ('/base_pose_ground_truth', Float64(), 'std_msgs/Float64'),
+    ('/cmd_vel', TwistStamped(), 'geometry_msgs/TwistStamped')])
+def test_a_topic_of_another_type_is_refused(tmp_path, topic, message, kind):
+    """With its name and both types."""
+    path = record(tmp_path / 'odd.bag', [] if topic == '/odom' else metre())
+    with rosbag.Bag(str(path), 'a') as bag:
+        bag.write(topic, message)
+    with pytest.raises(BagError, match=f'odd.bag has {kind} on {topic}, but must have '):
+        read_run(path)
 
 
 def assert_refused(path):

@@ -3,6 +3,7 @@
 import csv
 import os
 import re
+from pathlib import Path
 
 import psutil
 import pytest
@@ -25,7 +26,7 @@ def sweep(*arguments):
 
 def folder_of(output):
     """Return the folder that a sweep names."""
-    return ROOT / re.search(r'runs/sweep-[-\w]+', output)[0]
+    return Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', output)[0])
 
 
 def rows_in(folder):
@@ -34,8 +35,9 @@ def rows_in(folder):
         return list(csv.DictReader(file))
 
 
-def test_a_sweep_leaves_a_row_for_each_run_and_says_what_came_out(tmp_path):
+def test_a_sweep_leaves_a_row_for_each_run_and_says_what_came_out(monkeypatch):
     """And can be run again from what it leaves, with the same rows to the last byte."""
+    monkeypatch.setenv('MPLBACKEND', 'module://matplotlib_inline.backend_inline')
     first = sweep('move', '--seeds', '3', *SHORT, *NOISE)
     assert first.wait() == 0, first.output
     rows = rows_in(folder_of(first.stdout))

@@ -1,8 +1,10 @@
 """A sweep on a Dask cluster gives the rows that this machine gives, also if a worker is killed."""
 
 import contextlib
+import os
 import re
 import signal
+from pathlib import Path
 
 import pytest
 from odometry_tests.processes import Process, hold_port
@@ -11,8 +13,7 @@ from odometry_tests.waiting import wait_until
 
 TIMEOUT = 90.0  # s
 RUNS, MANY = 150, 100000
-NOBODY_ELSE_HAS = '0.4321'  # m, by which the sweep's folder is found while it runs
-CAMPAIGN = ['move', '--set', f'distance={NOBODY_ELSE_HAS}', '--set', 'odometry_source=encoder',
+CAMPAIGN = ['move', '--set', 'distance=0.4321', '--set', 'odometry_source=encoder',
             '--set', 'wheel_noise=0.01', '--seeds']
 SOME = 10
 
@@ -27,13 +28,10 @@ def lines_in(folder):
     return (folder / 'runs.csv').read_text().splitlines()[1:]
 
 
-def new_folder(before):
-    """Return the folder of our sweep, None as long as there is none."""
-    for folder in set(ROOT.glob('runs/sweep-*')) - before:
-        with contextlib.suppress(FileNotFoundError):
-            if NOBODY_ELSE_HAS in (folder / 'campaign.yaml').read_text() and lines_in(folder):
-                return folder
-    return None
+def folders():
+    """Return the folders of sweeps that have written a row."""
+    files = Path(os.environ['ODOMETRY_RUNS']).glob('sweep-*/runs.csv')
+    return {file.parent for file in files if lines_in(file.parent)}
 
 
 @pytest.fixture
@@ -61,9 +59,10 @@ def workers(scheduler):
 @contextlib.contextmanager
 def sweeping(scheduler, runs):
     """Start a sweep of so many runs; yield its process and its folder, once a row is there."""
-    before = set(ROOT.glob('runs/sweep-*'))
+    before = folders()
     with ws('sweep', *CAMPAIGN, str(runs), '--cluster', scheduler.address) as run:
-        yield run, wait_until(lambda: new_folder(before), TIMEOUT, 'the folder of the sweep')
+        folder, = wait_until(lambda: folders() - before, TIMEOUT, 'the folder of the sweep')
+        yield run, folder
 
 
 def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers):
@@ -77,7 +76,7 @@ def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers
     assert killed.wait() == -signal.SIGKILL and other.running
     alone = ws('sweep', *CAMPAIGN, str(RUNS))
     assert alone.wait(TIMEOUT) == 0, alone.output
-    rows = lines_in(ROOT / re.search(r'runs/sweep-[-\w]+', alone.stdout)[0])
+    rows = lines_in(Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', alone.stdout)[0]))
     assert lines_in(folder) == rows and len(rows) == RUNS
 
 

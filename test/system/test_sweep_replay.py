@@ -1,6 +1,8 @@
 """A run of a sweep is what the nodes do in lockstep, to the last bit."""
 
+import os
 import re
+from pathlib import Path
 
 import pytest
 import rosbag
@@ -30,7 +32,7 @@ def test_a_row_and_its_replay_are_equal(tutorial, parameters, topics):
     swept = sweep(tutorial, '--seeds', '2', *(
         word for parameter in parameters for word in ('--set', parameter)))
     assert swept.wait() == 0, swept.output
-    folder = ROOT / re.search(r'runs/sweep-[-\w]+', swept.stdout)[0]
+    folder = Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', swept.stdout)[0])
     run = sweep('--replay', str(folder), RUN)
     assert run.wait() == 0, run.output
     assert run.stdout.splitlines()[-1] == 'the same, to the last bit'

@@ -9,6 +9,7 @@ from odometry_sweep.campaign import Campaign, read_campaign
 from odometry_sweep.options import parse
 
 values = st.lists(st.one_of(st.integers(-5, 5), st.floats(0, 1)), min_size=1, max_size=3)
+GRID, HUNDRED = ['speed', 'distance', 'x', 'y', 'yaw'], [step / 100 for step in range(1, 101)]
 grids = st.dictionaries(st.sampled_from(['kp', 'target', 'x', 'wheel_slip']), values)
 
 
@@ -64,6 +65,7 @@ def test_a_file_says_the_same(tmp_path):
     (['move', '--set', 'speed'], "'speed' is not NAME=VALUE,VALUE,..."),
     (['move', '--set', '=1'], "'=1' is not NAME=VALUE,VALUE,..."),
     (['move', '--set', 'speed=[1'], "'speed=[1' has a value that is no YAML"),
+    (['move', '--set', f'speed={"[" * 5000}'], "[[' has a value that is no YAML"),
     (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
     (['move', '--campaign', 'x.yaml'], 'the file says all of tutorial, --seeds and --set')])
 def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
@@ -76,8 +78,9 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
 
 @pytest.mark.parametrize('content, line', [
     ('{', 'is no YAML'), ('', 'names no tutorial'), ('[move]', 'names no tutorial'),
-    ('seeds: 3', 'names no tutorial'), ('\0', 'is no YAML'),
+    ('seeds: 3', 'names no tutorial'), ('\0', 'is no YAML'), ('[' * 5000, 'is no YAML'),
     ({'tutorial': 'dance'}, "the tutorial is 'dance', but must be move or rotate"),
+    ({'tutorial': ['move']}, "the tutorial is ['move'], but must be move or rotate"),
     ({'tutorial': 'move', 'seed': 3}, "has 'seed', but may have tutorial, seeds, set, limits"),
     ({'tutorial': 'move', 'seeds': 0}, 'seeds is 0, but must be a whole number from 1'),
     ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be'),
@@ -85,6 +88,8 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'set': {'speed': []}}, 'speed has no value'),
     ({'tutorial': 'move', 'set': {'speed': [0.1, 0]}},
      'parameter ~speed is 0, but must be a speed in m/s other than 0'),
+    ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
+     'there are 10000000000 runs, but must be 1000000 at most'),
     ({'tutorial': 'move', 'set': {'speed': [[1]]}}, 'parameter ~speed is [1], but must be'),
     ({'tutorial': 'move', 'set': {'wheel_slip': 'nan'}}, "parameter ~wheel_slip is 'nan', but"),
     ({'tutorial': 'move', 'set': {'kp': 1}}, 'unknown parameter kp; move has cmd_vel_timeout, dist'),

@@ -8,13 +8,14 @@ import sysconfig
 from xml.etree import ElementTree
 
 import pytest
+from odometry_tests.other_pythons import REQUIREMENTS
 from odometry_tests.scripts import ROOT
 
 MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
-# Imported, but under a name that rosdep does not know: the requirements files list them, or what
-# brings them.
-FROM_PYPI = {'hypothesis', 'joblib', 'msgspec', 'pybullet', 'pybullet_utils', 'rich', 'selenium', 'trimesh',
+# Imported, but under a name that rosdep does not know: the requirements files list them.
+FROM_PYPI = {'hypothesis', 'joblib', 'msgspec', 'pybullet', 'rich', 'selenium', 'trimesh',
              'typing_extensions', 'viser', 'websockets', 'zstandard'}
+OF_PYBULLET = {'pybullet_utils'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
 COMMANDS = {'rosbag': 'rosbag', 'roscore': 'roslaunch', 'roslaunch': 'roslaunch',
@@ -69,7 +70,7 @@ def needs(folder):
     sources = [path for path in folder.rglob('*.py') if path.name != 'setup.py']
     trees = [ast.parse(source.read_text()) for source in sources]
     modules = {name for tree in trees for name in imports(tree)}
-    modules -= {source.stem for source in sources} | FROM_PYPI
+    modules -= {source.stem for source in sources} | FROM_PYPI | OF_PYBULLET
     keys = {KEYS.get(module, module) for module in modules if not is_of_python(module)}
     keys |= {COMMANDS[word] for tree in trees for word in commands(tree) if word in COMMANDS}
     for path in [*folder.rglob('*.launch'), *folder.rglob('*.test')]:
@@ -81,3 +82,10 @@ def needs(folder):
 def test_a_package_depends_on_what_it_uses(manifest):
     """By import, as a command in a string, or in a launch file."""
     assert needs(manifest.parent) - depends(manifest) - {name_of(manifest)} == set()
+
+
+def test_the_requirements_name_what_rosdep_does_not_know():
+    """What only comes in by way of another package may not come in by way of its next version."""
+    named = {line.partition('==')[0].replace('-', '_')
+             for file in REQUIREMENTS for line in file.read_text().splitlines()}
+    assert FROM_PYPI <= named, FROM_PYPI - named

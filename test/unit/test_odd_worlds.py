@@ -1,5 +1,7 @@
 """Worlds that are refused, each with what is wrong with it, before a robot moves in them."""
 
+import os
+
 import pytest
 from odometry_tests.scripts import ROOT
 from sim_turtlebot.physics import World, settled_world
@@ -17,6 +19,8 @@ FILES = {
                     '<mesh filename="gone.obj"/></geometry></collision></link></robot>',
     'mesh_that_is_a_folder.urdf': '<robot name="r"><link name="a"><collision><geometry>'
                                   '<mesh filename="mesh.obj"/></geometry></collision></link></robot>',
+    'mesh_that_is_a_pipe.urdf': '<robot name="r"><link name="a"><collision><geometry>'
+                                '<mesh filename="pipe.obj"/></geometry></collision></link></robot>',
 }
 
 
@@ -25,6 +29,7 @@ def folder(tmp_path):
     """Fill a folder with worlds."""
     for name in ('x.urdf', 'x.sdf', 'mesh.obj'):
         (tmp_path / name).mkdir()
+    os.mkfifo(tmp_path / 'pipe.obj')
     for name, text in FILES.items():
         (tmp_path / name).write_text(text)
     return tmp_path
@@ -49,6 +54,13 @@ def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(folder, nam
     assert reason in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
     assert 'inertial' not in str(refusal.value)
+
+
+def test_a_file_over_which_pybullet_waits_for_ever_is_refused(folder, monkeypatch):
+    """A pipe to which nobody writes."""
+    monkeypatch.setattr('sim_turtlebot.world_file.LONGEST_LOAD', 1)
+    with pytest.raises(WorldFileError, match='a file that can be loaded .not within 1 s.'):
+        World(STEP_RATE, world_file=str(folder / 'mesh_that_is_a_pipe.urdf'))
 
 
 def box(size, position):

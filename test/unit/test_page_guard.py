@@ -2,9 +2,10 @@
 
 import pytest
 
-pytest.importorskip('viser', reason='viser is not installed')
+viser = pytest.importorskip('viser', reason='viser is not installed')
 
 from odometry_common.parameters import StartError
+from odometry_tests.processes import hold_port
 from robot_view.guard import guarded
 from websockets.asyncio import server
 
@@ -21,3 +22,12 @@ def test_servers_of_others_are_not_guarded():
     with pytest.raises(ZeroDivisionError), guarded(None, None):
         raise ZeroDivisionError
     assert server.serve is serve
+
+
+def test_viser_has_the_inputs_of_a_page_where_they_are_looked_for():
+    """It has no public name for them: another version may have another one."""
+    with hold_port() as port:
+        server = viser.ViserServer('localhost', port, verbose=False)
+        button = server.gui.add_button('stop')
+        assert list(server.gui._gui_input_handle_from_uuid.values()) == [button]
+        server.stop()

@@ -46,7 +46,7 @@ def test_what_ros_can_store_is_accepted(argument):
 @pytest.mark.parametrize('argument', [
     '_speed:=', '_speed:=2147483648', '_speed:=-2147483649', '_speed:=[1', '_speed:={1: 2}',
     '_speed:=2020-01-01', '_speed:=null', '_speed:=[~]', '_speed:=%', '_speed:=2: 3: 4',
-    '_speed:=!!python/none'])
+    '_speed:=!!python/none', f'_speed:={"[" * 5000}'])
 def test_what_ros_cannot_store_is_refused_in_one_line(argument):
     """Where rospy would answer with a traceback."""
     with pytest.raises(ParameterError) as refusal:

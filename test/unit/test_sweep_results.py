@@ -1,9 +1,10 @@
-"""What an interrupted sweep says that it has kept."""
+"""How many processes a sweep starts, and what it says that it has kept if it is interrupted."""
 
 import csv
+from types import SimpleNamespace
 
 import pytest
-from odometry_sweep import main
+from odometry_sweep import main, running
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.figures import FIGURES
 
@@ -52,3 +53,21 @@ def test_ctrl_c_before_there_is_a_file_is_no_error(tmp_path, monkeypatch, capsys
     with pytest.raises(KeyboardInterrupt):
         main._sweep(CAMPAIGN, None)
     assert 'sweep: interrupted after 0 of 9 runs' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize('jobs, seeds, processes', [
+    (None, 100, 4), (None, 3, 3), (6, 100, 6), (150, 1, 1), (99999, 10**6, 8)])
+def test_there_are_never_more_processes_than_runs_or_than_twice_the_processors(
+        monkeypatch, jobs, seeds, processes):
+    """Of which there are four here."""
+    started = []
+
+    def parallel(n_jobs, **_):
+        started.append(n_jobs)
+        return lambda _: iter(())
+
+    joblib = SimpleNamespace(cpu_count=lambda: 4, Parallel=parallel, delayed=None)
+    monkeypatch.setattr(running, '_installed', lambda _: joblib)
+    with running.side_by_side(jobs) as run_all:
+        assert list(run_all(CAMPAIGN._replace(seeds=seeds))) == []
+    assert started == [processes]

@@ -1,10 +1,11 @@
 """Folders for what is left of demos and sweeps."""
 
 import itertools
+import os
 import time
 from pathlib import Path
 
-RUNS = Path(__file__).resolve().parents[3] / 'runs'
+RUNS = Path(os.environ.get('ODOMETRY_RUNS') or Path(__file__).resolve().parents[3] / 'runs')
 
 
 def new_folder(runs, name=''):

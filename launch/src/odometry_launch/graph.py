@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import resource
 import subprocess
 import threading
 import time
@@ -16,6 +17,8 @@ from odometry_launch.ports import master_port
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
 LOOK_PERIOD = 0.02  # s
+# With half of it some threads cannot start, and whoever needs them waits for ever.
+ADDRESS_SPACE = 2 * 10**9  # bytes
 RESPAWNED = 'rosout'  # roslaunch starts it again
 # roslaunch would give a master of its own 10 s, which can be too few where much is running. As its
 # child this one is ended after the nodes.
@@ -40,6 +43,7 @@ class Graph:
 
     def __enter__(self):
         """Start everything, and return at once."""
+        check_address_space()
         self._port = master_port()
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
         self._log = LaunchLog()
@@ -110,3 +114,11 @@ class Graph:
 def _holds(condition):
     with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
         return condition()
+
+
+def check_address_space():
+    """Raise DemoError if the nodes, which inherit the limit, may have too little."""
+    most, _ = resource.getrlimit(resource.RLIMIT_AS)
+    if most != resource.RLIM_INFINITY and most < ADDRESS_SPACE:
+        raise DemoError(f'the address space is limited to {most // 1024} kB (ulimit -v), but must '
+                        f'be at least {ADDRESS_SPACE // 1024} kB')

@@ -8,14 +8,15 @@ from typing import NamedTuple
 import numpy
 import rosbag
 from geometry_msgs.msg import Quaternion
-from matplotlib.figure import Figure
 from moved_distance.distance_counter import DistanceCounter
 from odometry_common.geometry import PlanarPose, yaw_from_orientation
+
+from odometry_launch.drawing import new_figure
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
 SMALLEST_SPAN = 2.0  # degrees of heading; less would make noise look like a turn
 FIGURE_SIZE = (11, 8)  # inches
-RESOLUTION = 100  # dots per inch
+ODOMETRY, COMMAND = 'nav_msgs/Odometry', 'geometry_msgs/Twist'
 
 
 class BagError(ValueError):
@@ -67,13 +68,15 @@ def read_run(path, odometry_topic='/odom', end=math.inf):
     """Return the Run in a bag.
 
     :param end: of the run (s); what is later is left out
-    :raises BagError: if it is not a bag, or has no odometry with finite numbers on that topic
+    :raises BagError: if it is not a bag, has messages of another type on one of the topics, or no
+        odometry with finite numbers
     """
     try:
         with rosbag.Bag(str(path)) as bag:
             odometry, ground_truth, commands = (
-                [row for row in bag.read_messages(topic) if _stamp(row) <= end]
-                for topic in (odometry_topic, '/base_pose_ground_truth', '/cmd_vel'))
+                _messages(bag, topic, kind, end) for topic, kind in (
+                    (odometry_topic, ODOMETRY), ('/base_pose_ground_truth', ODOMETRY),
+                    ('/cmd_vel', COMMAND)))
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
     if not odometry:
@@ -88,9 +91,17 @@ def read_run(path, odometry_topic='/odom', end=math.inf):
                true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
 
 
+def _messages(bag, topic, kind, end):
+    """Return the messages of a topic up to a time (s); their type has to be `kind`."""
+    found = bag.get_type_and_topic_info(topic).topics.get(topic)
+    if found and found.msg_type != kind:
+        raise BagError(f'{bag.filename} has {found.msg_type} on {topic}, but must have {kind}')
+    return [row for row in bag.read_messages(topic) if _stamp(row) <= end]
+
+
 def make_figure(run):
     """Return a figure of path, distance, speed and heading of a Run."""
-    figure = Figure(FIGURE_SIZE, dpi=RESOLUTION, layout='constrained')
+    figure = new_figure(*FIGURE_SIZE)
     figure.suptitle(run.name)
     path, distance, speed, heading = figure.subplots(2, 2).flat
     if len(run.commands):

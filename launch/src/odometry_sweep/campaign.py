@@ -1,6 +1,7 @@
 """What is to be run: a tutorial, a grid of parameter values, seeds, and limits."""
 
 import itertools
+import math
 from typing import NamedTuple
 
 import yaml
@@ -11,7 +12,7 @@ from odometry_sweep.reading import check_names, check_values
 from odometry_sweep.tutorials import TUTORIALS
 
 KEYS = ['tutorial', 'seeds', 'set', 'limits']
-MOST_SEEDS = 2**31  # the simulator takes no larger seed
+MOST_RUNS = 10**6  # the figures of each stay in memory
 
 
 class CampaignError(StartError):
@@ -39,7 +40,7 @@ class Campaign(NamedTuple):
     @property
     def count(self):
         """How many runs there are."""
-        return len(self.settings) * self.seeds
+        return math.prod(map(len, self.values.values())) * self.seeds
 
     def runs(self):
         """Yield the parameters of each run: every seed of the first setting, of the second, ..."""
@@ -49,14 +50,16 @@ class Campaign(NamedTuple):
 
     def check(self):
         """Raise StartError, with one line for the user, if it cannot be run."""
-        if self.tutorial not in TUTORIALS:
+        if self.tutorial not in list(TUTORIALS):
             raise CampaignError(f'the tutorial is {self.tutorial!r}, but must be '
                                 f'{" or ".join(TUTORIALS)}')
         whole = isinstance(self.seeds, int) and not isinstance(self.seeds, bool)
-        if not whole or not 1 <= self.seeds <= MOST_SEEDS:
+        if not whole or not 1 <= self.seeds <= MOST_RUNS:
             raise CampaignError(f'seeds is {self.seeds!r}, but must be a whole number from 1 to '
-                                f'{MOST_SEEDS}')
+                                f'{MOST_RUNS}')
         check_names(self.tutorial, self.values)
+        if self.count > MOST_RUNS:
+            raise CampaignError(f'there are {self.count} runs, but must be {MOST_RUNS} at most')
         for setting in self.settings:
             check_values(self.tutorial, setting)
         check_limits(self.tutorial, self.limits)
@@ -74,7 +77,7 @@ def read_campaign(path):
             content = yaml.safe_load(file)
     except (OSError, ValueError) as error:
         raise CampaignError(f'{path} cannot be read: {error}') from None
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, RecursionError) as error:
         raise CampaignError(f'{path} is no YAML: {" ".join(str(error).split())}') from None
     if not isinstance(content, dict) or 'tutorial' not in content:
         raise CampaignError(f'{path} names no tutorial')
@@ -93,7 +96,7 @@ def parse_values(text):
         raise ValueError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
         return name, [yaml.safe_load(value) for value in values.split(',')]
-    except yaml.YAMLError:
+    except (yaml.YAMLError, RecursionError):
         raise ValueError(f'{text!r} has a value that is no YAML') from None
 
 

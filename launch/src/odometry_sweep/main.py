@@ -50,6 +50,7 @@ def main():
         status = EXIT_FAILURE
     except KeyboardInterrupt:
         status = EXIT_INTERRUPTED
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one has nothing to say
     forget_output()
     sys.exit(status)
 

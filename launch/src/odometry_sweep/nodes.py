@@ -4,7 +4,7 @@ import os
 import subprocess
 
 import rosgraph
-from odometry_launch.graph import DemoError, Graph
+from odometry_launch.graph import DemoError, Graph, check_address_space
 from odometry_launch.keeping import Kept
 from odometry_launch.launch_log import LaunchLog
 from odometry_launch.ports import HeldPort
@@ -20,6 +20,7 @@ class Nodes(Graph):
 
     def __enter__(self):
         """Start a master, and return once it answers."""
+        check_address_space()
         self._port = HeldPort(0)
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
         try:

@@ -49,7 +49,8 @@ def make_parser():
     parser.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--jobs', type=_whole, metavar='N',
-                        help='processes that run side by side (default: one for each processor)')
+                        help='processes that run side by side, at most two for each processor and '
+                             'one for each run (default: one for each processor)')
     parser.add_argument('--cluster', metavar='tcp://HOST:PORT',
                         help='have the workers of a Dask cluster do the runs, instead of the '
                              'processors of this machine')

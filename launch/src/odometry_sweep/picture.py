@@ -1,7 +1,7 @@
 """A picture of how the figures of a sweep are distributed."""
 
 import numpy
-from matplotlib.figure import Figure
+from odometry_launch.drawing import new_figure
 
 from odometry_sweep.figures import FIGURES, JUDGED
 
@@ -10,14 +10,12 @@ BINS = 30
 FULL = 0.85  # height of the highest bar, of the way from a setting to the next
 WIDTH, ROW, FRAME = 3.2, 0.7, 1.4  # inches: of a diagram, of a setting, of titles and axes
 HIGHEST = 60.0  # inches
-RESOLUTION = 100  # dots per inch
 
 
 def make_figure(tutorial, settings):
     """Return a figure with a diagram for each figure of the table, and a histogram per Setting."""
     names = JUDGED[tutorial]
-    height = min(HIGHEST, FRAME + ROW * len(settings))
-    figure = Figure((WIDTH * len(names), height), dpi=RESOLUTION, layout='constrained')
+    figure = new_figure(WIDTH * len(names), min(HIGHEST, FRAME + ROW * len(settings)))
     diagrams = figure.subplots(1, len(names), sharey=True)
     for name, axes in zip(names, diagrams):
         _draw(axes, [setting.values(name) for setting in settings])

@@ -9,6 +9,8 @@ from odometry_common.parameters import StartError
 from odometry_sweep.closed_loop import run
 from odometry_sweep.cluster import on_cluster
 
+MOST_JOBS = 2  # for each processor; more of them would only take memory
+
 
 class LostError(RuntimeError):
     """Whoever did the runs is gone; the message is one line for the user."""
@@ -18,16 +20,24 @@ class LostError(RuntimeError):
 def side_by_side(jobs=None, cluster=None):
     """Yield a function that yields parameters and figures of each run of a Campaign, in order.
 
-    :param jobs: so many processes; None: one for each processor
+    :param jobs: so many processes, but at most MOST_JOBS for each processor and one for each run;
+        None: one for each processor
     :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine does
     :raises StartError: if that is not possible
     :raises LostError: if it is no longer, between two runs that are yielded
     """
     joblib = _installed('joblib')
-    with on_cluster(cluster, _installed('distributed')) if cluster else contextlib.nullcontext():
-        run_all = joblib.Parallel(n_jobs=jobs or -1, return_as='generator')
-        yield lambda campaign: zip(campaign.runs(), _until_lost(run_all(
+    processors = joblib.cpu_count()
+    most = min(jobs or processors, MOST_JOBS * processors)
+
+    def run_all(campaign):
+        parallel = joblib.Parallel(n_jobs=-1 if cluster else min(most, campaign.count),
+                                   return_as='generator')
+        return zip(campaign.runs(), _until_lost(parallel(
             joblib.delayed(run)(campaign.tutorial, parameters) for parameters in campaign.runs())))
+
+    with on_cluster(cluster, _installed('distributed')) if cluster else contextlib.nullcontext():
+        yield run_all
 
 
 def _until_lost(results):

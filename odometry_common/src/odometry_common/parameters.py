@@ -117,7 +117,7 @@ def check_command_line(arguments=None):
             continue
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
-        except (yaml.YAMLError, TypeError, OverflowError):
+        except (yaml.YAMLError, TypeError, OverflowError, RecursionError):
             raise ParameterError(
                 f'~{name[1:]}', text, 'a value that ROS can store: a text, a number with at '
                 'most 32 bits or a decimal point, true or false, or a list of them') from None

@@ -1,7 +1,7 @@
 """Whether PyBullet can load a world file, tried in a process of its own.
 
 Some files make PyBullet end the whole process: a URDF with two root links, or a mesh that is a
-folder. Run as a program, this file is that process.
+folder. With a mesh that is a pipe it waits for ever. Run as a program, this file is that process.
 """
 
 import functools
@@ -15,6 +15,7 @@ SUFFIXES = '.urdf', '.sdf', '.world'
 REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
 NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in a remark of its own
 LONGEST_REASON = 300  # characters
+LONGEST_LOAD = 30  # s; the largest worlds take a few
 
 
 class WorldFileError(ValueError):
@@ -30,8 +31,8 @@ def check_world_file(path):
         what = 'is a folder' if Path(path).is_dir() else 'there is none'
         raise WorldFileError(f'a file that can be loaded ({what})')
     # In a session of its own, Ctrl-C does not make it fail.
-    trial = subprocess.run([sys.executable, __file__, path], capture_output=True, text=True,
-                           errors='replace', start_new_session=True, check=False)
+    trial = subprocess.run([sys.executable, __file__, path, str(LONGEST_LOAD)], capture_output=True,
+                           text=True, errors='replace', start_new_session=True, check=False)
     if trial.returncode:
         raise WorldFileError(f'a file that can be loaded ({_reason(trial)})')
 
@@ -49,6 +50,8 @@ def _reason(trial):
     remarks = REMARK.split(trial.stdout)
     told = [remark for before, remark in zip(remarks, remarks[1:])
             if not before.startswith(NO_INERTIA) and not remark.startswith(NO_INERTIA)]
+    if trial.returncode == -signal.SIGALRM:
+        return f'not within {LONGEST_LOAD} s'
     if trial.returncode < 0:
         told.insert(0, f'PyBullet ends by {signal.Signals(-trial.returncode).name};')
     told = told or trial.stderr.splitlines()[-1:]
@@ -58,8 +61,10 @@ def _reason(trial):
 def _main():
     import pybullet
     from pybullet_utils.bullet_client import BulletClient
+    client = BulletClient(pybullet.DIRECT)
+    signal.alarm(int(sys.argv[2]))
     try:
-        load(BulletClient(pybullet.DIRECT), sys.argv[1])
+        load(client, sys.argv[1])
     except pybullet.error as error:
         sys.exit(str(error))
 

@@ -8,6 +8,7 @@ FORMS = [
     (re.compile(r'(\d+ days?, )?\d+:\d\d:\d\d'), 'TIME'),
     (re.compile(r' +MISSED$'), ''),  # is said of a number
     (re.compile(r'(?<=_\d\d-\d\d-\d\d)_\d+(?=/)'), ''),  # of a second in which others began too
+    (re.compile(r'\S+/(?=runs/)'), ''),  # the tests have it elsewhere
     (re.compile(r'-?\d+(\.\d+)?(e[-+]?\d+)?'), '#'),
     (re.compile(r'(?<=\S) +'), ' '),
 ]
