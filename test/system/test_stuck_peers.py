@@ -14,12 +14,12 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_launch.keeping import Kept
+from odometry_tests.pausing import call
 from odometry_tests.processes import path_of
 from odometry_tests.stuck import connected, publisher_of, stuck_subscriber
 from odometry_tests.tutorial import Truth, detector, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
-from std_srvs.srv import Empty
 
 COUNT = 2000  # messages; a stuck subscriber's socket holds some hundred of them
 WARNING = '/stuck does not keep up with {}: it loses messages'
@@ -80,16 +80,16 @@ def test_the_simulator_goes_on_for_others_and_ends(start):
     """With a subscriber to each topic that does not read; the others miss nothing."""
     truth = Truth()
     topics = '/odom', '/tf', '/clock'
-    with start('_real_time_factor:=0', '_paused:=true') as node, rotator('_kp:=0.01'):
-        with contextlib.ExitStack() as stuck:
-            for topic in topics:
-                stuck.enter_context(stuck_subscriber(topic))
-            truth.wait_for_publisher()
-            rospy.ServiceProxy('/sim_turtlebot/unpause_physics', Empty)()
-            numbers = [message.header.seq for message in truth.wait_for_count(COUNT)]
-            for topic in topics:
-                node.wait_for_output(WARNING.format(topic))
-            assert_ends_at_once(node)
+    with start('_real_time_factor:=0', '_paused:=true') as node, rotator('_kp:=0.01'), \
+            contextlib.ExitStack() as stuck:
+        for topic in topics:
+            stuck.enter_context(stuck_subscriber(topic))
+        truth.wait_for_publisher()
+        call('unpause_physics')
+        numbers = [message.header.seq for message in truth.wait_for_count(COUNT)]
+        for topic in topics:
+            node.wait_for_output(WARNING.format(topic))
+        assert_ends_at_once(node)
     assert numbers == list(range(numbers[0], numbers[0] + COUNT))
     assert node.output.count('does not keep up') == len(topics)
 

@@ -158,7 +158,8 @@ def test_every_test_file_is_run():
 
 def test_bare_pytest_runs_the_unit_tests():
     """Not the node test_movement.py, nor what needs to be started in its own way."""
-    collected = subprocess.run([sys.executable, '-m', 'pytest', '--collect-only', '-qq'],
+    collected = subprocess.run([sys.executable, '-m', 'pytest', '--collect-only', '-qq',
+                                '-p', 'no:warnings'],
                                check=False, cwd=ROOT, capture_output=True, text=True)
     files = {line.rpartition(':')[0] for line in collected.stdout.splitlines() if line}
     assert files == {f'test/unit/{file.name}' for file in (ROOT / 'test/unit').glob('test_*.py')}, \

@@ -6,12 +6,13 @@ import threading
 import time
 
 import pytest
-from odometry_common import transport
 from odometry_common.transport import BACKLOG, NonBlockingTransport, wait_for_subscribers
 from odometry_tests.waiting import PATIENCE, TIMEOUT
 from rospy.exceptions import TransportTerminated
 from rospy.impl.tcpros_pubsub import TCPROSPub
 from std_msgs.msg import Empty
+
+from odometry_common import transport
 
 SIZE = 1000  # bytes of a message
 COUNT = 2000  # messages; a socket holds some hundred of them

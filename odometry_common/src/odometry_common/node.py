@@ -70,7 +70,7 @@ def run_node(name, main, documentation, **init_node_options):
             forget_argument(error.name)
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001
         # rospy raises one where a topic is closed, at shutdown, while it is being published.
         if not rospy.core.is_shutdown_requested() and not _report(error):
             _failures.append((EXIT_FAILURE, traceback.format_exc()))
