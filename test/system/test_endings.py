@@ -1,11 +1,13 @@
 """However a node that moves the robot ends, the robot stops, and nobody sees a traceback."""
 
 import contextlib
+import os
 import re
 import signal
 import socket
 import sys
 
+import psutil
 import pytest
 import rosgraph
 import rosnode
@@ -137,6 +139,19 @@ def test_a_node_without_a_master_says_so_and_ends_at_once(signum):
         node.wait_for_output('Unable to register with master node')
         assert node.running
         assert node.end(signum, timeout=2.0) == 0
+
+
+@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
+def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path, signum):
+    """Which takes for ever where a mesh is a pipe."""
+    os.mkfifo(tmp_path / 'pipe.obj')
+    (tmp_path / 'world.urdf').write_text(
+        '<robot name="r"><link name="a"><collision><geometry><mesh filename="pipe.obj"/></geometry>'
+        '</collision></link></robot>')
+    with simulator(f'_world:={tmp_path}/world.urdf', start=Kept) as node:
+        wait_until(psutil.Process(node.pid).children, TIMEOUT, 'the process that tries the world')
+        assert node.end(signum) == 0, node.output
+    assert not node.output.strip()
 
 
 def test_a_node_whose_master_never_answers_ends_by_one_ctrl_c():
