@@ -40,8 +40,9 @@ compile_pybullet() {
     "$PYTHON" -m venv "$made_in/python"
     # Debugging symbols would take a fifth of the time, and /tmp may be small. In a session of its
     # own all compilers end together. Without --use-pep517 pip wants the package wheel, which Python
-    # 3.11's virtual environments lack.
-    CFLAGS="${CFLAGS:-} -g0" TMPDIR=$made_in setsid "$made_in/python/bin/python3" -m pip wheel \
+    # 3.11's virtual environments lack. For arm64, GCC fuses multiplications with additions unless told
+    # not to: the last digits would differ from those of the wheels for x86-64.
+    CFLAGS="${CFLAGS:-} -g0 -ffp-contract=off" TMPDIR=$made_in setsid "$made_in/python/bin/python3" -m pip wheel \
         --disable-pip-version-check --no-cache-dir --no-deps --use-pep517 --wheel-dir "$WHEELS" "$(pybullet)" &
     trap "kill -- -$!" TERM
     wait $!
