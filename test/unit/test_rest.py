@@ -8,8 +8,9 @@ import time
 
 import pytest
 from odometry_tests.waiting import PATIENCE
-from sim_turtlebot import rest
 from sim_turtlebot.rest import Rest
+
+from sim_turtlebot import rest
 
 ROUNDS = 100
 # Each reads a number, works, and answers with its successor.

@@ -11,11 +11,13 @@ import threading
 import time
 
 PATIENCE = 2.0  # s of wall time, beside what the thread waits for a processor
+BUSY_WAIT = 0.001  # s of wall time
+LOOK_PERIOD = 2e-5  # s of wall time, after that
 ASLEEP = b'StTZX'  # in the third field of stat
 NAPS = b'hrtimer_nanosleep', b'do_select'  # time.sleep(), since Python 3.11 and before
 LONGEST_POLL = 0.015  # s; rospy.wait_for_message() polls every 10 ms
 LONGEST_CPP_POLL = 0.005  # s; roscpp polls every 1 ms
-SPIN_PERIOD, SPIN_TOLERANCE = 0.5, 1.5  # s of wall time for which rospy.spin() sleeps; times
+OFTEN = 5.0  # Hz; rospy.spin() sleeps by wall time too, twice a second
 CPP_LIBRARY = 'libroscpp.so'  # its timers poll, too, in waits for a condition
 # Kinds of CPU clocks: CPUCLOCK_SCHED and CPUCLOCK_PERTHREAD_MASK in linux/posix-timers_types.h
 OF_PROCESS, OF_THREAD = 2, 6
@@ -64,13 +66,13 @@ class Thread:
         return tuple(map(int, self._read('schedstat').split()))
 
     def naps_of_its_own(self, now):
-        """Return whether, since the last call, it has slept by wall time, for less than rospy.spin()."""
+        """Return whether, since the last call, it has slept by wall time again and again."""
         before, self._naps = self._naps, None
         if self._wchan in NAPS and not self.polls:
             self._naps = now, self.usage()[2]
         if not (before and self._naps):
             return False
-        return self._naps[1] - before[1] > (now - before[0]) / SPIN_PERIOD + SPIN_TOLERANCE
+        return self._naps[1] - before[1] > OFTEN * (now - before[0])
 
     @property
     def name(self):
@@ -205,7 +207,11 @@ class Rest:
                 self._awaited.remove(process)
                 self._on_restless(process, thread)
                 begin = time.monotonic()
-            os.sched_yield()  # the processor that this look takes may be the one that it needs
+            # The processor that these looks take may be the one that it needs.
+            if waited < BUSY_WAIT:
+                os.sched_yield()
+            else:
+                time.sleep(LOOK_PERIOD)
 
     def _restless(self):
         """Return a Process that does not rest and a Thread of it, or None twice."""
