@@ -100,7 +100,7 @@ def sleeper(publisher):
 if __name__ == '__main__':
     rospy.init_node('client')
     kind, *parameters = sys.argv[1].split()
-    kinds = {'tf': listener, 'tf2': buffer, **globals()}
+    kinds = {**globals(), 'tf': listener, 'tf2': buffer}
     try:
         kinds[kind](rospy.Publisher('cmd_vel', Twist, queue_size=10), *parameters)
     except rospy.ROSException:  # shutdown

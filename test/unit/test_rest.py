@@ -112,6 +112,14 @@ def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start,
     assert len(restless) == 1
 
 
+def test_who_never_rests_is_named_and_not_who_wakes_now_and_then(resting, start, restless):
+    """Whoever of them is looked at first."""
+    for code in SLOW_POLLER, BUSY, SLOW_POLLER:
+        start(code)
+    resting.wait()
+    assert [name for name, _ in restless] == [BUSY]
+
+
 def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting, start):
     """It would hold up everybody each time that it has heard something."""
     start(SLOW_POLLER)

@@ -11,6 +11,7 @@ import threading
 import time
 
 PATIENCE = 2.0  # s of wall time, beside what the thread waits for a processor
+LONGEST_WAIT = 60.0  # s of wall time, for processes that wake each other without end
 BUSY_WAIT = 0.001  # s of wall time
 LOOK_PERIOD = 2e-5  # s of wall time, after that
 ASLEEP = b'StTZX'  # in the third field of stat
@@ -188,27 +189,34 @@ class Rest:
 
     def wait(self):
         """Return once all rest at once, but for those that have been waited for long enough."""
-        begin, delays = time.monotonic(), {}
+        begin = since = time.monotonic()
+        blamed = delay = None
         while not self._is_over():
             try:
                 process, thread = self._restless()
                 if not process:
                     return
-                waited = time.monotonic() - begin
-                if waited > PATIENCE / 2:
-                    delay = process.delay()
-                    waited -= delay - delays.setdefault(process, delay)
+                now = time.monotonic()
+                if process is not blamed:
+                    # In front it is looked at first: whoever is blamed next, this one rests then.
+                    self._awaited.remove(process)
+                    self._awaited.insert(0, process)
+                    blamed, since, delay = process, now, None
+                restless = now - since
+                if restless > PATIENCE / 2:
+                    delay = process.delay() if delay is None else delay
+                    restless -= process.delay() - delay
             except OSError as error:
                 if error.errno not in ENDED:
                     raise
                 self._forget_the_ended()
                 continue
-            if waited > PATIENCE:
+            if restless > PATIENCE or now - begin > LONGEST_WAIT:
                 self._awaited.remove(process)
                 self._on_restless(process, thread)
-                begin = time.monotonic()
+                begin = now
             # The processor that these looks take may be the one that it needs.
-            if waited < BUSY_WAIT:
+            if now - begin < BUSY_WAIT:
                 os.sched_yield()
             else:
                 time.sleep(LOOK_PERIOD)
