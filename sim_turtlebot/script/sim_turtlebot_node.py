@@ -45,7 +45,8 @@ Parameters:
     ~odom_rate (float, 20 Hz, from 0.1 to 1000): odometry messages per simulated second
     ~clock_rate (float, 0.0 Hz, 0 or from ~odom_rate to 1000): ticks of /clock per simulated second,
         or as few more as divide the time between two odometry messages evenly; 0 is 200,
-        but about 1000 per second of wall time at most, and one with each odometry in lockstep and unpaced
+        but about 1000 per second of wall time at most, 100 in lockstep, and else one with each odometry if
+        unpaced
     ~odometry_source (str, world, world or encoder): world is the true pose, encoder counts
         wheel ticks
     ~gyro (bool, true): encoder: take the yaw from the gyro, as a Kobuki does, not from the wheels
@@ -70,10 +71,8 @@ Parameters:
         turns it off
     ~real_time_factor (float, 1.0, 0 or from 0.001 to 1000): simulated seconds per second; 0 is
         as fast as the machine can
-    ~lockstep_rate (float, 0.0 Hz, 0 or from 0.1 to ~odom_rate): wait for a command at each
-        multiple of 1/rate; 0 is off
-    ~lockstep_patience (float, 2.0 s, from 0.1 to 3600): in lockstep, go on without a controller
-        that has been silent for this long (wall time)
+    ~lockstep (bool, false): time goes on when every node on this machine has done what it has to do
+        with the odometry and the clock of this moment
     ~paused (bool, false): time begins with ~unpause_physics
 """
 

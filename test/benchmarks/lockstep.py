@@ -12,7 +12,7 @@ from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from speed import CPU_UNIT, SPEED_UNIT, UNDER_WAY, UNPACED
 from std_msgs.msg import Float64
 
-LOCKSTEP = [*UNPACED, '_lockstep_rate:=20']
+LOCKSTEP = [*UNPACED, '_lockstep:=true', '_clock_rate:=20']
 RING = Path(__file__).with_name('ring.py')
 TIMEOUT = 30.0  # s
 

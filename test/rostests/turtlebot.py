@@ -117,8 +117,8 @@ class TurtlebotTest(unittest.TestCase):
         self.assertAlmostEqual(speeds[TIMEOUT_OF_TELEOP - 2], 0.0, delta=0.01)
         self.assertAlmostEqual(speeds[-1], 0.2, delta=0.02)
 
-    def test_a_command_that_the_multiplexer_keeps_out_is_an_answer_in_lockstep(self):
-        """Time goes on although nothing reaches the base, and what goes there directly does."""
+    def test_what_goes_to_the_base_directly_is_obeyed_whatever_the_multiplexer_keeps_out(self):
+        """Time goes on meanwhile."""
         self.step(lambda robot: robot.drive_through('teleop', 0.0))
         for _ in range(6):
             moving = self.step(lambda robot: robot.drive_through('navi', 0.2)).twist.twist.linear.x

@@ -14,10 +14,10 @@ STAMP_TOLERANCE = 1e-6  # s
 
 
 class Driver:
-    """The controller that the simulation is in lockstep with.
+    """The controller of a simulation in lockstep.
 
-    After each step the simulation stands until there is a command: everything that belongs to
-    the step has come by then, and whatever is done before the command is done between two steps.
+    After each step the simulation stands until this program waits for the next one: everything that
+    belongs to the step has come by then, and whatever it does meanwhile is done between two steps.
     """
 
     def __init__(self, nodes, steps):
@@ -57,7 +57,7 @@ class Driver:
             # It sends its first odometry without a command.
             self._number = 0
             self._pose.start()
-        else:
+        elif self.steps:
             self._number += 1
             self._nodes.command(linear, angular)
         if paused:

@@ -15,7 +15,7 @@ from odometry_launch.keeping import Kept
 from odometry_tests.links import HEARS, links
 from odometry_tests.pausing import call
 from odometry_tests.processes import Master, rosrun
-from odometry_tests.tutorial import detector, simulator
+from odometry_tests.tutorial import detector, simulator_in_step
 from odometry_tests.waiting import PATIENCE, wait_for_subscribers, wait_until
 from std_msgs.msg import Empty, Float64
 
@@ -65,7 +65,7 @@ class Nodes:
         self._master = self._log = self._simulator = self._detector = None
 
     def __enter__(self):
-        """Start everything; simulated time stands still until the first command."""
+        """Start everything; simulated time stands still until unpause()."""
         try:
             self._master = Master(use_sim_time=True)
             self._log = rosrun('odometry_launch', 'rosout.py')
@@ -73,9 +73,6 @@ class Nodes:
             self._connect()
             self._start_simulator()
             self._start_detector()
-            # Until it was paused, the simulator repeated its first odometry.
-            self.odometry.clear()
-            self.truth.clear()
         except BaseException:
             self.__exit__()
             raise
@@ -133,14 +130,13 @@ class Nodes:
         self._velocity = advertise('cmd_vel', Twist)
 
     def _start_simulator(self):
-        """Start the simulator and pause it once it hears and is heard."""
-        self._simulator = simulator(f'_lockstep_rate:={RATE}', f'_odom_rate:={RATE}',
-                                    '_real_time_factor:=0', '_lockstep_patience:=10', start=Kept)
+        """Start the simulator, paused, and return once it hears and is heard."""
+        self._simulator = simulator_in_step(f'_odom_rate:={RATE}', '_real_time_factor:=0',
+                                            '_paused:=true', start=Kept)
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT * PATIENCE)
         wait_for_subscribers(self._velocity, timeout=START_TIMEOUT)
         self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
-        self.pause()
 
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""

@@ -86,7 +86,7 @@ def test_its_robot_stops_when_the_node_ends(simulated_time, signum, name):
 def test_a_robot_with_a_scan_stops_before_the_wall(simulated_time):
     """Half a metre before the end of the corridor, as docs/scan.md has it."""
     truth = Truth()
-    with simulator_in_step('_real_time_factor:=0', '_scan:=true', CORRIDOR, rate=10, patience=20), \
+    with simulator_in_step('_real_time_factor:=0', '_scan:=true', CORRIDOR), \
             node_beside(truth, 'stop_before_wall.py') as node:
         truth.wait_until_moving()
         there = truth.wait_until_resting(60.0).pose.pose.position

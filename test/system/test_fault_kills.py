@@ -87,7 +87,7 @@ def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
 def test_the_base_stops_when_rotate_is_killed_and_a_new_one_finishes_the_turn(master):
     """As for the mover."""
     truth = Truth()
-    with simulator_in_step('_real_time_factor:=10', rate=10, patience=PATIENCE):
+    with simulator_in_step('_real_time_factor:=10'):
         with rotator('_kp:=0.1') as first:  # slowly, so that most of the turn is left
             truth.wait_until_moving()
             assert moves_on(truth, lambda: kill(first)) <= BASE_TIMEOUT + BRAKING

@@ -1,17 +1,19 @@
-"""In lockstep a run as fast as the machine can has no control delay and can be repeated."""
+"""In lockstep a run as fast as the machine can has no control delay, and two are the same bytes."""
 
 import contextlib
 import io
-import itertools
 import signal
+import sys
+from pathlib import Path
 
 import numpy
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_tests.pausing import call, pause
+from odometry_tests.pausing import call
 from odometry_tests.placing import Placer
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (
     Truth,
@@ -19,18 +21,22 @@ from odometry_tests.tutorial import (
     forget_parameters,
     mover,
     rotator,
+    simulator,
     simulator_in_step,
 )
-from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import Recorder
+from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
 
-PERIOD = 0.05  # s, of the odometry
 COMPARED = 24  # s of simulated time; two metres take 20
 RUN_TIME = 60.0  # s
-PATIENCE = 30.0  # s of wall time for a controller that the machine lets wait
-GAVE_UP = 'lockstep: no command for'
+NOT_AWAITED = 'lockstep does not wait for'
+CLIENTS = Path(__file__).with_name('clients.py')
+KINDS = ['rate 20', 'timer', 'wait_for_message', 'tf', 'tf2', 'service']
+CLIENT_TIME = 5  # s of simulated time
+LEAST_COMMANDS = 20
 UNPACED = '_real_time_factor:=0'
 
 
@@ -47,18 +53,16 @@ def defaults():
     forget_parameters()
 
 
-def record(rate, starts, topics, arguments=(), prepare=lambda: None):
+def record(starts, topics, arguments=(), prepare=lambda: None):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
     :param starts: functions that start the nodes beside the simulator
-    :param topics: message class and number of messages by topic; repetitions of the first one do
-        not count
+    :param topics: message class and number of messages by topic
     :param arguments: for the simulator
     :param prepare: function that is called before time begins
     """
     with contextlib.ExitStack() as stack:
-        simulation = stack.enter_context(simulator_in_step(
-            UNPACED, '_paused:=true', *arguments, rate=rate, patience=PATIENCE))
+        simulation = stack.enter_context(simulator_in_step(UNPACED, '_paused:=true', *arguments))
         for start in starts:
             stack.enter_context(start())
         # Closed, so that the next run's do not hear what comes late.
@@ -69,21 +73,9 @@ def record(rate, starts, topics, arguments=(), prepare=lambda: None):
         prepare()
         call('unpause_physics')
         for topic, (_, count) in topics.items():
-            wait_until(lambda topic=topic, count=count:
-                       len(from_time_zero(recorders[topic].messages)) >= count,
-                       RUN_TIME, f'{count} messages on {topic}', period=0.1)
-        assert GAVE_UP not in simulation.output, simulation.output
-        return {topic: from_time_zero(recorders[topic].messages)[:count]
-                for topic, (_, count) in topics.items()}
-
-
-def from_time_zero(messages):
-    """Return the messages with the first one only once.
-
-    Until the first command the simulator repeats the odometry; how often depends on how long
-    the nodes take to start.
-    """
-    return messages[:1] + list(itertools.dropwhile(lambda m: m == messages[0], messages))
+            recorders[topic].wait_for_count(count, RUN_TIME)
+        assert NOT_AWAITED not in simulation.output, simulation.output
+        return {topic: recorders[topic].messages[:count] for topic, (_, count) in topics.items()}
 
 
 def bytes_of(message):
@@ -102,12 +94,11 @@ def put_elsewhere():
     truth.wait_for(lambda m: m.pose.pose.position.x == 1.5, what='a robot at x 1.5 m')
 
 
-MOVE = 20, [detector, mover], {
+MOVE = [detector, mover], {
     '/odom': (Odometry, 20 * COMPARED), '/moved_distance': (Float64, 20 * COMPARED),
-    # The mover's commands are all the same until it arrives, so that most are repetitions.
-    '/cmd_vel': (Twist, 80)}
+    '/cmd_vel': (Twist, 20 * COMPARED)}
 SENSORS = (
-    20, [detector, mover],
+    [detector, mover],
     {'/odom': (Odometry, 20 * COMPARED),
      '/scan': (LaserScan, 10 * COMPARED),
      '/mobile_base/sensors/imu_data': (Imu, 20 * COMPARED),
@@ -115,7 +106,17 @@ SENSORS = (
     ['_scan:=true', '_scan_noise:=0.01', f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf',
      '_x:=-1.0'])
 ELSEWHERE = *MOVE, (), put_elsewhere
-ROTATE = 10, [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
+ROTATE = [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
+
+
+def client(kind):
+    """Return the start of a node of this kind, and the topics to compare.
+
+    With the default clock: each loop keeps its rate.
+    """
+    return ([lambda: Process(sys.executable, CLIENTS, kind)],
+            {'/odom': (Odometry, 20 * CLIENT_TIME), '/tf': (TFMessage, 20 * CLIENT_TIME),
+             '/cmd_vel': (Twist, LEAST_COMMANDS)}, ['_clock_rate:=100'])
 
 
 @pytest.fixture(scope='module')
@@ -124,17 +125,45 @@ def two_metres():
     return record(*MOVE)
 
 
-@pytest.mark.parametrize('tutorial', [MOVE, ELSEWHERE, ROTATE, SENSORS],
-                         ids=['move', 'elsewhere', 'rotate', 'sensors'])
-def test_two_runs_are_the_same_bytes(two_metres, tutorial):
-    """Each message on each topic, from the first to the last."""
-    first = two_metres if tutorial is MOVE else record(*tutorial)
-    second = record(*tutorial)
+def assert_same_bytes(first, second):
+    """Assert that two runs have the same messages, each to the byte."""
     for topic, messages in first.items():
         different = [index for index, pair in enumerate(zip(messages, second[topic]))
                      if bytes_of(pair[0]) != bytes_of(pair[1])]
         assert not different, (f'{topic}: message {different[0]} is the first that differs:\n'
                                f'{messages[different[0]]}\n\n{second[topic][different[0]]}')
+
+
+@pytest.mark.parametrize('tutorial', [MOVE, ELSEWHERE, ROTATE, SENSORS],
+                         ids=['move', 'elsewhere', 'rotate', 'sensors'])
+def test_two_runs_are_the_same_bytes(two_metres, tutorial):
+    """Each message on each topic, from the first to the last."""
+    first = two_metres if tutorial is MOVE else record(*tutorial)
+    assert_same_bytes(first, record(*tutorial))
+
+
+@pytest.mark.parametrize('kind', KINDS)
+def test_two_runs_with_any_node_are_the_same_bytes(kind):
+    """Whatever it waits for: the clock, a message, a service, a transform."""
+    assert_same_bytes(record(*client(kind)), record(*client(kind)))
+
+
+@pytest.mark.parametrize('rate', [5, 10, 20, 30, 50, 100])
+def test_a_loop_keeps_its_rate(rate):
+    """In simulated time, with the default clock: so many commands in ten seconds."""
+    with simulator('_lockstep:=true', UNPACED, '_paused:=true'), \
+            Process(sys.executable, CLIENTS, f'rate {rate}'), \
+            contextlib.closing(Recorder('/cmd_vel', Twist)) as commands, \
+            contextlib.closing(Recorder('/clock', Clock)) as clock:
+        commands.wait_for_publisher()
+        clock.wait_for_publisher()
+        call('unpause_physics')
+        counts = []
+        for second in 2, 12:
+            clock.wait_for(lambda m, second=second: m.clock.to_sec() >= second, RUN_TIME)
+            counts.append(len(commands.messages))
+    # A command of either moment may have come before or after this thread looked.
+    assert abs(counts[1] - counts[0] - 10 * rate) <= 1 + rate / 10, counts
 
 
 def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres(two_metres):
@@ -154,9 +183,9 @@ def test_the_distance_is_the_sum_of_the_recorded_steps(two_metres):
         numpy.hypot(*steps.T).sum(), rel=1e-12)
 
 
-def test_a_controller_that_falls_silent_does_not_stop_the_time():
-    """After its patience the simulation goes on, and says so once."""
-    with simulator_in_step(UNPACED, patience=5) as simulation, detector(), mover() as driver:
+def test_a_mover_that_is_killed_does_not_stop_the_time():
+    """Nor does it have to be named."""
+    with simulator_in_step(UNPACED) as simulation, detector(), mover() as driver:
         odometry = Recorder('odom', Odometry)
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > 1, 20.0, 'a running simulation')
         driver.send(signal.SIGKILL)
@@ -164,100 +193,31 @@ def test_a_controller_that_falls_silent_does_not_stop_the_time():
         silent_from = odometry.last.header.stamp.to_sec()
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > silent_from + 10, 20.0,
                           'ten seconds more')
-        simulation.wait_for_output(f'{GAVE_UP} 5 s')
         assert odometry.last.twist.twist.linear.x == 0.0
-    assert simulation.output.count(GAVE_UP) == 1
+    assert NOT_AWAITED not in simulation.output
 
 
-def test_simulated_time_stands_still_until_the_first_command():
-    """The odometry is repeated meanwhile, the same message again."""
-    with simulator_in_step(UNPACED):
-        seen = Recorder('odom', Odometry).wait_for_count(4, 20.0)
-    assert seen[0].header.stamp.to_sec() == 0
-    assert all(message == seen[0] for message in seen)
+@pytest.mark.parametrize('kind, reason', [
+    ('busy', 'it has not rested for 2 s'), ('wall', 'it sleeps by wall time')])
+def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason):
+    """With what to do."""
+    with simulator_in_step('_real_time_factor:=5') as simulation, \
+            Process(sys.executable, CLIENTS, kind, '__name:=culprit'):
+        simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so that two runs may differ: {reason}',
+                                   60.0)
+        truth = Truth()
+        truth.wait_seconds(10.0)
+        assert simulation.output.count(f'{NOT_AWAITED} /culprit') == 1
 
 
-def time_reached(odometry):
-    """Return how far time goes (s) before it waits for another command."""
-    odometry.wait_for(lambda m: m.header.stamp.to_sec() > 0, 30.0, 'the next odometry')
-    pause(odometry)
-    return max(m.header.stamp.to_sec() for m in odometry.messages)
-
-
-def test_a_late_answer_to_a_repetition_is_not_one_to_the_next_odometry():
-    """Also if the first command is read in a pause, and not while it is waited for."""
-    with simulator_in_step(UNPACED, patience=PATIENCE):
-        odometry = Recorder('odom', Odometry)
-        odometry.wait_for_count(3, 20.0)
-        commands = rospy.Publisher('cmd_vel', Twist, queue_size=2)
-        wait_for_subscribers(commands)
-        for service in 'pause_physics', 'unpause_physics':
-            call(service)
-            commands.publish(Twist())
-        assert time_reached(odometry) == PERIOD
-
-
-def test_an_answer_to_what_is_shown_in_a_pause_is_not_one_to_the_next_odometry():
-    """A robot that is put somewhere is shown there, and who hears that commands."""
-    with simulator_in_step(UNPACED, '_paused:=true', patience=PATIENCE):
-        odometry = Recorder('odom', Odometry)
-        odometry.wait_for_publisher()
-        commands = rospy.Publisher('cmd_vel', Twist, queue_size=2)
-        wait_for_subscribers(commands)
-        Placer().put(1.0, 0.0)
-        odometry.wait_for(what='a robot that was put')
-        commands.publish(Twist())
-        call('unpause_physics')
-        commands.publish(Twist())
-        assert time_reached(odometry) == PERIOD
-
-
-def test_an_answer_from_before_a_reset_is_not_one_to_time_zero():
-    """Whoever resets cannot know whether one is under way."""
-    with simulator_in_step(UNPACED, '_paused:=true', patience=PATIENCE):
-        odometry = Recorder('odom', Odometry)
-        odometry.wait_for_publisher()
-        commands = rospy.Publisher('cmd_vel', Twist, queue_size=2)
-        wait_for_subscribers(commands)
-        call('unpause_physics')
-        commands.publish(Twist())
-        assert time_reached(odometry) == PERIOD
-        odometry.clear()
-        for service in 'unpause_physics', 'reset_simulation':
-            call(service)
-        for _ in 'late', 'in time':
-            commands.publish(Twist())
-        assert time_reached(odometry) == PERIOD
-
-
-def test_while_time_stands_still_a_line_says_what_it_waits_for():
-    """And tf is sent once to each who listens: tf warns of what it knows already."""
-    with simulator_in_step(UNPACED) as simulation:
-        odometry = Recorder('odom', Odometry)
-        transforms = Recorder('/tf', TFMessage)
-        odometry.wait_for_count(2, 20.0)
-        transforms.wait_for(what='the transform of a robot that has not moved')
-        line = ('lockstep: time stands still until there is a first command on /cmd_vel, '
-                '/mobile_base/commands/velocity')
-        wait_until(lambda: simulation.output.count(line) >= 2, 20.0,
-                   lambda: f'the line twice in:\n{simulation.output}')
-        odometry.wait_for_count(11, 20.0)
-        assert len(transforms.messages) == 1
-        commands = rospy.Publisher('cmd_vel', Twist, queue_size=1)
-        wait_until(lambda: commands.publish(Twist()) or odometry.last.header.stamp.to_sec() > 0,
-                   20.0, 'a running simulation')
-
-
-def test_many_robots_are_named_in_short():
-    """The first topics, and how many there are."""
-    with simulator_in_step(UNPACED, '_robots:=3') as simulation:
-        simulation.wait_for_output(
-            'a first command on /robot_1/cmd_vel, /robot_1/mobile_base/commands/velocity, '
-            '/robot_1/cmd_vel_mux/input/teleop, /robot_1/cmd_vel_mux/input/navi, ... (12 topics)')
+def test_time_is_the_same_for_who_sleeps_on_the_clock_before_it_commands():
+    """Nobody has to speak first."""
+    with simulator_in_step(UNPACED), Process(sys.executable, CLIENTS, 'sleeper') as sleeper:
+        sleeper.wait_for_output('awake')
 
 
 def test_two_clocks_lead_to_the_same_odometry():
     """However finely the clock ticks: the same bytes."""
-    coarse, fine = (record(20, [detector, mover], {'/odom': (Odometry, 100)}, clock)
+    coarse, fine = (record([detector, mover], {'/odom': (Odometry, 100)}, clock)
                     for clock in ([], ['_clock_rate:=170']))
     assert [bytes_of(m) for m in coarse['/odom']] == [bytes_of(m) for m in fine['/odom']]

@@ -29,7 +29,7 @@ def follow(options, graph, page, picture):
     recording = _record()
     monitor = MONITORS[options.tutorial](options)
     graph.wait_for(lambda: _all_are_heard(monitor, recording), 'the nodes do not answer')
-    graph.wait_for(_unpause, 'the robot stays paused')
+    graph.wait_for(unpause, 'the robot stays paused')
     graph.wait_for(monitor.started, 'the robot does not begin to move')
     wall_start = time.monotonic()
     if page:
@@ -70,7 +70,7 @@ def _all_are_heard(monitor, recording):
     return monitor.hears() and (recording is None or recording.hears('odom', 'cmd_vel'))
 
 
-def _unpause():
+def unpause():
     """Let time begin; return whether the simulator has answered."""
     try:
         rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()

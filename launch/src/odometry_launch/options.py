@@ -8,7 +8,6 @@ from odometry_common.kobuki import MAX_LINEAR_SPEED
 
 from odometry_launch.ports import PAGE_PORT
 
-LOCKSTEP_PATIENCE = 10.0  # s of wall time; a busy machine may let a node wait for longer than two
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; nobody would wait for a slower robot
 MIN_FACTOR = 0.001  # what the simulator accepts
@@ -81,7 +80,7 @@ def launch_arguments(options, page_port=None):
     """Return the launch file and its arguments for these options, and for the page if any."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor, 'paused': 'true',
-                 'lockstep': _flag(in_lockstep(options)), 'lockstep_patience': LOCKSTEP_PATIENCE}
+                 'lockstep': _flag(in_lockstep(options))}
     if page_port:
         arguments['view_port'] = page_port
     if options.tutorial == 'move':

@@ -8,8 +8,8 @@ from sim_turtlebot.world_file import WorldFileError
 from odometry_sweep.tutorials import TUTORIALS
 
 # Of windows, wall time, scans, messages that are late, and nodes that wait or end.
-WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep_rate',
-                   'lockstep_patience', 'paused', '/use_sim_time', 'timeout', 'exit_when_done',
+WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep',
+                   'paused', '/use_sim_time', 'timeout', 'exit_when_done',
                    'tolerance', 'scan', 'scan_rate', 'scan_beams', 'scan_fov', 'scan_range_min',
                    'scan_range_max', 'scan_noise'}
 

@@ -11,6 +11,7 @@ from odometry_common.parameters import read_from
 from odometry_common.registration import mend_registration
 from odometry_common.same_name import mend_same_name
 from odometry_launch.folders import RUNS
+from odometry_launch.following import unpause
 from odometry_launch.graph import DemoError
 from odometry_launch.logs import place_for_logs
 from odometry_launch.picture import leave_picture
@@ -29,7 +30,6 @@ from odometry_sweep.tutorials import Rotate
 CONTROLLERS = {'move': ('test_movement', 'test_movement.py', read_drive),
                'rotate': ('rotate_robot', 'rotate.py', Rotate)}
 ROBOT = ['odom', 'base_pose_ground_truth']
-PATIENCE = 12.0  # s of wall time for a node that the machine lets wait
 LONGEST_SILENCE = 60.0  # s of wall time
 LOOK_PERIOD = 0.1  # s
 
@@ -82,11 +82,10 @@ def _compare(names, row, figures):
 
 def _record(nodes, tutorial, parameters, duration):
     """Have the nodes do a run that takes so long (s); return the recording, still open."""
-    part, settings = read(tutorial, parameters)
-    rate = part.rate if tutorial == 'rotate' else settings.odom_rate
+    _, settings = read(tutorial, parameters)
     nodes.start('sim_turtlebot', 'sim_turtlebot_node.py', *_arguments(read_settings, parameters),
-                '_real_time_factor:=0', f'_lockstep_rate:={rate}',
-                f'_lockstep_patience:={PATIENCE}')
+                '_real_time_factor:=0', '_lockstep:=true', '_paused:=true',
+                f'_clock_rate:={settings.odom_rate}')
     nodes.wait_for(_join, 'the sweep does not become a node')
     recording = Recording(RUNS)
     nodes.wait_for(lambda: recording.hears(*ROBOT), 'the robot does not answer')
@@ -99,9 +98,9 @@ def _record(nodes, tutorial, parameters, duration):
     package, script, reader = CONTROLLERS[tutorial]
     # That a machine is busy is no reason for a watchdog to stop a robot in lockstep.
     nodes.start(package, script, *_arguments(reader, parameters), '_timeout:=0')
-    nodes.wait_for(lambda: rospy.get_time() > 0, 'the robot gets no command')
-    # By now every repetition of the first odometry has been heard.
-    enough = recording.count('odom') + round(duration * settings.odom_rate) + 1
+    nodes.wait_for(lambda: recording.hears('cmd_vel'), 'the controller does not answer')
+    nodes.wait_for(unpause, 'the robot does not begin')
+    enough = round(duration * settings.odom_rate) + 1
     _wait_for(lambda: min(map(recording.count, topics)), enough, nodes)
     return recording
 

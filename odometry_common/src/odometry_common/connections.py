@@ -41,10 +41,15 @@ def is_heard_within(publisher, timeout):
     return connections > 0
 
 
+def node_at(uri):
+    """Return the XML-RPC server at a URI, a node or the master; a call may raise OSError."""
+    return xmlrpc.client.ServerProxy(uri, _Transport())
+
+
 def _sends(uri, topic):
     """Return whether the node with this URI sends a topic to this one."""
     try:
-        with xmlrpc.client.ServerProxy(uri, _Transport()) as node:
+        with node_at(uri) as node:
             connections = node.getBusInfo(rospy.get_name())[ANSWERED]
     except (OSError, xmlrpc.client.Error):  # it ends, or has ended
         return False

@@ -2,7 +2,6 @@
 
 import contextlib
 import threading
-import time
 
 import rospy
 
@@ -50,8 +49,9 @@ class ControlLoop:
             self._control(value, now)
 
     def _look_again_and_again(self):
-        while not rospy.is_shutdown():
-            time.sleep(LOOK_PERIOD)
+        ended = threading.Event()
+        rospy.on_shutdown(ended.set)
+        while not ended.wait(LOOK_PERIOD):
             self._look()
 
     def _look(self, _event=None):

@@ -1,57 +1,100 @@
-"""Lockstep: the simulation waits for controllers that have not answered."""
+"""Lockstep: time waits until each node of the graph has done what it has to do."""
+
+import http.client
+import time
+import xmlrpc.client
+from pathlib import Path
+
+import rospy
+from odometry_common.parameters import ParameterError
+
+from sim_turtlebot.graph_processes import GraphProcesses
+from sim_turtlebot.rest import PATIENCE, Rest
+
+REFRESH_PERIOD = 0.5  # s of wall time between two looks for nodes that have come or gone
+NAP_PERIOD = 4.0  # s of wall time between two looks for nodes that sleep by it
+REFRESH_SHARE = 0.1  # of the wall time, at most, for these looks
+MOMENT = 0.5  # s of wall time in which nobody comes or goes before time begins
+DIFFER = 'two runs may differ'
 
 
 class Lockstep:
-    """Keeps the simulation from passing a multiple of 1/rate before a command of each controller.
+    """Waits for all nodes on this machine, and says once of each that it cannot wait for."""
 
-    A controller that has never sent one, or no longer does, is not waited for; when it sends one
-    (again), it is in step from the next multiple on.
-    """
+    def __init__(self, is_over):
+        """Begin with the master.
 
-    def __init__(self, rate, step_rate, controllers):
-        """Wait at `rate` (Hz) in steps of 1/step_rate for this many controllers."""
-        self._steps_between = step_rate / rate
-        self._controllers = range(controllers)
-        self._in_step = set()
-        self.restart()
+        :param is_over: function that tells whether to wait no longer
+        :raises ParameterError: if /proc does not show what others do
+        """
+        _check_proc()
+        self._rest = Rest(is_over, self._report_restless)
+        self._graph = GraphProcesses(self._rest, rospy.get_name(), self._report_unseen)
+        self._next_refresh = self._changed = self._next_naps = 0.0
+        self._known = set()
+        self._reported = set()
 
-    def restart(self):
-        """Begin again at time zero."""
-        self._wait_at(0, self._controllers)
+    def wait(self):
+        """Return when every node rests, or has been waited for long enough."""
+        self._rest.wait()
+        if time.monotonic() > self._next_refresh:
+            self._refresh()
 
-    @property
-    def started(self):
-        """Whether any controller has ever sent a command."""
-        return bool(self._in_step)
+    def has_settled(self):
+        """Look for nodes; return whether nobody has come or gone for a moment, and all rest.
 
-    def is_owed_an_answer(self, steps):
-        """Return whether, after so many steps, a controller that is in step has yet to command."""
-        return steps >= self.last_step and bool(self._awaited & self._in_step)
+        Without a node beside this one and rosout there is nobody to begin for.
+        """
+        self._graph.add_starting()
+        self._refresh()
+        self._rest.wait()
+        now, known = time.monotonic(), self._graph.names | self._rest.processes.keys()
+        if known != self._known or not self._graph.names - {rospy.get_name()}:
+            self._known, self._changed = known, now
+        return now - self._changed > MOMENT
 
-    def heard(self, controller):
-        """Note a command from a controller (an index)."""
-        self._in_step.add(controller)
-        self._awaited.discard(controller)
+    def _refresh(self):
+        begin = time.monotonic()
+        try:
+            self._graph.refresh()
+        except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
+            rospy.logdebug(f'lockstep: the master does not answer: {error}')
+        end = time.monotonic()
+        self._next_refresh = end + max(REFRESH_PERIOD, (end - begin) / REFRESH_SHARE)
 
-    def must_wait(self, steps):
-        """Return whether the step after so many has to wait for a command."""
-        if steps < self.last_step:
-            return False
-        if self._awaited:
-            return True
-        self._wait_at(self._multiple + 1, self._in_step)
-        return False
+        if end > self._next_naps:
+            self._next_naps = end + NAP_PERIOD
+            self._look_for_naps(end)
 
-    def give_up(self):
-        """Go on without those awaited; return whether one of them used to be in step."""
-        lost = bool(self._awaited & self._in_step)
-        self._in_step -= self._awaited
-        self._awaited.clear()
-        return lost
+    def _look_for_naps(self, now):
+        for process in self._rest.processes.values():
+            try:
+                # All threads are asked, so that each has its whole period.
+                naps = [thread for thread in process.threads.values()
+                        if thread.naps_of_its_own(now)]
+            except OSError:  # one has ended
+                continue
+            if naps and process.name in self._graph.publishers - {rospy.get_name()}:
+                self._report(process.name, 'sleeps by wall time, as by time.sleep(): use rospy.sleep()')
 
-    def _wait_at(self, multiple, controllers):
-        self._multiple = multiple
-        self._awaited = set(controllers)
-        # The last step that may be reached without asking must_wait() again. The small term keeps
-        # a multiple that falls on a step from being rounded off it.
-        self.last_step = int(multiple * self._steps_between + 1e-6)
+    def _report_restless(self, process, thread):
+        self._report(process.name, f'has not rested for {PATIENCE:g} s (process {process.pid}, '
+                     f'thread {thread.name}): give its loop a rospy.sleep()')
+
+    def _report_unseen(self, name):
+        self._report(name, 'is on another machine, in another container or another user\'s, where '
+                     'it cannot be seen: run it beside the robot')
+
+    def _report(self, name, reason):
+        if name not in self._reported:
+            self._reported.add(name)
+            rospy.logwarn(f'lockstep does not wait for {name}, so that {DIFFER}: it {reason}')
+
+
+def _check_proc():
+    """Refuse a /proc that does not show every process."""
+    try:
+        Path('/proc/1/stat').read_bytes()
+    except OSError as error:
+        raise ParameterError('~lockstep', True, 'false where /proc does not show the processes '
+                             f'of others ({error})') from None

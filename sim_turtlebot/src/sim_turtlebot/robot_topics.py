@@ -45,27 +45,28 @@ class RobotTopics:
     def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
         """Listen for commands.
 
+        The first argument of each function is the message's sender, see sender_of().
+
         :param on_velocity: function of linear (m/s) and angular (rad/s) velocity, and of the input
             of the multiplexer that they came through; None if they bypass it
-        :param on_reset_odometry: function without arguments
+        :param on_reset_odometry: function without more arguments
         :param on_set_pose: function of a frame_id, a position and an orientation, as tuples
         """
         def on_twist(mux_input, message):
-            on_velocity(message.linear.x, message.angular.z, mux_input)
+            on_velocity(sender_of(message), message.linear.x, message.angular.z, mux_input)
 
         def on_pose(message):
             position, orientation = message.pose.position, message.pose.orientation
-            on_set_pose(message.header.frame_id, (position.x, position.y, position.z),
+            on_set_pose(sender_of(message), message.header.frame_id, (position.x, position.y, position.z),
                         (orientation.x, orientation.y, orientation.z, orientation.w))
 
         inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
                   **{name: name for name in INPUTS}}
-        self.command_topics = [
+        for topic, mux_input in inputs.items():
             rospy.Subscriber(f'{self._namespace}{topic}', Twist, partial(on_twist, mux_input),
-                             tcp_nodelay=True).resolved_name
-            for topic, mux_input in inputs.items()]
+                             tcp_nodelay=True)
         rospy.Subscriber(f'{self._namespace}mobile_base/commands/reset_odometry', Empty,
-                         lambda _: on_reset_odometry())
+                         lambda message: on_reset_odometry(sender_of(message)))
         rospy.Subscriber(f'~{self._namespace}set_pose', PoseStamped, on_pose, tcp_nodelay=True)
 
     def publish(self, stamp, number):
@@ -74,7 +75,6 @@ class RobotTopics:
         :param stamp: rospy.Time
         :param number: how many odometry periods have passed
         """
-        # The odometry first, since a controller in lockstep waits for it.
         motions = self._robot.odometry, self._robot.ground_truth
         for motion, (message, publisher) in zip(motions, self._publishers):
             if publisher.get_num_connections():
@@ -101,6 +101,12 @@ class RobotTopics:
     def wheel_frames(self, stamp):
         """Return the transforms from base_link to the wheels."""
         return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
+
+
+def sender_of(message):
+    """Return the names of the node that has sent a message or a request, and of its topic or service."""
+    header = message._connection_header
+    return header['callerid'], header.get('topic') or header.get('service', '')
 
 
 def _new_odometry(frame, child_frame):

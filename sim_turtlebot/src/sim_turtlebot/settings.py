@@ -16,6 +16,7 @@ from odometry_common.parameters import (
 from sim_turtlebot import scanner
 from sim_turtlebot.poses import COORDINATES, MAX_COORDINATE
 
+LOCKSTEP_CLOCK_RATE = 100.0  # Hz; in lockstep a rospy.Rate of up to this keeps its rate
 CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that
 MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
 
@@ -47,11 +48,7 @@ def read_settings():
         real_time_factor=get_number(
             '~real_time_factor', 1.0, lambda v: v == 0 or 0.001 <= v <= 1000,
             '0 (as fast as possible) or from 0.001 to 1000'),
-        lockstep_rate=get_number(
-            '~lockstep_rate', 0.0, lambda v: v == 0 or 0.1 <= v <= odom_rate,
-            f'0 (off) or from 0.1 Hz to ~odom_rate, {odom_rate:g} Hz'),
-        lockstep_patience=get_number(
-            '~lockstep_patience', 2.0, lambda v: 0.1 <= v <= 3600, 'from 0.1 to 3600 s'),
+        lockstep=get_flag('~lockstep', False),
         paused=get_flag('~paused', False),
         use_sim_time=get_flag('/use_sim_time', False),
         **_read_scan(odom_rate))
@@ -88,14 +85,16 @@ def _default_clock_rate(settings):
     Where time is not paced, or not ours, more ticks would cost time and help nobody.
     """
     pace = settings.real_time_factor
-    if pace == 0 or settings.lockstep_rate or not settings.use_sim_time:
+    if settings.lockstep:
+        return LOCKSTEP_CLOCK_RATE
+    if pace == 0 or not settings.use_sim_time:
         return 0.0
     return min(CLOCK_RATE, MOST_TICKS / pace)
 
 
 def _check_wall_time(settings):
     """Refuse what would make wall-clock stamps lie about the speed."""
-    for name, needed in (('real_time_factor', 1), ('lockstep_rate', 0)):
+    for name, needed in (('real_time_factor', 1), ('lockstep', False)):
         value = getattr(settings, name)
         if value != needed and not settings.use_sim_time:
             raise ParameterError(f'~{name}', value, f'{needed} unless /use_sim_time is true')

@@ -1,6 +1,5 @@
 """The topics of a simulation: the clock, the transforms, a warning, and those of each robot."""
 
-import queue
 from copy import copy
 from functools import partial
 
@@ -18,28 +17,6 @@ from sim_turtlebot.scan_topic import ScanTopic
 PATIENCE = 2.0  # s of wall time, for a subscriber that is behind while time is not paced
 
 
-class _Newcomers(rospy.SubscribeListener):
-    """The subscribers of a topic that have come since its last message."""
-
-    def __init__(self):
-        """Begin with none."""
-        self._publishers = queue.SimpleQueue()
-
-    def peer_subscribe(self, _topic_name, _publish, publish_to_this_one):
-        """Note a subscriber; rospy calls this on a thread of its own."""
-        self._publishers.put(publish_to_this_one)
-
-    def publish(self, message):
-        """Send a message to them alone; afterwards there are none."""
-        while not self._publishers.empty():
-            self._publishers.get()(message)
-
-    def forget(self):
-        """Do without: a message to all follows."""
-        while not self._publishers.empty():
-            self._publishers.get()
-
-
 class SimulationTopics:
     """Publishes the state of a Simulation, and passes commands on."""
 
@@ -49,11 +26,10 @@ class SimulationTopics:
         self._time = rospy.Time()
         self._clock_message = Clock()
         self._use_sim_time = settings.use_sim_time
-        if settings.real_time_factor == 0 or settings.lockstep_rate:
+        if settings.real_time_factor == 0 or settings.lockstep:
             wait_for_subscribers(PATIENCE)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
-        self._newcomers = _Newcomers()
-        self._tf = advertise('/tf', TFMessage, self._newcomers)
+        self._tf = advertise('/tf', TFMessage)
         names = namespaces(settings.robots)
         self._robots = [RobotTopics(robot, namespace) for robot, namespace
                         in zip(simulation.robots, names)]
@@ -66,7 +42,7 @@ class SimulationTopics:
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
 
     def subscribe(self, *callbacks):
-        """Listen as RobotTopics.subscribe() does; each callback takes the robot's index first."""
+        """Listen as RobotTopics.subscribe() does, but for the robot's index after the sender."""
         for index, topics in enumerate(self._robots):
             topics.subscribe(*(partial(callback, index) for callback in callbacks))
 
@@ -79,36 +55,17 @@ class SimulationTopics:
     def publish_robots(self):
         """Publish where the robots are, and what they see."""
         stamp = self._stamp()
-        self._publish_each(stamp)
-        self._newcomers.forget()
-        if self._tf.get_num_connections():
-            self._tf.publish(self._transforms(stamp))
-
-    def repeat(self):
-        """Publish time and robots once more; tf only for those who have not heard it.
-
-        tf warns of each transform that it knows already.
-        """
-        stamp = self._stamp()
-        self.publish_clock()
-        self._publish_each(stamp)
-        self._newcomers.publish(self._transforms(stamp))
-
-    @property
-    def command_topics(self):
-        """The topics on which the robots are commanded."""
-        return [topic for robot in self._robots for topic in robot.command_topics]
-
-    def warn(self, text):
-        """Publish what there is to warn of; empty: nothing."""
-        self._warning.publish(text)
-
-    def _publish_each(self, stamp):
         number = self._timeline.odometry_count
         for topics in self._robots:
             topics.publish(stamp, number)
         for scan in self._scans:
             scan.publish(stamp, number)
+        if self._tf.get_num_connections():
+            self._tf.publish(self._transforms(stamp))
+
+    def warn(self, text):
+        """Publish what there is to warn of; empty: nothing."""
+        self._warning.publish(text)
 
     def _transforms(self, stamp):
         frames = [topics.base_frame(stamp) for topics in self._robots]

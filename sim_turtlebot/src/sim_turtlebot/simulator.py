@@ -1,15 +1,15 @@
 """The simulation in ROS: topics, services and pacing around the robots and their world.
 
 ROS calls back on threads of its own. They leave requests, which the main thread serves between two
-advances of the simulation. A command for which time has waited is obeyed, and time goes on, on the
-command's own thread, while the main thread lends its turn.
+advances of the simulation; in lockstep once every node of the graph rests, in the order of their
+senders' names.
 """
 
 import math
-import time
+from functools import partial
 
 import rospy
-from odometry_common.ending import LONGEST_WAIT, quiet_at_shutdown
+from odometry_common.ending import LONGEST_WAIT
 from std_srvs.srv import Empty, EmptyResponse
 
 from sim_turtlebot.current_warnings import CurrentWarnings
@@ -18,13 +18,11 @@ from sim_turtlebot.lockstep import Lockstep
 from sim_turtlebot.pacing import Pacer
 from sim_turtlebot.poses import checked_pose
 from sim_turtlebot.request_queue import RequestQueue
+from sim_turtlebot.robot_topics import sender_of
 from sim_turtlebot.simulation_topics import SimulationTopics, namespaces
 
 SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
-REPEAT_PERIOD = 0.1  # s of wall time between two odometries while no controller has spoken
-REMIND_PERIOD = 2.0  # s of wall time between two lines that say so
-NAMED = 4  # topics in such a line; more would not be read
-LATE_SHARE = 0.25  # of ~lockstep_patience without an answer: no late one will come
+LOOK_PERIOD = 0.02  # s of wall time between two looks at a graph that is about to settle
 
 
 class Simulator:
@@ -36,18 +34,12 @@ class Simulator:
         self._simulation = simulation
         self._timeline = simulation.timeline
         self._pacer = Pacer(settings.real_time_factor, self._report_pace)
-        self._lockstep = None
-        if settings.lockstep_rate:
-            self._lockstep = Lockstep(
-                settings.lockstep_rate, self._timeline.step_rate, settings.robots)
-        # Whether a command may be an answer to an earlier odometry than the latest.
-        self._may_be_late = False
-        self._reminded = time.monotonic()
         self._paused = settings.paused
         self._begun = False  # whether time zero has been published
         self._stopping = False
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
+        self._lockstep = Lockstep(lambda: self._stopping) if settings.lockstep else None
         self._topics = SimulationTopics(simulation, settings)
         self._warnings = CurrentWarnings(self._topics.warn)
         self._falls = Falls(simulation.robots, self._report_fall)
@@ -55,99 +47,66 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
-        if not self._paused:  # else nobody may listen yet
-            self._publish()
-        self._pacer.restart(self._timeline.now)
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
 
     def _take_turn(self):
         """Serve one request if there is one, else advance if it is time to."""
         if not self._requests.empty() or self._paused:
-            self._requests.serve(LONGEST_WAIT)
-        elif self._lockstep and self._may_be_late and self._lockstep.started:
-            self._wait_for_late_answers()
-        elif self._lockstep and self._lockstep.must_wait(self._timeline.steps):
-            self._wait_for_controllers()
+            self._serve(LONGEST_WAIT)
+        elif not self._begun:
+            self._begin()
         else:
             lead = self._pacer.lead(self._timeline.now)
             if lead > SHORTEST_SLEEP:
-                self._requests.serve(min(lead, LONGEST_WAIT))
+                self._serve(min(lead, LONGEST_WAIT))
             else:
                 self._advance()
 
-    def _wait_for_controllers(self):
-        if not self._lockstep.started:
-            self._wait_for_first_command()
+    def _serve(self, timeout):
+        """Wait (s of wall time) for a request and serve it, in lockstep all that come with it."""
+        if not self._lockstep:
+            self._requests.serve(timeout)
+        elif self._requests.wait(timeout):
+            self._lockstep.wait()
+            self._serve_all()
+
+    def _serve_all(self):
+        if self._requests.serve_all():
+            self._lockstep.wait()  # whoever was answered goes on
+
+    def _begin(self):
+        """Publish time zero; in lockstep once everybody is there."""
+        if self._lockstep and not self._lockstep.has_settled():
+            self._requests.wait(LOOK_PERIOD)
             return
-        patience = self._settings.lockstep_patience
-        self._silent_since = time.monotonic()
-        while (left := self._silent_since + patience - time.monotonic()) > 0:
-            if self._requests.lend_turn(min(left, LONGEST_WAIT)):
-                return
-        if self._lockstep.give_up():
-            rospy.logwarn(f'lockstep: no command for {patience:g} s of wall time; going on '
-                          'without waiting until there is one')
-
-    def _go_on(self):
-        """Advance from a command for which time has waited to the next one."""
-        while not self._lockstep.must_wait(self._timeline.steps):
-            if self._stopping or self._pacer.lead(self._timeline.now) > SHORTEST_SLEEP:
-                self._requests.put(lambda: None)  # which is the main thread's business
-                return
-            self._advance()
-        self._silent_since = time.monotonic()
-
-    def _wait_for_first_command(self):
-        """Repeat the odometry while there is no command."""
-        if not self._requests.serve(REPEAT_PERIOD):
-            self._may_be_late = True
-            self._topics.repeat()
-            self._remind()
-
-    def _wait_for_late_answers(self):
-        """Serve the answers to earlier odometries that are still to come.
-
-        They must not be taken for answers to the next one. Nothing in a Twist tells them
-        apart; so wait until no more come.
-        """
-        patience = self._settings.lockstep_patience
-        end = time.monotonic() + patience
-        while not self._stopping and time.monotonic() < end:
-            if not self._requests.serve(LATE_SHARE * patience):
-                break
-        self._may_be_late = False
-
-    def _remind(self):
-        """Say from time to time what is waited for: a client cannot see why its sleep has no end."""
-        if time.monotonic() - self._reminded < REMIND_PERIOD:
-            return
-        self._reminded = time.monotonic()
-        topics = self._topics.command_topics
-        more = f', ... ({len(topics)} topics)' if len(topics) > NAMED else ''
-        rospy.logwarn('lockstep: time stands still until there is a first command on '
-                      f'{", ".join(topics[:NAMED])}{more}')
-
-    def _last_step(self):
-        """Return the step at which the wall clock or the controllers matter again."""
-        if self._settings.real_time_factor:
-            return self._timeline.steps + 1
-        return self._lockstep.last_step if self._lockstep else math.inf
+        self._begun = True
+        self._publish()
+        self._pacer.restart(self._timeline.now)
 
     def _advance(self):
         """Let time pass, and publish what is due then."""
-        new_odometry = self._simulation.advance(self._last_step())
-        if self._timeline.clock_is_due:
-            self._topics.publish_clock()
-        if new_odometry:
-            self._publish_robots()
-            if self._settings.gui:
-                self._update_window()
+        # On the wall clock, a command is obeyed at the next step.
+        is_paced = self._settings.real_time_factor and not self._lockstep
+        new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
+        self._publish(new_odometry)
+        if self._lockstep:
+            self._serve_all()
+        if new_odometry and self._settings.gui:
+            self._update_window()
 
-    def _publish(self):
-        self._begun = True
-        self._topics.publish_clock()
-        self._publish_robots()
+    def _publish(self, new_odometry=True):
+        """Publish what is due; in lockstep wait for what comes of it.
+
+        The odometry comes first there: a loop that the clock wakes then knows it.
+        """
+        due = [self._topics.publish_clock] if self._timeline.clock_is_due else []
+        if new_odometry:
+            due.append(self._publish_robots)
+        for publish in reversed(due) if self._lockstep else due:
+            publish()
+            if self._lockstep:
+                self._lockstep.wait()
 
     def _publish_robots(self):
         self._topics.publish_robots()
@@ -162,28 +121,22 @@ class Simulator:
 
     def _listen(self):
         robots, put = self._simulation.robots, self._requests.put
-        self._topics.subscribe(self._on_command,
-                               lambda index: put(robots[index].reset_odometry),
-                               lambda *pose: put(lambda: self._set_pose(*pose)))
+        self._topics.subscribe(
+            lambda index, sender, *command: put((sender, partial(self._command, index, *command))),
+            lambda index, sender: put((sender, robots[index].reset_odometry)),
+            lambda index, sender, *pose: put((sender, partial(self._set_pose, index, *pose))))
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
-            rospy.Service(name, Empty, lambda _, action=action: self._answer(action))
+            rospy.Service(name, Empty, partial(self._answer, action))
 
-    def _answer(self, action):
+    def _answer(self, action, request):
         try:
-            self._requests.put_and_wait(action)
+            self._requests.put_and_wait(action, sender_of(request))
         except TimeoutError as error:
             raise rospy.ServiceException(error) from None
         return EmptyResponse()
 
-    def _on_command(self, *command):
-        with quiet_at_shutdown():
-            self._requests.serve_if_lent(lambda: self._command(*command), self._go_on)
-
     def _command(self, index, linear, angular, mux_input):
-        # A command that the multiplexer does not pass on is its controller's answer too.
-        if self._lockstep:
-            self._lockstep.heard(index)
         try:
             self._simulation.command(linear, angular, index, mux_input)
         except ValueError as error:
@@ -199,7 +152,6 @@ class Simulator:
             return
         if self._paused:
             self._publish_robots()
-            self._may_be_late = True
 
     def _report_fall(self, name, text):
         """Warn, in the log and for the page, of a robot on its side, or take that back."""
@@ -226,19 +178,14 @@ class Simulator:
 
     def _unpause(self):
         self._paused = False
-        if not self._begun:
-            self._publish()
         self._pacer.restart(self._timeline.now)
 
     def _reset(self):
         """Take time and robots back to the start."""
-        if self._lockstep:
-            self._may_be_late |= self._lockstep.is_owed_an_answer(self._timeline.steps)
-            self._lockstep.restart()
         self._simulation.reset()
         self._pacer.restart(self._timeline.now)
         self._publish()
 
     def _stop(self):
         self._stopping = True
-        self._requests.put(lambda: None)
+        self._requests.put((('', ''), lambda: None))

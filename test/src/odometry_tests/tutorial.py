@@ -8,10 +8,9 @@ from std_msgs.msg import Float64
 
 from odometry_tests.forked import Forked
 from odometry_tests.processes import rosrun
-from odometry_tests.waiting import PATIENCE, Recorder, wait_until
+from odometry_tests.waiting import Recorder, wait_until
 
 NODES = 'sim_turtlebot', 'test_movement', 'rotate_robot'  # with parameters, by their own names
-LONGEST_SILENCE = 3.0 * PATIENCE  # s of wall time, of a controller that the machine lets wait
 REST_SPEED = 1e-3  # m/s or rad/s
 REST_COUNT = 100  # distances in a row; five seconds of the robot's time
 # Of the mover in lockstep, at its 0.1 m/s and 20 Hz; both have a margin of a tenth.
@@ -24,16 +23,13 @@ def simulator(*arguments, **options):
     return _node('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
 
 
-def simulator_in_step(*arguments, rate=20, patience=LONGEST_SILENCE, **options):
-    """Start the simulated robot in lockstep with a controller at `rate` (Hz).
+def simulator_in_step(*arguments, **options):
+    """Start the simulated robot in lockstep, with a clock that is as coarse as its odometry.
 
     Whatever the pace, no message is lost then and no command is late: what the robot does is the
     same on every machine.
-
-    :param patience: s of wall time for a controller that is silent
     """
-    return simulator(f'_lockstep_rate:={rate}', f'_lockstep_patience:={patience}', *arguments,
-                     **options)
+    return simulator('_lockstep:=true', '_clock_rate:=20', *arguments, **options)
 
 
 def detector(*arguments, **options):

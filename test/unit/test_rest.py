@@ -1,0 +1,146 @@
+"""When all threads of some processes sleep, and nobody is left to wake them."""
+
+import os
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+from odometry_tests.waiting import PATIENCE
+from sim_turtlebot.rest import Rest
+
+from sim_turtlebot import rest
+
+ROUNDS = 100
+# Each reads a number, works, and answers with its successor.
+ANSWERS = 'answer = lambda: (sum(range(20000)), print(int(line) + 1, flush=True))\n'
+READER = ANSWERS + 'import sys\nfor line in sys.stdin: answer()'
+HAND_OVER = ANSWERS + '''
+import queue, sys, threading
+lines = queue.Queue()
+threading.Thread(target=lambda: [lines.put(line) for line in sys.stdin], daemon=True).start()
+while True:
+    line = lines.get()
+    answer()
+'''
+POLLER = ANSWERS + '''
+import sys, threading, time
+lines = []
+threading.Thread(target=lambda: [lines.append(line) for line in sys.stdin], daemon=True).start()
+while True:
+    while not lines: time.sleep(0.01)
+    line = lines.pop()
+    answer()
+'''
+BUSY = 'while True: pass'
+SLOW_POLLER = 'import time\nwhile True: time.sleep(0.1)'
+MANY_THREADS = '''
+import sys, threading
+for line in sys.stdin:
+    thread = threading.Thread(target=lambda: print(int(line) + 1, flush=True))
+    thread.start()
+'''
+
+
+@pytest.fixture
+def restless():
+    """Return a list for the names of the processes that did not rest."""
+    return []
+
+
+@pytest.fixture
+def resting(restless):
+    """Return a Rest without processes."""
+    resting = Rest(lambda: False, lambda process, thread: restless.append((process.name, thread)))
+    yield resting
+    for pid in list(resting.processes):
+        resting.remove(pid)
+
+
+@pytest.fixture
+def start(resting):
+    """Return a function that starts Python code as a process and has it waited for."""
+    started = []
+
+    def start(code):
+        process = subprocess.Popen([sys.executable, '-c', code], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, text=True, bufsize=1)
+        started.append(process)
+        resting.add(code, process.pid)
+        return process
+
+    yield start
+    for process in started:
+        process.kill()
+        process.communicate()
+
+
+def answers_after_rest(resting, process):
+    """Ask again and again; return what has been answered whenever the process rests."""
+    answers = []
+    reader = threading.Thread(
+        target=lambda: [answers.append(int(line)) for line in process.stdout], daemon=True)
+    reader.start()
+    resting.add('this process', os.getpid())
+    for number in range(ROUNDS):
+        process.stdin.write(f'{number}\n')
+        resting.wait()
+        yield list(answers)
+
+
+@pytest.mark.parametrize('code', [READER, HAND_OVER, POLLER, MANY_THREADS],
+                         ids=['reader', 'hand over', 'poller', 'many threads'])
+def test_who_rests_has_answered(resting, start, restless, code):
+    """Whatever threads the work goes through, in that process and in this one."""
+    for number, answers in enumerate(answers_after_rest(resting, start(code))):
+        assert answers == list(range(1, number + 2))
+    assert not restless
+
+
+def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start, restless):
+    """After two seconds in which it had a processor."""
+    start(BUSY)
+    begin = time.monotonic()
+    resting.wait()
+    assert time.monotonic() - begin >= rest.PATIENCE
+    (name, thread), = restless
+    assert name == BUSY and thread.name.startswith('python')
+    begin = time.monotonic()
+    resting.wait()
+    assert time.monotonic() - begin < rest.PATIENCE
+    assert len(restless) == 1
+
+
+def test_who_never_rests_is_named_and_not_who_wakes_now_and_then(resting, start, restless):
+    """Whoever of them is looked at first."""
+    for code in SLOW_POLLER, BUSY, SLOW_POLLER:
+        start(code)
+    resting.wait()
+    assert [name for name, _ in restless] == [BUSY]
+
+
+def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting, start):
+    """It would hold up everybody each time that it has heard something."""
+    start(SLOW_POLLER)
+    time.sleep(0.5)
+    resting.wait()
+    begin = time.monotonic()
+    for _ in range(20):
+        resting.wait()
+    assert time.monotonic() - begin < PATIENCE
+
+
+def test_a_process_that_ends_is_forgotten(resting, start):
+    """Also while it is waited for."""
+    ending, staying = start(BUSY), start(READER)
+    threading.Timer(0.3, ending.kill).start()
+    threading.Timer(0.3, ending.wait).start()
+    resting.wait()
+    assert list(resting.processes) == [staying.pid]
+
+
+def test_what_is_no_process_is_refused(resting):
+    """With the error of the system."""
+    with pytest.raises(FileNotFoundError):
+        resting.add('nobody', 2**22 + 1)
