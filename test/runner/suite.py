@@ -48,7 +48,7 @@ def all_jobs():
     files = _test_files()
     jobs = [_pytest('unit', TESTS / 'unit')]
     jobs += [_job(name) for name, file in files.items()
-             if file.parent.name in ('system', 'screen', 'rostests')]
+             if file.parent.name in ('system', 'screen', 'rostests', 'test')]
     jobs.sort(key=lambda job: LONGEST.index(job.name) if job.name in LONGEST else len(LONGEST))
     return [*jobs, *(Job(name, command, is_linter=True) for name, command in _linters().items())]
 
@@ -71,7 +71,8 @@ def job(name):
 
 def _test_files():
     """Return the test files by name."""
-    return {**{file.stem: file for file in sorted(TESTS.glob('*/test_*.py'))},
+    pytests = [*TESTS.glob('*/test_*.py'), *ROOT.glob('*/test/test_*.py')]
+    return {**{file.stem: file for file in sorted(pytests)},
             **{file.name: file for file in sorted(TESTS.glob('rostests/*.test'))}}
 
 
@@ -88,8 +89,8 @@ def _job(name):
 def _pytest(name, path):
     command = [sys.executable, '-m', 'pytest', '-q', '--color=no', '--tb=short',
                '-p', 'no:cacheprovider', str(path)]
-    kind = Path(path).relative_to(TESTS).parts[0]
-    if kind != 'unit':
+    kind = Path(path).parent.name
+    if kind in ('system', 'screen'):
         # Only unit tests need hypothesis, which takes pytest a second to load.
         command += ['-p', 'no:hypothesispytest']
     made = Job(name, command, draws=kind == 'screen')
