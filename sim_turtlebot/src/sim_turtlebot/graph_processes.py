@@ -5,14 +5,16 @@ from urllib.parse import urlparse
 import psutil
 import rosgraph
 from odometry_common.connections import node_at
+from rosgraph.names import ns_join
 from rosgraph.network import is_local_address
 
-from sim_turtlebot.rest import ENDED
+from sim_turtlebot.rest import PATIENCE
 
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only writes down what others say
 ROSLAUNCHED = '__name:='  # is in the command line of a node that roslaunch has started
+STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
 
 class GraphProcesses:
@@ -25,57 +27,59 @@ class GraphProcesses:
         :param on_unseen: function of the name of a node whose process cannot be seen
         """
         self._rest, self._own_name, self._on_unseen = rest, own_name, on_unseen
-        self._uri = rosgraph.get_master_uri()
-        self._master = node_at(self._uri)
-        self._pids = {}  # by name; None: the process has ended, or cannot be seen
-        self.publishers = set()  # the names of all nodes that publish more than their log
-        self._add({MASTER: self._uri})
-
-    @property
-    def names(self):
-        """The names of all nodes."""
-        return self._pids.keys() - {MASTER}
+        self._master_uri = rosgraph.get_master_uri()
+        self._master = node_at(self._master_uri)
+        self._addresses, self._pids = {}, {}  # by name
+        self.names = set()  # of all nodes
+        self.publishers = set()  # the names of those that publish more than their log
+        self._find({MASTER: self._master_uri})
 
     def refresh(self):
         """Take the nodes that have come, and forget those that have gone; OSError: no master."""
         state = self._master.getSystemState(self._own_name)[ANSWER]
         self.publishers = {name for topic, nodes in state[0] if topic != LOG for name in nodes}
-        names = {name for topics in state for _, nodes in topics for name in nodes} - {LOG}
-        for name in self.names - names:
-            del self._pids[name]
-        new = [name for name in names
-               if self._pids.get(name, 0) not in (None, *self._rest.processes)]
-        if new:
-            self._add({name: self._master.lookupNode(self._own_name, name)[ANSWER] for name in new})
+        self.names = {name for topics in state for _, nodes in topics for name in nodes} - {LOG}
+        for name in self._addresses.keys() - self.names:
+            del self._addresses[name]
+        addresses = {name: self._master.lookupNode(self._own_name, name)[ANSWER]
+                     for name in self.names if self._pids.get(name) not in self._rest.processes}
+        self._find({name: address for name, address in addresses.items()
+                    if address and self._addresses.get(name) != address})
 
     def add_starting(self):
         """Take the processes that roslaunch has started and that are no nodes yet."""
         for process in psutil.process_iter(['cmdline', 'environ']):
-            name = next((argument for argument in process.info['cmdline'] or ()
-                         if argument.startswith(ROSLAUNCHED)), None)
-            if name not in (None, ROSLAUNCHED + 'rosout') and (process.info['environ'] or {}).get('ROS_MASTER_URI') == self._uri:
-                self._see(name[len(ROSLAUNCHED):], process.pid)
+            environment = process.info['environ'] or {}
+            name = next((ns_join(environment.get('ROS_NAMESPACE', '/'), argument[len(ROSLAUNCHED):])
+                         for argument in process.info['cmdline'] or ()
+                         if argument.startswith(ROSLAUNCHED)), LOG)
+            if (name != LOG and process.pid not in self._rest.processes
+                    and environment.get('ROS_MASTER_URI') == self._master_uri):
+                self._add(name, process.pid, STARTING_PATIENCE)
 
-    def _add(self, uris):
-        """Find the processes that serve these URIs, by name."""
+    def _find(self, addresses):
+        """Find the processes that serve these addresses, by name of their node."""
+        if not addresses:
+            return
+        self._addresses.update(addresses)
         pids = {socket.laddr.port: socket.pid for socket in psutil.net_connections('tcp')
                 if socket.status == psutil.CONN_LISTEN}
-        for name, uri in uris.items():
-            address = urlparse(uri)
-            # A port of this machine that nobody serves is that of a node that has ended.
-            is_here = is_local_address(address.hostname)
-            pid = pids.get(address.port, 0) if is_here else None
-            self._pids[name] = pid if pid and self._see(name, pid) else None
+        for name, address in addresses.items():
+            host, port = urlparse(address).hostname, urlparse(address).port
+            # Nobody serves the address of a node that was killed.
+            pid = pids.get(port, 0) if is_local_address(host) else None
+            self._pids[name] = pid
             if pid is None:
                 self._on_unseen(name)
+            elif pid in self._rest.processes:
+                self._rest.processes[pid].patience = PATIENCE
+            elif pid:
+                self._add(name, pid, PATIENCE)
 
-    def _see(self, name, pid):
-        """Wait for a process; return whether it can be seen."""
-        if pid not in self._rest.processes:
-            try:
-                self._rest.add(name, pid, name != MASTER)
-            except OSError as error:
-                if error.errno not in ENDED:
-                    self._on_unseen(name)
-                return False
-        return True
+    def _add(self, name, pid, patience):
+        try:
+            self._rest.add(name, pid, name != MASTER, patience)
+        except PermissionError:
+            self._on_unseen(name)
+        except OSError:  # it has ended
+            pass

@@ -1,5 +1,6 @@
 """Lockstep: time waits until each node of the graph has done what it has to do."""
 
+import contextlib
 import http.client
 import time
 import xmlrpc.client
@@ -13,6 +14,8 @@ from sim_turtlebot.rest import PATIENCE, Rest
 
 REFRESH_PERIOD = 0.5  # s of wall time between two looks for nodes that have come or gone
 NAP_PERIOD = 4.0  # s of wall time between two looks for nodes that sleep by it
+SPIN_RATE, SPIN_TOLERANCE = 2.0, 0.6  # Hz; rospy.spin() sleeps by wall time, too, to no harm
+SLEEPS = 'sleeps by wall time, as by time.sleep(): use rospy.sleep()'
 REFRESH_SHARE = 0.1  # of the wall time, at most, for these looks
 MOMENT = 0.5  # s of wall time in which nobody comes or goes before time begins
 DIFFER = 'two runs may differ'
@@ -31,6 +34,7 @@ class Lockstep:
         self._rest = Rest(is_over, self._report_restless)
         self._graph = GraphProcesses(self._rest, rospy.get_name(), self._report_unseen)
         self._next_refresh = self._changed = self._next_naps = 0.0
+        self._naps = {}  # when threads were seen in long naps, and how often they had run
         self._known = set()
         self._reported = set()
 
@@ -61,21 +65,27 @@ class Lockstep:
             rospy.logdebug(f'lockstep: the master does not answer: {error}')
         end = time.monotonic()
         self._next_refresh = end + max(REFRESH_PERIOD, (end - begin) / REFRESH_SHARE)
-
         if end > self._next_naps:
             self._next_naps = end + NAP_PERIOD
             self._look_for_naps(end)
 
     def _look_for_naps(self, now):
+        """Name the nodes that command or publish and, since the last call, slept by wall time."""
+        before, self._naps = self._naps, {}
         for process in self._rest.processes.values():
-            try:
-                # All threads are asked, so that each has its whole period.
-                naps = [thread for thread in process.threads.values()
-                        if thread.naps_of_its_own(now)]
-            except OSError:  # one has ended
+            # roscpp sleeps by wall time wherever it waits.
+            if process.is_cpp or process.name not in self._graph.publishers - {rospy.get_name()}:
                 continue
-            if naps and process.name in self._graph.publishers - {rospy.get_name()}:
-                self._report(process.name, 'sleeps by wall time, as by time.sleep(): use rospy.sleep()')
+            for thread in process.threads.values():
+                with contextlib.suppress(OSError):  # it has ended
+                    _, _, runs = thread.usage
+                    if thread.naps and thread.takes_long_naps(runs, now):
+                        self._naps[thread] = now, runs
+                if thread in before and thread in self._naps:
+                    earlier, runs_then = before[thread]
+                    rate = (runs - runs_then) / (now - earlier)
+                    if abs(rate - SPIN_RATE) > SPIN_TOLERANCE:
+                        self._report(process.name, SLEEPS)
 
     def _report_restless(self, process, thread):
         self._report(process.name, f'has not rested for {PATIENCE:g} s (process {process.pid}, '

@@ -3,7 +3,9 @@
 import contextlib
 import io
 import signal
+import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import numpy
@@ -24,19 +26,29 @@ from odometry_tests.tutorial import (
     simulator,
     simulator_in_step,
 )
-from odometry_tests.waiting import Recorder
+from odometry_tests.waiting import Recorder, wait_until
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, JointState, LaserScan
+from sim_turtlebot.lockstep import Lockstep
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
 
 COMPARED = 24  # s of simulated time; two metres take 20
 RUN_TIME = 60.0  # s
 NOT_AWAITED = 'lockstep does not wait for'
-CLIENTS = Path(__file__).with_name('clients.py')
-KINDS = ['rate 20', 'timer', 'wait_for_message', 'tf', 'tf2', 'service']
+HERE = Path(__file__).parent
+# The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
+CLIENTS = {
+    'rospy.Rate(10)': ['rate 10'], 'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
+    'rospy.sleep': ['sleep'], 'rospy.wait_for_message': ['wait_for_message'],
+    'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
+    'service': ['service'], 'latched topic': ['latched', 'latching'],
+    'actionlib': ['action', 'action_server'], 'dynamic_reconfigure': ['reconfigure', 'tuner'],
+    'rosbag record': ['rate 20', 'bag'],
+    'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
+    'ros::MultiThreadedSpinner': ['C++ spinners']}
 CLIENT_TIME = 5  # s of simulated time
-LEAST_COMMANDS = 20
+LEAST_COMMANDS = 10
 UNPACED = '_real_time_factor:=0'
 
 
@@ -71,11 +83,20 @@ def record(starts, topics, arguments=(), prepare=lambda: None):
         for recorder in recorders.values():
             recorder.wait_for_publisher()
         prepare()
+        wait_until_settled()
+        for recorder in recorders.values():
+            recorder.clear()
         call('unpause_physics')
         for topic, (_, count) in topics.items():
             recorders[topic].wait_for_count(count, RUN_TIME)
         assert NOT_AWAITED not in simulation.output, simulation.output
         return {topic: recorders[topic].messages[:count] for topic, (_, count) in topics.items()}
+
+
+def wait_until_settled():
+    """Return when all nodes have done what they do before time begins."""
+    graph = Lockstep(lambda: False)
+    wait_until(graph.has_settled, RUN_TIME, 'nodes at rest')
 
 
 def bytes_of(message):
@@ -109,14 +130,31 @@ ELSEWHERE = *MOVE, (), put_elsewhere
 ROTATE = [rotator], {'/odom': (Odometry, 20 * COMPARED), '/cmd_vel': (Twist, 10 * COMPARED)}
 
 
-def client(kind):
-    """Return the start of a node of this kind, and the topics to compare.
+@pytest.fixture(scope='module')
+def start_client(tmp_path_factory):
+    """Return a function that starts a node of a kind, with a name; C++ is compiled at its first use."""
+    folder = tmp_path_factory.mktemp('clients')
 
-    With the default clock: each loop keeps its rate.
-    """
-    return ([lambda: Process(sys.executable, CLIENTS, kind)],
-            {'/odom': (Odometry, 20 * CLIENT_TIME), '/tf': (TFMessage, 20 * CLIENT_TIME),
-             '/cmd_vel': (Twist, LEAST_COMMANDS)}, ['_clock_rate:=100'])
+    def start(kind, name):
+        language, _, argument = kind.partition(' ')
+        if kind == 'bag':
+            command = 'rosbag', 'record', '-O', folder / 'run', '/odom'
+        elif language == 'C++':
+            command = compile_client(folder / 'client'), argument
+        else:
+            command = sys.executable, HERE / 'clients.py', kind
+        return Process(*command, f'__name:={name}')
+
+    return start
+
+
+def compile_client(path):
+    """Compile the client in C++, unless it is there, and return its path."""
+    if not path.exists():
+        flags = subprocess.run(['pkg-config', '--cflags', '--libs', 'roscpp'], check=True, text=True,
+                               stdout=subprocess.PIPE).stdout.split()
+        subprocess.run(['g++', '-o', path, HERE / 'client.cpp', *flags], check=True)
+    return path
 
 
 @pytest.fixture(scope='module')
@@ -142,17 +180,22 @@ def test_two_runs_are_the_same_bytes(two_metres, tutorial):
     assert_same_bytes(first, record(*tutorial))
 
 
-@pytest.mark.parametrize('kind', KINDS)
-def test_two_runs_with_any_node_are_the_same_bytes(kind):
-    """Whatever it waits for: the clock, a message, a service, a transform."""
-    assert_same_bytes(record(*client(kind)), record(*client(kind)))
+@pytest.mark.parametrize('client', CLIENTS)
+def test_two_runs_with_any_node_are_the_same_bytes(client, start_client):
+    """Whatever it waits for: the clock, a message, a service, a transform; with the default clock."""
+    kinds = CLIENTS[client]
+    names = ['client', *kinds[1:]]
+    starts = [partial(start_client, *pair) for pair in zip(kinds, names)]
+    topics = {'/odom': (Odometry, 20 * CLIENT_TIME), '/tf': (TFMessage, 20 * CLIENT_TIME),
+              '/cmd_vel': (Twist, LEAST_COMMANDS)}
+    assert_same_bytes(*(record(starts, topics, ['_clock_rate:=100']) for _ in range(2)))
 
 
 @pytest.mark.parametrize('rate', [5, 10, 20, 30, 50, 100])
-def test_a_loop_keeps_its_rate(rate):
+def test_a_loop_keeps_its_rate(rate, start_client):
     """In simulated time, with the default clock: so many commands in ten seconds."""
     with simulator('_lockstep:=true', UNPACED, '_paused:=true'), \
-            Process(sys.executable, CLIENTS, f'rate {rate}'), \
+            start_client(f'rate {rate}', 'client'), \
             contextlib.closing(Recorder('/cmd_vel', Twist)) as commands, \
             contextlib.closing(Recorder('/clock', Clock)) as clock:
         commands.wait_for_publisher()
@@ -199,10 +242,10 @@ def test_a_mover_that_is_killed_does_not_stop_the_time():
 
 @pytest.mark.parametrize('kind, reason', [
     ('busy', 'it has not rested for 2 s'), ('wall', 'it sleeps by wall time')])
-def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason):
+def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason, start_client):
     """With what to do."""
     with simulator_in_step('_real_time_factor:=5') as simulation, \
-            Process(sys.executable, CLIENTS, kind, '__name:=culprit'):
+            start_client(kind, 'culprit'):
         simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so that two runs may differ: {reason}',
                                    60.0)
         truth = Truth()
@@ -210,9 +253,9 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason):
         assert simulation.output.count(f'{NOT_AWAITED} /culprit') == 1
 
 
-def test_time_is_the_same_for_who_sleeps_on_the_clock_before_it_commands():
+def test_time_is_the_same_for_who_sleeps_on_the_clock_before_it_commands(start_client):
     """Nobody has to speak first."""
-    with simulator_in_step(UNPACED), Process(sys.executable, CLIENTS, 'sleeper') as sleeper:
+    with simulator_in_step(UNPACED), start_client('sleeper', 'sleeper') as sleeper:
         sleeper.wait_for_output('awake')
 
 

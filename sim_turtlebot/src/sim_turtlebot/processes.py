@@ -1,0 +1,127 @@
+"""What /proc shows of a process and its threads."""
+
+import os
+import threading
+import time
+
+# Naps in seconds: rospy.wait_for_message() polls every 10 ms, roscpp every millisecond. Main threads of
+# roscpp nap for 50 ms, those of rospy for 500 ms, only to look for shutdown.
+LONGEST_POLL, SHUTDOWN_POLL = 0.025, 0.04
+# Functions of the kernel in which time.sleep() sleeps, the second that of Python to 3.10
+NAPS = b'hrtimer_nanosleep', b'do_select'
+SLEEPING, STOPPED = b'S', (b't', b'T', b'Z', b'X')  # states in /proc/PID/task/TID/stat
+NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
+CPP_LIBRARY = 'libroscpp.so'
+# Kinds of CPU clocks: CPUCLOCK_SCHED and CPUCLOCK_PERTHREAD_MASK in linux/posix-timers_types.h
+OF_PROCESS, OF_THREAD = 2, 6
+
+_waits = set()  # functions of the kernel in which threads have been seen asleep
+
+
+class Thread:
+    """A thread of any process; whatever asks for its state raises OSError if it has ended."""
+
+    def __init__(self, pid, tid):
+        """Open its files when they are needed."""
+        self.tid = tid
+        self.polls = False  # although it does not nap, as the timers of roscpp
+        self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
+        self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False
+
+    def close(self):
+        """Close its files."""
+        for file in self._files.values():
+            os.close(file)
+
+    @property
+    def name(self):
+        """The name that its process gave it."""
+        return self._read('comm').decode(errors='replace').strip()
+
+    @property
+    def is_asleep(self):
+        """Whether it sleeps."""
+        self._wait = self._read('wchan')
+        if self._wait in _waits:
+            return True
+        state = self._read('stat').rpartition(b')')[2][1:2]
+        if state == SLEEPING and self._wait != NOT_TOLD:
+            _waits.add(self._wait)
+        # One that has begun to sleep since the first question will be asked once more.
+        return state in STOPPED or state == SLEEPING and (self._wait != NOT_TOLD or not _waits)
+
+    @property
+    def naps(self):
+        """Whether it slept by wall time when is_asleep was asked for."""
+        return self._wait in NAPS
+
+    @property
+    def usage(self):
+        """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
+        return tuple(map(int, self._read('schedstat').split()))
+
+    def takes_long_naps(self, runs, asleep_at):
+        """Return whether its nap takes longer than LONGEST_POLL.
+
+        :param runs: how often it has run
+        :param asleep_at: a time at which it slept (monotonic, s)
+        """
+        if runs != self._nap:
+            # If it did no more than look, this nap takes as long as the one before.
+            self._nap_is_long = runs - 1 == self._nap and self._nap_time > SHUTDOWN_POLL
+            self._nap, self._nap_begin = runs, time.monotonic()
+        self._nap_time = asleep_at - self._nap_begin
+        self._nap_is_long |= self._nap_time > LONGEST_POLL
+        return self._nap_is_long
+
+    def _read(self, name):
+        if name not in self._files:
+            self._files[name] = os.open(f'{self._path}/{name}', os.O_RDONLY)
+        return os.pread(self._files[name], 512, 0)
+
+
+class Process:
+    """A process, without the thread that looks if it is this one.
+
+    Whatever asks for its state raises OSError if it, or a thread of it, has ended.
+    """
+
+    def __init__(self, name, pid, may_poll, patience):
+        """Open its folder; OSError: it has ended, or may not be seen.
+
+        :param name: for the user
+        :param may_poll: whether work may wait until a nap of its threads is over
+        :param patience: how much CPU time it may use before it rests (s)
+        """
+        self.name, self.pid, self.may_poll, self.patience = name, pid, may_poll, patience
+        self._looker = threading.get_native_id() if pid == os.getpid() else None
+        with open(f'/proc/{pid}/maps', encoding='utf-8', errors='replace') as maps:
+            self.is_cpp = any(CPP_LIBRARY in line for line in maps)
+        self._folder = os.open(f'/proc/{pid}/task', os.O_RDONLY)
+        self.threads = {}  # by id
+
+    def close(self):
+        """Close its files."""
+        for thread in self.threads.values():
+            thread.close()
+        os.close(self._folder)
+
+    def cpu_time(self):
+        """Return its CPU time (ns)."""
+        if self._looker:
+            return sum(time.clock_gettime_ns(~tid << 3 | OF_THREAD) for tid in self.threads)
+        return time.clock_gettime_ns(~self.pid << 3 | OF_PROCESS)
+
+    def awake_thread(self):
+        """Return a thread that does not sleep, or None."""
+        links = os.fstat(self._folder).st_nlink  # two more than there are threads
+        if links - 2 != len(self.threads) + bool(self._looker):
+            self.list_threads()
+        return next((thread for thread in self.threads.values() if not thread.is_asleep), None)
+
+    def list_threads(self):
+        """Take the threads that have begun, and forget those that have ended."""
+        tids = {int(tid) for tid in os.listdir(self._folder)} - {self._looker}
+        for tid in self.threads.keys() - tids:
+            self.threads.pop(tid).close()
+        self.threads.update({tid: Thread(self.pid, tid) for tid in tids - self.threads.keys()})

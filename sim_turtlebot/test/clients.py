@@ -1,0 +1,208 @@
+"""Robot clients as others write them: none of them knows of lockstep.
+
+usage: clients.py KIND
+
+All but the last three command the robot, with an angular velocity that shows what they have seen.
+"""
+
+import sys
+import time
+from types import SimpleNamespace
+
+import actionlib
+import dynamic_reconfigure.client
+import dynamic_reconfigure.server
+import message_filters
+import rospy
+import tf
+import tf2_ros
+from actionlib.msg import TestAction, TestGoal, TestResult
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from std_msgs.msg import Float64
+from std_srvs.srv import Trigger, TriggerResponse
+
+LATEST = rospy.Time()
+# What dynamic_reconfigure generates from a .cfg file, for one parameter.
+SETTINGS = SimpleNamespace(
+    all_level=1, defaults={'gain': 1.0}, level={'gain': 1}, min={'gain': 0.0}, max={'gain': 9.0},
+    type={'gain': 'double'}, config_description={
+        'name': 'Default', 'type': '', 'id': 0, 'parent': 0, 'state': True, 'groups': [],
+        'parameters': [{'name': 'gain', 'type': 'double', 'level': 1, 'description': '',
+                        'edit_method': '', 'default': 1.0, 'min': 0.0, 'max': 9.0}]})
+
+
+class Robot:
+    """The robot as a client sees and commands it."""
+
+    def __init__(self):
+        """Subscribe to its odometry."""
+        self.x = 0.0  # m
+        self._publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10)
+        rospy.Subscriber('odom', Odometry, self._on_odometry)
+
+    def _on_odometry(self, message):
+        self.x = message.pose.pose.position.x
+
+    def drive(self, turn=None):
+        """Command a velocity."""
+        command = Twist()
+        command.linear.x, command.angular.z = 0.2, self.x if turn is None else turn
+        self._publisher.publish(command)
+
+
+def rate(robot, hertz='10'):
+    """Command in a loop."""
+    loop = rospy.Rate(float(hertz))
+    while not rospy.is_shutdown():
+        robot.drive()
+        loop.sleep()
+
+
+def timer(robot):
+    """Command in a timer."""
+    rospy.Timer(rospy.Duration(1 / 30), lambda _: robot.drive())
+    rospy.spin()
+
+
+def sleep(robot):
+    """Command and sleep."""
+    while not rospy.is_shutdown():
+        robot.drive()
+        rospy.sleep(0.07)
+
+
+def wait_for_message(robot):
+    """Command after each message that is waited for."""
+    while not rospy.is_shutdown():
+        robot.drive(rospy.wait_for_message('odom', Odometry).pose.pose.position.x)
+
+
+def tf_listener(robot):
+    """Command by tf."""
+    transforms, loop = tf.TransformListener(), rospy.Rate(20)
+    while not rospy.is_shutdown():
+        if transforms.canTransform('odom', 'base_link', LATEST):
+            robot.drive(transforms.lookupTransform('odom', 'base_link', LATEST)[0][0])
+        loop.sleep()
+
+
+def tf2_listener(robot):
+    """Command by tf2, which waits for the transform of this moment."""
+    transforms = tf2_ros.Buffer()
+    tf2_ros.TransformListener(transforms)
+    while not rospy.is_shutdown():
+        found = transforms.lookup_transform('odom', 'base_footprint', rospy.Time.now(),
+                                            rospy.Duration(1.0))
+        robot.drive(found.transform.translation.x)
+        rospy.sleep(0.02)
+
+
+def synchronizer(robot):
+    """Command by two topics with the same stamp."""
+    topics = [message_filters.Subscriber(name, Odometry)
+              for name in ('odom', 'base_pose_ground_truth')]
+    synchronized = message_filters.ApproximateTimeSynchronizer(topics, 10, 0.01)
+    synchronized.registerCallback(
+        lambda odom, truth: robot.drive(odom.pose.pose.position.x + truth.pose.pose.position.x))
+    rospy.spin()
+
+
+def service(robot):
+    """Ask a service, of a thread of this node, where the robot is."""
+    rospy.Service('~x', Trigger, lambda _: TriggerResponse(True, str(robot.x)))
+    ask, loop = rospy.ServiceProxy('~x', Trigger), rospy.Rate(10)
+    while not rospy.is_shutdown():
+        robot.drive(float(ask().message))
+        loop.sleep()
+
+
+def action(robot):
+    """Have the action server answer one goal after the other."""
+    client = actionlib.SimpleActionClient('wait', TestAction)
+    client.wait_for_server()
+    while not rospy.is_shutdown():
+        client.send_goal_and_wait(TestGoal(3))
+        robot.drive(robot.x + client.get_result().result)
+
+
+def latched(robot):
+    """Command with a gain that is latched."""
+    gain = []
+    rospy.Subscriber('gain', Float64, lambda message: gain.append(message.data))
+    loop = rospy.Rate(10)
+    while not rospy.is_shutdown():
+        robot.drive(robot.x * sum(gain[-1:]))
+        loop.sleep()
+
+
+def reconfigure(robot):
+    """Command with a gain that another node changes."""
+    gain = [0.0]
+
+    def on_change(config, _level):
+        gain[0] = config['gain']
+        return config
+
+    dynamic_reconfigure.server.Server(SETTINGS, on_change)
+    loop = rospy.Rate(10)
+    while not rospy.is_shutdown():
+        robot.drive(robot.x * gain[0])
+        loop.sleep()
+
+
+def busy(_robot):
+    """Never rest."""
+    while not rospy.is_shutdown():
+        pass
+
+
+def wall(robot):
+    """Sleep by wall time."""
+    while not rospy.is_shutdown():
+        robot.drive()
+        time.sleep(0.1)
+
+
+def sleeper(robot):
+    """Sleep on the clock before any command."""
+    rospy.sleep(2.0)
+    print('awake', flush=True)
+    robot.drive()
+    rospy.spin()
+
+
+def action_server(_robot):
+    """Take 0.1 s for each unit of a goal."""
+    def execute(goal):
+        rospy.sleep(0.1 * goal.goal)
+        server.set_succeeded(TestResult(goal.goal))
+
+    server = actionlib.SimpleActionServer('wait', TestAction, execute, auto_start=False)
+    server.start()
+    rospy.spin()
+
+
+def latching(_robot):
+    """Latch a gain."""
+    rospy.Publisher('gain', Float64, latch=True, queue_size=1).publish(0.5)
+    rospy.spin()
+
+
+def tuner(_robot):
+    """Change the gain of `reconfigure`, again and again."""
+    client = dynamic_reconfigure.client.Client('/client', timeout=30)
+    loop, gain = rospy.Rate(2), 0
+    while not rospy.is_shutdown():
+        gain = (gain + 1) % 7
+        client.update_configuration({'gain': gain})
+        loop.sleep()
+
+
+if __name__ == '__main__':
+    kind, *parameters = sys.argv[1].split()
+    rospy.init_node('client')
+    try:
+        globals()[kind](Robot(), *parameters)
+    except rospy.ROSException:  # shutdown
+        pass
