@@ -12,7 +12,7 @@ from odometry_launch.graph import DemoError
 from odometry_launch.output import REWRITE, bar, complain, forget_output
 
 from odometry_sweep.options import parse
-from odometry_sweep.results import FILE, Setting, read_rows, table, written_results
+from odometry_sweep.results import FILE, Setting, read_rows, table, write_results
 from odometry_sweep.running import LostError, side_by_side
 
 PROGRAM = 'sweep'
@@ -59,14 +59,10 @@ def _run(options):
 def _sweep(campaign, run_all):
     """Run a campaign by a function of side_by_side(); return the exit status."""
     folder = new_folder(RUNS, 'sweep-')
-    rows, total = [], campaign.count
+    total = campaign.count
     try:
-        with written_results(folder, campaign) as write:
-            for parameters, metrics in with_progress(run_all(campaign), total):
-                write(parameters, metrics)
-                rows.append(metrics)
+        rows = write_results(folder, campaign, with_progress(run_all(campaign), total))
     except (KeyboardInterrupt, LostError) as error:
-        # Ctrl-C may come when a run is in the file, and not yet among the rows.
         complain(f'{str(error) or "interrupted"} after {len(read_rows(folder))} of {total} runs, '
                  f'which are in {os.path.relpath(folder)}', PROGRAM)
         raise

@@ -1,7 +1,6 @@
 """The sweep's command line."""
 
 import argparse
-from pathlib import Path
 
 import yaml
 
@@ -16,16 +15,11 @@ def parse(arguments):
     source = 'replay' if options.replay else 'campaign' if options.campaign else None
     if source and (options.tutorial or options.set or options.seeds):
         parser.error(f'argument --{source}: the file says all of tutorial, --seeds and --set')
-    if source == 'replay':
-        try:
-            options.replay = Path(options.replay[0]), _whole(options.replay[1])
-        except argparse.ArgumentTypeError as error:
-            parser.error(f'argument --replay: {error}')
-    elif source == 'campaign':
+    if source == 'campaign':
         options.campaign = read_campaign(options.campaign)
-    elif not options.tutorial:
-        parser.error('say which tutorial: move or rotate')
-    else:
+    elif not source:
+        if not options.tutorial:
+            parser.error('say which tutorial: move or rotate')
         values = dict(options.set)
         if len(values) < len(options.set):
             parser.error('argument --set: a parameter is set twice')

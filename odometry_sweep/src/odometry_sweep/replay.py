@@ -4,6 +4,7 @@ import csv
 import itertools
 import json
 import time
+from pathlib import Path
 
 import rosbag
 import rospy
@@ -29,14 +30,12 @@ LOOK_PERIOD = 0.1  # s
 
 
 def replay(folder, number):
-    """Replay the run with this number in the folder of a sweep.
+    """Replay the run with a number, a text, in the folder of a sweep.
 
     :raises DemoError: if it does not come out the same, or not at all
     :raises StartError: if there is no such run
     """
-    campaign, row, end = _find(folder, number)
-    tutorial = campaign.tutorial
-    parameters = next(itertools.islice(campaign.runs(), number - 1, None))
+    tutorial, parameters, row, end = _find(Path(folder), number)
     bag = _record(tutorial, parameters, end)
     metrics = metrics_of(bag, tutorial, parameters)
     print(f'{"":16}{"sweep":24}nodes in lockstep')
@@ -50,13 +49,14 @@ def replay(folder, number):
 
 
 def _find(folder, number):
-    """Return the campaign, the row, a dictionary of texts, and how long the run took (s)."""
+    """Return tutorial and parameters of a run, its row of texts, and how long it took (s)."""
     campaign = read_campaign(folder / CAMPAIGN_FILE)
     campaign.check()
     try:
-        row = read_rows(folder)[number - 1]
-        return campaign, row, float(row['time'])
-    except (OSError, LookupError, TypeError, ValueError, csv.Error):
+        row = {row['run']: row for row in read_rows(folder)}[number]
+        parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
+        return campaign.tutorial, parameters, row, float(row['time'])
+    except (OSError, KeyError, TypeError, ValueError, StopIteration, csv.Error):
         raise StartError(f'{folder / FILE} has no run {number}, or only a part of it') from None
 
 

@@ -1,6 +1,5 @@
 """The metrics of the runs: their file, their statistics, their table, and their limits."""
 
-import contextlib
 import csv
 from typing import NamedTuple
 
@@ -84,25 +83,21 @@ def _line(begin, cells):
     return begin + ''.join(cell.rjust(COLUMN) for cell in cells)
 
 
-@contextlib.contextmanager
-def written_results(folder, campaign):
-    """Write a campaign into a folder; yield a function that writes the next of its runs.
+def write_results(folder, campaign, runs):
+    """Write a campaign and its runs into a folder, each as it is done; return their metrics.
 
-    It takes parameters and metrics by name; when it returns, the row is in the file.
+    :param runs: yields the parameters and the metrics of each run, by name
     """
     (folder / CAMPAIGN_FILE).write_text(campaign.text(), encoding='utf-8')
+    columns = ['run', *campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
+    written = []
     with open(folder / FILE, 'w', newline='', encoding='utf-8', buffering=1) as file:
-        rows = csv.DictWriter(file, ['run', *campaign.values, 'seed', *METRICS[campaign.tutorial],
-                                     'ended'], lineterminator='\n')
+        rows = csv.DictWriter(file, columns, lineterminator='\n')
         rows.writeheader()
-        count = 0
-
-        def write(parameters, metrics):
-            nonlocal count
-            count += 1
-            rows.writerow({'run': count, **parameters, **metrics})
-
-        yield write
+        for number, (parameters, metrics) in enumerate(runs, 1):
+            rows.writerow({'run': number, **parameters, **metrics})
+            written.append(metrics)
+    return written
 
 
 def read_rows(folder):
