@@ -76,7 +76,7 @@ main() {
     case $1 in
         demo) shift; exec_kept "$ROOT/launch/scripts/demo.py" "$@" ;;
         bench) shift; exec_kept "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
-        sweep) shift; exec_kept "$ROOT/launch/scripts/sweep.py" "$@" ;;
+        sweep) shift; exec_kept "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
         soak) shift; exec_kept "$ROOT/test/soak/run_soak.py" "$@" ;;
     esac
     enter

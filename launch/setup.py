@@ -3,4 +3,4 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=['odometry_launch', 'odometry_sweep'], package_dir={'': 'src'}))
+setup(**generate_distutils_setup(packages=['odometry_launch'], package_dir={'': 'src'}))

@@ -51,10 +51,10 @@ list_python() {
         ! -name '*.dist-info' ! -name __pycache__
 }
 
-# need_python NAME FILE: install optional Python parts once.
+# need_python NAME FILE: install optional Python parts once, unless their package is left out.
 need_python() {
     local ready=$VENV/ready-$1
-    is_done "$ready" "$(fingerprint "$2")" ||
+    [ ! -e "$2" ] || is_done "$ready" "$(fingerprint "$2")" ||
         run_step "installing Python packages for the $1" add_python "$ready" "$2"
 }
 

@@ -4,7 +4,9 @@ for file in install place find_ros check_ros compile make; do
 done
 unset file
 
-PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
+# Some of them may be left out.
+PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch
+    odometry_sweep test)
 PYTHON_PARTS=(python3-venv)
 # The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
 # lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
@@ -27,6 +29,7 @@ set_up() {
     WORKSPACE=$ROOT/.ws
     LOG=$WORKSPACE/setup.log
     cd "$ROOT"
+    keep_packages
     find_ros
     choose_parts
     if asks_for_help "$@"; then
@@ -34,6 +37,15 @@ set_up() {
         return
     fi
     is_ready "$@" || make_ready_alone "$@"
+}
+
+# keep_packages: leave only those packages that are here.
+keep_packages() {
+    local package here=()
+    for package in "${PACKAGES[@]}"; do
+        [ ! -e "$package/package.xml" ] || here+=("$package")
+    done
+    PACKAGES=("${here[@]}")
 }
 
 choose_parts() {
@@ -135,12 +147,12 @@ need_python_for_tests() {
 }
 
 need_for_sweep() {
-    need_python sweep "$ROOT/launch/requirements-sweep.txt"
+    need_python sweep "$ROOT/odometry_sweep/requirements.txt"
 }
 
 need_for_cluster() {
     need_for_sweep
-    need_python cluster "$ROOT/launch/requirements-cluster.txt"
+    need_python cluster "$ROOT/odometry_sweep/requirements-cluster.txt"
 }
 
 need_for_view() {

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from xml.etree import ElementTree
 
 from odometry_launch import options as demo_options
-from odometry_sweep import options as sweep_options
+from odometry_sweep.options import make_parser as make_sweep_parser
 from odometry_tests.scripts import ROOT
 
 PAGE = ROOT / 'docs' / 'reference.md'
@@ -23,7 +23,7 @@ ENTRY = re.compile(r'^    (?=\S)', re.MULTILINE)
 PARTS = re.compile(r'(?P<names>[^(]+) \((?P<type>[^,]+?)(, (?P<default>[^,]+?))?'
                    r'(, (?P<range>.+?))?\): (?P<meaning>.*)')
 BASE_LAUNCH = 'sim.launch'
-PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': sweep_options.make_parser}
+PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parser}
 
 
 class Entry(NamedTuple):

@@ -13,8 +13,8 @@ from odometry_tests.scripts import ROOT
 
 MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
 # Imported, but under a name that rosdep does not know: the requirements files list them.
-FROM_PYPI = {'hypothesis', 'joblib', 'msgspec', 'pybullet', 'rich', 'selenium', 'trimesh',
-             'typing_extensions', 'viser', 'websockets', 'zstandard'}
+FROM_PYPI = {'distributed', 'hypothesis', 'joblib', 'msgspec', 'pybullet', 'rich', 'selenium',
+             'trimesh', 'typing_extensions', 'viser', 'websockets', 'zstandard'}
 OF_PYBULLET = {'pybullet_utils'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
@@ -70,7 +70,8 @@ def needs(folder):
     sources = [path for path in folder.rglob('*.py') if path.name != 'setup.py']
     trees = [ast.parse(source.read_text()) for source in sources]
     modules = {name for tree in trees for name in imports(tree)}
-    modules -= {source.stem for source in sources} | FROM_PYPI | OF_PYBULLET
+    # That package tests all others, so that none can depend on it.
+    modules -= {source.stem for source in sources} | FROM_PYPI | OF_PYBULLET | {'odometry_tests'}
     keys = {KEYS.get(module, module) for module in modules if not is_of_python(module)}
     keys |= {COMMANDS[word] for tree in trees for word in commands(tree) if word in COMMANDS}
     for path in [*folder.rglob('*.launch'), *folder.rglob('*.test')]:

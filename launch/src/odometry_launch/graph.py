@@ -33,12 +33,14 @@ class DemoError(RuntimeError):
 class Graph:
     """A context in which the nodes run."""
 
-    def __init__(self, launch_file, arguments, may_end=()):
+    def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch'):
         """Take the name of a launch file and a dictionary of its arguments.
 
         :param may_end: names of nodes that end when they have done what they were told
+        :param package: that has the launch file
         """
-        self._command = [launch_file, *(f'{name}:={value}' for name, value in arguments.items())]
+        self._command = [package, launch_file,
+                         *(f'{name}:={value}' for name, value in arguments.items())]
         self._may_end = may_end
 
     def __enter__(self):
@@ -48,7 +50,7 @@ class Graph:
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
         self._log = LaunchLog()
         self._roslaunch = Kept('bash', '-c', LAUNCH, self._port.number, rospkg.get_log_dir(),
-                               uuid.uuid1(), 'odometry_launch', *self._command,
+                               uuid.uuid1(), *self._command,
                                stdout=self._log.file, stderr=subprocess.STDOUT,
                                env={**os.environ, 'PYTHONUNBUFFERED': '1'})
         return self

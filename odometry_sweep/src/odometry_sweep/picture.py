@@ -1,29 +1,29 @@
-"""A picture of how the figures of a sweep are distributed."""
+"""A picture of how the metrics of a sweep are distributed."""
 
 import numpy
 from odometry_launch.drawing import new_figure
 
-from odometry_sweep.figures import FIGURES, JUDGED
+from odometry_sweep.results import METRICS, SHOWN
 
 FILE = 'distributions.png'
 BINS = 30
-FULL = 0.85  # height of the highest bar, of the way from a setting to the next
+FULL = 0.85  # height of the highest bar; 1: the distance of two settings
 WIDTH, ROW, FRAME = 3.2, 0.7, 1.4  # inches: of a diagram, of a setting, of titles and axes
 HIGHEST = 60.0  # inches
 
 
 def make_figure(tutorial, settings):
-    """Return a figure with a diagram for each figure of the table, and a histogram per Setting."""
-    names = JUDGED[tutorial]
-    figure = new_figure(WIDTH * len(names), min(HIGHEST, FRAME + ROW * len(settings)))
-    diagrams = figure.subplots(1, len(names), sharey=True)
-    for name, axes in zip(names, diagrams):
-        _draw(axes, [setting.values(name) for setting in settings])
-        axes.set(title=name, xlabel=FIGURES[tutorial][name])
+    """Return a figure with a diagram for each metric of the table, and a histogram per Setting."""
+    metrics = SHOWN[tutorial]
+    figure = new_figure(WIDTH * len(metrics), min(HIGHEST, FRAME + ROW * len(settings)))
+    diagrams = figure.subplots(1, len(metrics), sharey=True)
+    for metric, axes in zip(metrics, diagrams):
+        _draw(axes, [setting.values(metric) for setting in settings])
+        axes.set(title=metric, xlabel=METRICS[tutorial][metric])
         axes.grid(True, axis='x')
     diagrams[0].set_yticks(range(len(settings)), [setting.name for setting in settings])
     diagrams[0].invert_yaxis()
-    figure.suptitle(f'{tutorial}, {sum(setting.runs for setting in settings)} runs')
+    figure.suptitle(f'{tutorial}, {sum(len(setting.rows) for setting in settings)} runs')
     return figure
 
 

@@ -1,0 +1,139 @@
+"""A campaign: a tutorial, a grid of parameter values, seeds, and limits."""
+
+import itertools
+import math
+from typing import NamedTuple
+
+import yaml
+from odometry_common.parameters import ParameterError, StartError, read_from
+from sim_turtlebot.building import new_simulation
+from sim_turtlebot.settings import read_settings
+from sim_turtlebot.world_file import WorldFileError
+
+from odometry_sweep.closed_loop import TUTORIALS, run_parameters
+from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
+
+KEYS = ['tutorial', 'seeds', 'set', 'limits']
+MOST_RUNS = 10**6  # the metrics of each run stay in memory
+# They belong to windows, wall time, scans, late messages, or nodes that wait or exit. Each run has
+# a seed.
+WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep', 'paused',
+                   '/use_sim_time', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
+                   'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
+                   'seed'}
+
+
+class Campaign(NamedTuple):
+    """Every combination of parameter values, each with every seed."""
+
+    tutorial: str
+    seeds: int  # the seeds are 0 to seeds - 1
+    values: dict  # lists by parameter
+    limits: dict  # numbers by name
+
+    @property
+    def settings(self):
+        """Every combination of the values: dictionaries by parameter."""
+        return [dict(zip(self.values, row)) for row in itertools.product(*self.values.values())]
+
+    @property
+    def names(self):
+        """What tells each setting from the others, for the user."""
+        varied = [name for name, values in self.values.items() if len(values) > 1]
+        return [', '.join(f'{name} {setting[name]}' for name in varied) or 'all runs'
+                for setting in self.settings]
+
+    @property
+    def count(self):
+        """The number of runs."""
+        return math.prod(map(len, self.values.values())) * self.seeds
+
+    def runs(self):
+        """Yield the parameters of each run: every seed of the first setting, of the second, ..."""
+        for setting in self.settings:
+            for seed in range(self.seeds):
+                yield {**setting, 'seed': seed}
+
+    def check(self):
+        """Raise StartError, with one line for the user, if the campaign cannot be run."""
+        if self.tutorial not in list(TUTORIALS):
+            raise StartError(f'the tutorial is {self.tutorial!r}, but must be '
+                             f'{" or ".join(TUTORIALS)}')
+        if type(self.seeds) is not int or not 1 <= self.seeds <= MOST_RUNS:
+            raise StartError(f'seeds is {self.seeds!r}, but must be a whole number from 1 to '
+                             f'{MOST_RUNS}')
+        _check_names(self.tutorial, self.values)
+        if self.count > MOST_RUNS:
+            raise StartError(f'there are {self.count} runs, but must be {MOST_RUNS} at most')
+        for setting in self.settings:
+            _check_values(self.tutorial, setting)
+        _check_limits(self.tutorial, self.limits)
+
+    def text(self):
+        """Return it as a campaign file."""
+        return yaml.safe_dump({'tutorial': self.tutorial, 'seeds': self.seeds, 'set': self.values,
+                               'limits': self.limits}, sort_keys=False, allow_unicode=True)
+
+
+def read_campaign(path):
+    """Return the Campaign in a YAML file; raise StartError if there is none."""
+    try:
+        with open(path, encoding='utf-8') as file:
+            content = yaml.safe_load(file)
+    except (OSError, ValueError) as error:
+        raise StartError(f'{path} cannot be read: {error}') from None
+    except (yaml.YAMLError, RecursionError) as error:
+        raise StartError(f'{path} is no YAML: {" ".join(str(error).split())}') from None
+    if not isinstance(content, dict) or 'tutorial' not in content:
+        raise StartError(f'{path} names no tutorial')
+    for key in content:
+        if key not in KEYS:
+            raise StartError(f'{path} has {key!r}, but may have {", ".join(KEYS)}')
+    values, limits = content.get('set') or {}, content.get('limits') or {}
+    for key, table in (('set', values), ('limits', limits)):
+        if not isinstance(table, dict):
+            raise StartError(f'{path}: {key} is {table!r}, but must have a line for each name')
+    values = {name: value if isinstance(value, list) else [value] for name, value in values.items()}
+    for name, several in values.items():
+        if not several:
+            raise StartError(f'{path}: {name} has no value')
+    return Campaign(content['tutorial'], content.get('seeds', 1), values, limits)
+
+
+def _check_names(tutorial, names):
+    with read_from({}) as read:
+        TUTORIALS[tutorial]()
+        read_settings()
+    known = sorted(read - WITHOUT_MEANING)
+    for name in names:
+        if name not in known:
+            raise StartError(f'parameter {name} cannot be set in a sweep; {tutorial} has '
+                             f'{", ".join(known)}')
+
+
+def _check_values(tutorial, values):
+    part, settings = run_parameters(tutorial, values)
+    if tutorial == 'rotate':
+        # At other rates the controller and a robot in lockstep would miss each other.
+        share = settings.odom_rate / part.rate
+        if round(share) < 1 or abs(share - round(share)) > 1e-9:
+            raise ParameterError('~rate', part.rate, f'~odom_rate, {settings.odom_rate:g} Hz, '
+                                 'divided by a whole number, in lockstep')
+    if settings.world:
+        try:
+            new_simulation(settings)
+        except WorldFileError as error:
+            raise ParameterError('~world', settings.world, error) from None
+
+
+def _check_limits(tutorial, limits):
+    metrics = METRICS[tutorial]
+    known = [NOT_ARRIVED, *(f'{metric}_{statistic}' for metric in metrics
+                            for statistic in STATISTICS)]
+    for name, limit in limits.items():
+        if name not in known:
+            raise StartError(f'unknown limit {name}; it is {NOT_ARRIVED}, or one of '
+                             f'{", ".join(metrics)} followed by one of '
+                             f'{", ".join(f"_{statistic}" for statistic in STATISTICS)}')
+        if type(limit) not in (int, float) or not limit >= 0:
+            raise StartError(f'limit {name} is {limit!r}, but must be a number from 0')

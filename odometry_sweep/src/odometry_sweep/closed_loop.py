@@ -1,0 +1,185 @@
+"""A tutorial's loop in one process: what the nodes do in lockstep, to the last bit."""
+
+import functools
+import math
+import threading
+
+from geometry_msgs.msg import Quaternion
+from heading_control.parameters import read_rate, read_turn
+from moved_distance.parameters import read_counter
+from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
+from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
+from odometry_common.parameters import read_from
+from odometry_common.timing import Metronome
+from odometry_launch.arrival import HEADING_TOLERANCE, has_driven, has_turned
+from sim_turtlebot.building import new_simulation
+from sim_turtlebot.physics import connect, settled_world
+from sim_turtlebot.rotations import is_upright
+from sim_turtlebot.settings import read_settings
+from straight_drive.parameters import read_drive
+
+ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
+# A run is late after so many times the time that a perfect robot takes, plus so many seconds.
+PATIENCE, MORE_PATIENCE = 1.5, 10.0
+
+# A process has one PyBullet and one source of parameters, but a Dask worker has several threads.
+_one_at_a_time = threading.Lock()
+
+
+class Move:
+    """The first tutorial: the detector and the mover."""
+
+    def __init__(self):
+        """Read the parameters."""
+        self._counter = read_counter()
+        self._drive = read_drive()
+        speed = min(abs(self._drive.speed), MAX_LINEAR_SPEED)
+        self.longest = PATIENCE * self._drive.distance / speed + MORE_PATIENCE  # s
+
+    def answer(self, stamp, odometry, ground_truth):
+        """Return the command (m/s, rad/s) after an odometry, and whether the robot has arrived.
+
+        :param stamp: s
+        :param odometry, ground_truth: Motions
+        """
+        moved_before = self._counter.distance
+        x, y, _ = odometry.position
+        self._counter.add(x, y, stamp, stamp)
+        moved = self._counter.distance
+        arrived = has_driven(moved, moved_before, self._drive.distance, ground_truth.linear)
+        return (self._drive.speed_at(moved), 0.0), arrived
+
+    def metrics(self, start, end):
+        """Return the metrics by name, without time, from the true first and last Motion."""
+        moved, wanted = self._counter.distance, self._drive.distance
+        travel = _planar_pose(start).inverse().then(_planar_pose(end))
+        true_distance = math.hypot(travel.x, travel.y)
+        return {'moved': moved, 'moved_error': moved - wanted,
+                'true_distance': true_distance, 'true_error': true_distance - wanted,
+                'sideways': travel.y, 'heading': _degrees(travel.yaw)}
+
+
+class Rotate:
+    """The second tutorial: the P-controller on the heading."""
+
+    def __init__(self):
+        """Read the parameters."""
+        self._turn = read_turn()
+        self.rate = read_rate()  # Hz
+        self._metronome = Metronome(1 / self.rate)
+        self._overshoot = 0.0
+        self._direction = None
+        # The robot turns at full speed, then slows down exponentially as it nears the target.
+        way = abs(self._turn.error_at(0.0))
+        turning = way / min(self._turn.max_angular_speed, MAX_ANGULAR_SPEED)
+        slowing = math.log(max(1.0, math.degrees(way) / HEADING_TOLERANCE)) / self._turn.kp
+        self.longest = PATIENCE * (turning + slowing) + MORE_PATIENCE  # s
+
+    def answer(self, stamp, odometry, ground_truth):
+        """Do as Move's; the command is None if none is due."""
+        self._yaw = _yaw(odometry)
+        self._error = self._turn.error_at(self._yaw)
+        if self._direction is None:
+            self._direction = math.copysign(1.0, self._error)
+        beyond = -self._direction * self._error
+        if beyond < math.pi / 2:  # farther off, the error changes sign behind the robot
+            self._overshoot = max(self._overshoot, beyond)
+        is_due = self._metronome.is_due(stamp)
+        command = (0.0, self._turn.speed_for(self._error)) if is_due else None
+        return command, has_turned(self._error, ground_truth.angular[2])
+
+    def metrics(self, start, end):
+        """Return the metrics by name, without time, from the true first and last Motion."""
+        true_yaw = _yaw(end) - _yaw(start)
+        return {'heading': _degrees(self._yaw), 'heading_error': math.degrees(-self._error),
+                'true_heading': _degrees(true_yaw),
+                'true_error': math.degrees(-self._turn.error_at(true_yaw)),
+                'overshoot': math.degrees(self._overshoot)}
+
+
+TUTORIALS = {'move': Move, 'rotate': Rotate}
+
+
+def run_parameters(tutorial, values):
+    """Return a tutorial's part and the robot's settings for parameter values by their names.
+
+    :raises ParameterError: if a node would refuse one of them
+    """
+    with read_from(values):
+        return TUTORIALS[tutorial](), read_settings()
+
+
+def run(tutorial, parameters):
+    """Run a tutorial with parameter values by their names; return its metrics by name."""
+    with _one_at_a_time:
+        part, settings = run_parameters(tutorial, parameters)
+        simulation = new_simulation(settings, _world, gyro=False)
+        return follow(part, _ticks(simulation), simulation.command)
+
+
+def follow(part, ticks, command):
+    """Have a tutorial's part answer each odometry until it ends; return its metrics.
+
+    :param ticks: yields the stamp of each odometry (s, as rospy has it), and two Motions: that of
+        the odometry and the true one
+    :param command: function that takes each answer, m/s and rad/s
+    """
+    start = None
+    for stamp, odometry, ground_truth in ticks:
+        start = start or ground_truth
+        answer, arrived = part.answer(stamp, odometry, ground_truth)
+        if answer:
+            command(*answer)
+        if arrived or stamp > part.longest:
+            break
+    upright = is_upright(ground_truth.orientation)
+    ended = ARRIVED if arrived else LATE if upright else FALLEN
+    return {**part.metrics(start, ground_truth), 'time': stamp, 'ended': ended}
+
+
+def _ticks(simulation):
+    robot, timeline = simulation.robots[0], simulation.timeline
+    while True:
+        seconds, nanoseconds = divmod(timeline.now, 10**9)
+        yield seconds + nanoseconds / 1e9, robot.odometry, robot.ground_truth
+        while not simulation.advance():
+            pass
+
+
+def _world(step_rate, starts, _gui, world_file):
+    """Return a World whose robots stand at their starts; that of the last run if possible.
+
+    Building one takes a tenth as long as a drive of two metres. In one with a file, more than the
+    robots may have moved.
+    """
+    if world_file:
+        return settled_world(step_rate, starts, world_file=world_file, client=_client(filled=True))
+    world = _world_of_robots(step_rate, tuple(starts))
+    world.restart()
+    return world
+
+
+@functools.lru_cache(maxsize=1)
+def _world_of_robots(step_rate, starts):
+    return settled_world(step_rate, starts, client=_client(filled=False))
+
+
+@functools.lru_cache(maxsize=None)
+def _client(filled):
+    """Return this process's PyBullet for worlds with a file, or for all others.
+
+    Connecting takes longer than building a world.
+    """
+    return connect()
+
+
+def _planar_pose(motion):
+    return PlanarPose(*motion.position[:2], _yaw(motion))
+
+
+def _yaw(motion):
+    return yaw_from_orientation(Quaternion(*motion.orientation))
+
+
+def _degrees(angle):
+    return math.degrees(wrap_to_pi(angle))

@@ -1,0 +1,119 @@
+"""Run a campaign, show its progress, and report the result."""
+
+import os
+import signal
+import sys
+import time
+from datetime import timedelta
+
+from odometry_common.parameters import StartError
+from odometry_launch.folders import RUNS, new_folder
+from odometry_launch.graph import DemoError
+from odometry_launch.output import REWRITE, bar, complain, forget_output
+
+from odometry_sweep.options import parse
+from odometry_sweep.results import FILE, Setting, read_rows, table, write_results
+from odometry_sweep.running import LostError, side_by_side
+
+PROGRAM = 'sweep'
+EXIT_FAILURE = 1
+EXIT_BAD_INPUT = 2
+LIVE_PERIOD, PERIOD = 0.1, 5.0  # s between lines of progress, on a terminal and elsewhere
+
+
+def main():
+    """Exit 0 only if every run is done, and within the limits of the campaign."""
+    # ./ws ends its child by SIGTERM, whatever signal it gets itself.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        status = _run(parse(sys.argv[1:]))
+    except (StartError, ModuleNotFoundError) as error:
+        complain(error, PROGRAM)
+        status = EXIT_BAD_INPUT
+    except BrokenPipeError:
+        status = 128 + signal.SIGPIPE
+    except (DemoError, OSError) as error:
+        complain(error, PROGRAM)
+        status = EXIT_FAILURE
+    except LostError:
+        status = EXIT_FAILURE
+    except KeyboardInterrupt:
+        status = 128 + signal.SIGINT
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one has nothing to say
+    forget_output()
+    sys.exit(status)
+
+
+def _run(options):
+    """Do what the options ask for; return the exit status."""
+    if options.replay:
+        # The nodes' modules take time to import, which no sweep should wait for.
+        from odometry_sweep.replay import replay
+        replay(*options.replay)
+        return 0
+    options.campaign.check()
+    with side_by_side(options.jobs, options.cluster) as run_all:
+        return _sweep(options.campaign, run_all)
+
+
+def _sweep(campaign, run_all):
+    """Run a campaign by a function of side_by_side(); return the exit status."""
+    folder = new_folder(RUNS, 'sweep-')
+    total = campaign.count
+    try:
+        rows = write_results(folder, campaign, with_progress(run_all(campaign), total))
+    except (KeyboardInterrupt, LostError) as error:
+        complain(f'{str(error) or "interrupted"} after {len(read_rows(folder))} of {total} runs, '
+                 f'which are in {os.path.relpath(folder)}', PROGRAM)
+        raise
+    return _report(campaign, rows, folder)
+
+
+def with_progress(runs, total):
+    """Yield each of the runs, and then print how many are done and when all will be.
+
+    On a terminal, one line is rewritten; elsewhere a line is printed every few seconds.
+    """
+    live = sys.stdout.isatty()
+    period = LIVE_PERIOD if live else PERIOD
+    first = due = None
+    for done, run in enumerate(runs, 1):
+        yield run
+        now = time.monotonic()
+        if first is None:
+            # Processes have to start before the first run, which says nothing about the others.
+            first, due = now, now if live else now + period
+        if now < due and done < total:
+            continue
+        due = now + period
+        line = f'{bar(done / total)} {done} of {total} runs'
+        if now > first:
+            speed = (done - 1) / (now - first)
+            left = timedelta(seconds=round((total - done) / speed))
+            line += f', {speed:.1f} a second, {left} left'
+        end = '\n' if not live or done == total else ''
+        print(f'{REWRITE if live else ""}{line}', end=end, flush=True)
+
+
+def _report(campaign, rows, folder):
+    """Print statistics of the rows; return the exit status."""
+    settings = [Setting(name, rows[index * campaign.seeds:(index + 1) * campaign.seeds])
+                for index, name in enumerate(campaign.names)]
+    print(f'\n{table(campaign.tutorial, settings)}\n')
+    for setting in settings:
+        if setting.not_arrived:
+            print(f'not arrived     {setting.not_arrived} of {len(setting.rows)}, '
+                  f'with {setting.name}')
+    if any(setting.all_equal for setting in settings):
+        print('Runs that differ in their seed only are equal where nothing is random: it takes '
+              'odometry_source=encoder with a wheel_noise or gyro_noise.')
+    # matplotlib takes half a second to import, which no run should wait for.
+    from odometry_sweep import picture
+    path = folder / picture.FILE
+    picture.make_figure(campaign.tutorial, settings).savefig(path)
+    print(f'figures         {os.path.relpath(folder / FILE)}\n'
+          f'picture         {os.path.relpath(path)}', flush=True)
+    lines = [line for setting in settings for line in setting.broken(campaign.limits)]
+    for line in lines:
+        complain(line, PROGRAM)
+    return EXIT_FAILURE if lines else 0

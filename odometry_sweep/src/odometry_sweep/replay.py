@@ -1,0 +1,127 @@
+"""One run of a sweep again, by the nodes themselves in lockstep, recorded and compared."""
+
+import csv
+import itertools
+import json
+import time
+from pathlib import Path
+
+import rosbag
+import rospy
+from odometry_common.parameters import StartError
+from odometry_common.registration import mend_registration
+from odometry_common.same_name import mend_same_name
+from odometry_launch.folders import RUNS
+from odometry_launch.following import unpause
+from odometry_launch.graph import DemoError, Graph
+from odometry_launch.logs import place_for_logs
+from odometry_launch.picture import leave_picture
+from odometry_launch.recording import Recording
+from sim_turtlebot.odometry import Motion
+
+from odometry_sweep.campaign import read_campaign
+from odometry_sweep.closed_loop import follow, run_parameters
+from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS, read_rows
+
+TOPICS = {'move': ['odom', 'base_pose_ground_truth', 'moved_distance', 'cmd_vel'],
+          'rotate': ['odom', 'base_pose_ground_truth', 'cmd_vel']}
+LONGEST_SILENCE = 60.0  # s of wall time
+LOOK_PERIOD = 0.1  # s
+
+
+def replay(folder, number):
+    """Replay the run with a number, a text, in the folder of a sweep.
+
+    :raises DemoError: if it does not come out the same, or not at all
+    :raises StartError: if there is no such run
+    """
+    tutorial, parameters, row, end = _find(Path(folder), number)
+    bag = _record(tutorial, parameters, end)
+    metrics = metrics_of(bag, tutorial, parameters)
+    print(f'{"":16}{"sweep":24}nodes in lockstep')
+    for name in (names := [*METRICS[tutorial], 'ended']):
+        print(f'{name:16}{row[name]:24}{metrics[name]}')
+    leave_picture(bag)
+    different = [name for name in names if row[name] != str(metrics[name])]
+    if different:
+        raise DemoError(f'not the same: {", ".join(different)}')
+    print('the same, to the last bit', flush=True)
+
+
+def _find(folder, number):
+    """Return tutorial and parameters of a run, its row of texts, and how long it took (s)."""
+    campaign = read_campaign(folder / CAMPAIGN_FILE)
+    campaign.check()
+    try:
+        row = {row['run']: row for row in read_rows(folder)}[number]
+        parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
+        return campaign.tutorial, parameters, row, float(row['time'])
+    except (OSError, KeyError, TypeError, ValueError, StopIteration, csv.Error):
+        raise StartError(f'{folder / FILE} has no run {number}, or only a part of it') from None
+
+
+def _record(tutorial, parameters, end):
+    """Have the nodes do a run that ends at a simulated time (s); return the path of the bag."""
+    _, settings = run_parameters(tutorial, parameters)
+    arguments = {'tutorial': tutorial, 'odom_rate': settings.odom_rate,
+                 'parameters': json.dumps(parameters)}  # JSON is YAML
+    with place_for_logs(), Graph('replay.launch', arguments, package='odometry_sweep') as graph:
+        graph.wait_until_read()
+        graph.wait_for(_join, 'the sweep does not become a node')
+        recording = Recording(RUNS)
+        graph.wait_for(lambda: recording.hears(*TOPICS[tutorial]), 'the nodes do not answer')
+        graph.wait_for(unpause, 'the robot does not begin')
+        _wait_for_time(end, graph)
+        recording.close()
+    return recording.path
+
+
+def _join():
+    mend_registration()
+    mend_same_name()
+    rospy.init_node('sweep', anonymous=True, disable_signals=True)
+    return True
+
+
+def _wait_for_time(end, graph):
+    """Return once `end` (s) is over: in lockstep, all its messages are recorded by then."""
+    last, changed = 0.0, time.monotonic()
+    while (now := rospy.get_time()) <= end:
+        graph.check()
+        if now > last:
+            last, changed = now, time.monotonic()
+        elif time.monotonic() - changed > LONGEST_SILENCE:
+            raise DemoError(f'the robot has stood still in time for {LONGEST_SILENCE:g} s')
+        time.sleep(LOOK_PERIOD)
+
+
+def metrics_of(bag_file, tutorial, parameters):
+    """Return the metrics by name; raise DemoError if the nodes did something else."""
+    try:
+        with rosbag.Bag(str(bag_file)) as bag:
+            odometry, ground_truth, moved = (
+                [message for _, message, _ in bag.read_messages(topic)]
+                for topic in ('/odom', '/base_pose_ground_truth', '/moved_distance'))
+    except (OSError, rosbag.ROSBagException) as error:
+        raise DemoError(f'{bag_file} cannot be read: {error}') from None
+    ticks = [(seen.header.stamp.to_sec(), _motion(seen), _motion(true))
+             for seen, true in zip(_in_order(odometry), _in_order(ground_truth))]
+    metrics = follow(run_parameters(tutorial, parameters)[0], ticks, lambda *_: None)
+    if tutorial == 'move' and metrics['moved'] not in [message.data for message in moved]:
+        raise DemoError('the detector has counted something else')
+    return metrics
+
+
+def _in_order(messages):
+    """Return the messages; raise DemoError if one is missing."""
+    if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
+        raise DemoError('the recording has gaps')
+    return messages
+
+
+def _motion(message):
+    pose, twist = message.pose.pose, message.twist.twist
+    position, orientation, linear, angular = (
+        tuple(getattr(part, name) for name in part.__slots__)
+        for part in (pose.position, pose.orientation, twist.linear, twist.angular))
+    return Motion(position, orientation, linear, angular)

@@ -1,0 +1,108 @@
+"""The metrics of the runs: their file, their statistics, their table, and their limits."""
+
+import csv
+from typing import NamedTuple
+
+import numpy
+
+from odometry_sweep.closed_loop import ARRIVED
+
+FILE = 'runs.csv'
+CAMPAIGN_FILE = 'campaign.yaml'
+NOT_ARRIVED = 'not_arrived'
+# Units of each run's metrics; an error is what is, minus what should be.
+METRICS = {
+    'move': {'moved': 'm', 'moved_error': 'm', 'true_distance': 'm', 'true_error': 'm',
+             'sideways': 'm', 'heading': 'degrees', 'time': 's'},
+    'rotate': {'heading': 'degrees', 'heading_error': 'degrees', 'true_heading': 'degrees',
+               'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'}}
+# Table and picture show these.
+SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
+         'rotate': ['heading_error', 'true_error', 'overshoot', 'time']}
+STATISTICS = {'median': 0.5, 'p5': 0.05, 'p95': 0.95, 'worst': None}  # quantiles
+HEADINGS = ['median', '5 %', '95 %', 'worst']
+DECIMALS = {'m': 4, 'degrees': 3, 's': 2}
+COLUMN = 10  # characters
+
+
+class Setting(NamedTuple):
+    """The runs that differ in their seeds only."""
+
+    name: str
+    rows: list  # metrics of each run, by name
+
+    @property
+    def not_arrived(self):
+        """How many robots have not arrived."""
+        return sum(row['ended'] != ARRIVED for row in self.rows)
+
+    @property
+    def all_equal(self):
+        """Whether several runs came out the same: nothing in them is random."""
+        return len(self.rows) > 1 and all(row == self.rows[0] for row in self.rows)
+
+    def values(self, metric):
+        """Return a metric of all runs as an array."""
+        return numpy.array([row[metric] for row in self.rows])
+
+    def broken(self, limits):
+        """Yield a line for each limit, by its name, on the size of a metric that is exceeded."""
+        for limit, most in limits.items():
+            metric, _, name = limit.rpartition('_')
+            value = (self.not_arrived if limit == NOT_ARRIVED
+                     else statistic(abs(self.values(metric)), name))
+            if not value <= most:
+                yield f'{limit} is {value:.6g}, over its limit of {most:g}, with {self.name}'
+
+
+def statistic(values, name):
+    """Return one of STATISTICS of an array; the worst is the farthest from zero."""
+    if name == 'worst':
+        return float(values[abs(values).argmax()])
+    return float(numpy.quantile(values, STATISTICS[name]))
+
+
+def table(tutorial, settings):
+    """Return a block for each metric, with a line for each Setting."""
+    units = METRICS[tutorial]
+    titles = {metric: f'{metric} ({units[metric]})' for metric in SHOWN[tutorial]}
+    width = max(map(len, [*titles.values(), *(setting.name for setting in settings)]))
+    blocks = []
+    for metric, title in titles.items():
+        lines = [_line(title.ljust(width), HEADINGS)]
+        for setting in settings:
+            values, decimals = setting.values(metric), DECIMALS[units[metric]]
+            lines.append(_line(setting.name.ljust(width), (
+                f'{round(statistic(values, name), decimals) + 0.0:.{decimals}f}'  # no -0.0
+                for name in STATISTICS)))
+        blocks.append('\n'.join(lines))
+    return '\n\n'.join(blocks)
+
+
+def _line(begin, cells):
+    return begin + ''.join(cell.rjust(COLUMN) for cell in cells)
+
+
+def write_results(folder, campaign, runs):
+    """Write a campaign and its runs into a folder, each as it is done; return their metrics.
+
+    :param runs: yields the parameters and the metrics of each run, by name
+    """
+    (folder / CAMPAIGN_FILE).write_text(campaign.text(), encoding='utf-8')
+    columns = ['run', *campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
+    written = []
+    with open(folder / FILE, 'w', newline='', encoding='utf-8', buffering=1) as file:
+        rows = csv.DictWriter(file, columns, lineterminator='\n')
+        rows.writeheader()
+        for number, (parameters, metrics) in enumerate(runs, 1):
+            rows.writerow({'run': number, **parameters, **metrics})
+            written.append(metrics)
+    return written
+
+
+def read_rows(folder):
+    """Return the rows of a folder, dictionaries of texts; none without a file."""
+    if not (folder / FILE).exists():
+        return []
+    with open(folder / FILE, newline='', encoding='utf-8') as file:
+        return list(csv.DictReader(file))

@@ -1,0 +1,96 @@
+"""A sweep's command line and campaign files."""
+
+import pytest
+import yaml
+from odometry_common.parameters import StartError
+from odometry_sweep.campaign import Campaign, read_campaign
+from odometry_sweep.options import parse
+
+GRID, HUNDRED = ['speed', 'distance', 'x', 'y', 'yaw'], [step / 100 for step in range(1, 101)]
+
+
+@pytest.fixture
+def written(tmp_path):
+    """Return a function that writes a campaign file and returns its path."""
+    def write(content):
+        path = tmp_path / 'campaign.yaml'
+        path.write_text(content if isinstance(content, str) else yaml.safe_dump(content))
+        return path
+    return write
+
+
+def test_every_combination_is_run_with_every_seed_once():
+    """In this order: the number of a row says which run it was."""
+    campaign = Campaign('rotate', 2, {'kp': [1, 2], 'x': [0], 'target': [90, -45]}, {})
+    assert [tuple(run.values()) for run in campaign.runs()] == [
+        (1, 0, 90, 0), (1, 0, 90, 1), (1, 0, -45, 0), (1, 0, -45, 1),
+        (2, 0, 90, 0), (2, 0, 90, 1), (2, 0, -45, 0), (2, 0, -45, 1)]
+    assert campaign.count == 8
+    assert campaign.names == ['kp 1, target 90', 'kp 1, target -45',
+                              'kp 2, target 90', 'kp 2, target -45']
+    assert Campaign('rotate', 2, {'kp': [1]}, {}).names == ['all runs']
+
+
+def test_the_command_line_and_a_file_say_the_same(written):
+    """In a file a single value needs no list; the file that a sweep leaves can be run again."""
+    values = {'wheel_slip': [0, '1e-2'], 'gyro': [True], 'odometry_source': ['encoder']}
+    campaign = parse(['move', '--seeds', '3', '--set', 'wheel_slip=0,1e-2', '--set', 'gyro=true',
+                      '--set', 'odometry_source=encoder']).campaign
+    assert campaign == Campaign('move', 3, values, {})
+    file = written({'tutorial': 'move', 'seeds': 3, 'set': {**values, 'gyro': True},
+                    'limits': {'sideways_p95': 0.5}})
+    campaign = campaign._replace(limits={'sideways_p95': 0.5})
+    assert parse(['--campaign', str(file)]).campaign == campaign
+    campaign.check()
+    assert read_campaign(written(campaign.text())) == campaign
+
+
+@pytest.mark.parametrize('arguments, line', [
+    ([], 'say which tutorial'),
+    (['move', '--seeds', '1.5'], "'1.5' is not a whole number from 1"),
+    (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
+    (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
+    (['move', '--set', f'speed={"[" * 5000}'], "[[' has a value that is no YAML"),
+    (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
+    (['move', '--campaign', 'x.yaml'], 'the file says all of tutorial, --seeds and --set')])
+def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
+    """And exit status 2."""
+    with pytest.raises(SystemExit) as end:
+        parse(arguments)
+    assert end.value.code == 2
+    assert line in capsys.readouterr().err.splitlines()[-1]
+
+
+@pytest.mark.parametrize('content, line', [
+    ('\0', 'is no YAML'), ('[' * 5000, 'is no YAML'), ('seeds: 3', 'names no tutorial'),
+    ({'tutorial': ['move']}, "the tutorial is ['move'], but must be move or rotate"),
+    ({'tutorial': 'move', 'seed': 3}, "has 'seed', but may have tutorial, seeds, set, limits"),
+    ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),
+    ({'tutorial': 'move', 'set': [1]}, 'set is [1], but must have a line for each name'),
+    ({'tutorial': 'move', 'set': {'speed': []}}, 'speed has no value'),
+    ({'tutorial': 'move', 'set': {'speed': [0.1, 0]}},
+     'parameter ~speed is 0, but must be a speed in m/s other than 0'),
+    ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
+     'there are 10000000000 runs, but must be 1000000 at most'),
+    ({'tutorial': 'move', 'set': {'kp': 1}},
+     'parameter kp cannot be set in a sweep; move has cmd_vel_timeout, dist'),
+    ({'tutorial': 'rotate', 'set': {'tolerance': 1}}, 'parameter tolerance cannot be set'),
+    ({'tutorial': 'rotate', 'set': {'rate': 15}},
+     'parameter ~rate is 15.0, but must be ~odom_rate, 20 Hz, divided by a whole number'),
+    ({'tutorial': 'rotate', 'set': {'rate': 60}}, 'parameter ~rate is 60.0, but must be'),
+    ({'tutorial': 'move', 'set': {'world': '/no.urdf'}}, "parameter ~world is '/no.urdf'"),
+    ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95; it is'),
+    ({'tutorial': 'move', 'limits': {'moved_error_p95': -1}},
+     'limit moved_error_p95 is -1, but must be a number from 0'),
+    ({'tutorial': 'move', 'limits': {'time_p5': 'x'}}, "limit time_p5 is 'x'")])
+def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
+    """Of the node, where a node would refuse a value."""
+    with pytest.raises(StartError) as refusal:
+        read_campaign(written(content)).check()
+    assert line in str(refusal.value)
+    assert len(str(refusal.value).splitlines()) == 1
+
+
+def test_a_controller_that_keeps_step_with_the_odometry_is_run():
+    """With every odometry, or with every third."""
+    Campaign('rotate', 1, {'rate': [2.1, 0.7], 'odom_rate': [2.1]}, {}).check()

@@ -1,0 +1,85 @@
+"""A tutorial without ROS: what comes out, and that it is the same each time.
+
+test_sweep_replay shows that the nodes do the same in lockstep, to the last bit.
+"""
+
+import json
+import math
+import subprocess
+import sys
+
+import pytest
+from odometry_sweep.closed_loop import follow, run, run_parameters
+from odometry_tests.scripts import ROOT
+from sim_turtlebot.odometry import STILL, Motion
+from sim_turtlebot.rotations import about_z
+
+SHORT = {'distance': 0.1, 'speed': 0.3}
+NOISY = {'odometry_source': 'encoder', 'wheel_noise': 0.01, 'wheel_slip': 0.02}
+ROOM = {**SHORT, 'world': str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')}
+ALONE = """
+import json, sys
+from odometry_sweep.closed_loop import run
+print(json.dumps(run(*json.loads(sys.argv[1]))))
+"""
+UPRIGHT, LYING = about_z(0.0), (math.sin(math.pi / 4), 0.0, 0.0, math.cos(math.pi / 4))
+
+
+def metrics_of(tutorial, parameters, orientations):
+    """Return the metrics of a robot that only turns, without physics."""
+    part, _ = run_parameters(tutorial, parameters)
+    motions = (Motion(STILL, orientation, STILL, STILL) for orientation in orientations)
+    ticks = ((0.05 * number, motion, motion) for number, motion in enumerate(motions))
+    return follow(part, ticks, lambda *_: None)
+
+
+def test_two_metres_are_driven_as_the_demo_drives_them():
+    """With the numbers that README.md shows, and no turn."""
+    metrics = run('move', {})
+    assert metrics['ended'] == 'arrived' and 20.0 < metrics['time'] < 20.5
+    assert round(metrics['moved'], 3) == round(metrics['true_distance'], 3) == 2.005
+    assert metrics['moved_error'] == metrics['moved'] - 2.0
+    assert metrics['true_error'] == metrics['true_distance'] - 2.0
+    assert abs(metrics['sideways']) < 1e-3 and abs(metrics['heading']) < 0.05
+
+
+def test_distances_and_headings_count_from_the_start():
+    """PyBullet computes with single precision in places."""
+    here, there = run('move', SHORT), run('move', {**SHORT, 'x': 3.0, 'y': -2.0, 'yaw': 2.0})
+    for name in ('moved', 'true_distance', 'sideways', 'heading'):
+        assert there[name] == pytest.approx(here[name], abs=2e-3), name
+
+
+@pytest.mark.parametrize('target, heading', [(90, 90), (180, 180), (270, -90)])
+def test_a_robot_turns_to_a_heading(target, heading):
+    """The shorter way, as close as the demo demands."""
+    metrics = run('rotate', {'target': target, 'kp': 2})
+    off = math.remainder(metrics['true_heading'] - heading, 360)
+    assert metrics['ended'] == 'arrived' and abs(off) < 0.11 and metrics['overshoot'] < 0.2
+    assert metrics['true_error'] == pytest.approx(off, abs=1e-9)
+    assert metrics['heading_error'] == pytest.approx(off, abs=1e-3)
+
+
+def test_overshoot_is_beyond_the_target_but_not_behind_the_robot():
+    """Behind the robot the error changes its sign."""
+    for target, yaws, overshoot in ((180, [0.0, -0.1, math.pi], 0), (90, [0.0, 1.8, 1.5708], 13.13)):
+        metrics = metrics_of('rotate', {'target': target}, map(about_z, yaws))
+        assert metrics['overshoot'] == pytest.approx(overshoot, abs=0.01)
+
+
+@pytest.mark.parametrize('orientation, ended', [(UPRIGHT, 'late'), (LYING, 'fallen')])
+def test_a_robot_that_does_not_arrive_is_late_or_has_fallen(orientation, ended):
+    """After 1.5 times as long as it should take, and ten seconds."""
+    metrics = metrics_of('move', SHORT, [orientation] * 1000)
+    assert metrics['ended'] == ended and metrics['time'] == pytest.approx(10.55)
+
+
+@pytest.mark.parametrize('tutorial, parameters', [
+    ('move', SHORT), ('move', {**SHORT, **NOISY, 'seed': 7}), ('rotate', {'kp': 2, **NOISY})])
+def test_a_run_comes_out_the_same_in_a_new_process_and_after_others(tutorial, parameters):
+    """To the last bit: in a world that others have used, or after other worlds."""
+    alone = subprocess.run([sys.executable, '-c', ALONE, json.dumps([tutorial, parameters])],
+                           check=True, capture_output=True, text=True).stdout
+    for before in ({**SHORT, 'speed': -0.7}, {**SHORT, 'odom_rate': 50}, ROOM):
+        run('move', before)
+        assert run(tutorial, parameters) == json.loads(alone)

@@ -1,0 +1,85 @@
+"""What a sweep starts, shows, keeps and draws, without physics."""
+
+import io
+import sys
+from types import SimpleNamespace
+
+import pytest
+from odometry_sweep.campaign import Campaign
+from odometry_sweep.main import with_progress
+from odometry_sweep.picture import make_figure
+from odometry_sweep.results import METRICS, SHOWN, Setting, table
+from odometry_sweep.running import side_by_side
+
+
+def rows(values, ended='arrived'):
+    """Return runs, each with a value for all of its metrics."""
+    return [{**dict.fromkeys(METRICS['move'], value), 'ended': ended} for value in values]
+
+
+def test_a_table_has_a_block_for_each_metric_and_a_line_for_each_setting():
+    """The worst is the farthest from zero, and zero has no sign."""
+    settings = [Setting('kp 1', rows([0.01 * number for number in range(-60, 41)])),
+                Setting('kp 2', rows([-0.00001]))]
+    assert table('move', settings).split('\n\n')[0] == (
+        'moved_error (m)      median       5 %      95 %     worst\n'
+        'kp 1                -0.1000   -0.5500    0.3500   -0.6000\n'
+        'kp 2                 0.0000    0.0000    0.0000    0.0000')
+    assert table('move', settings).count('kp 1') == len(SHOWN['move'])
+
+
+@pytest.mark.parametrize('limits, lines', [
+    ({'sideways_worst': 0.2, 'not_arrived': 3}, []),
+    ({'sideways_median': 0.05, 'time_p5': 0.01, 'not_arrived': 2}, [
+        'sideways_median is 0.1, over its limit of 0.05, with kp 1',
+        'time_p5 is 0.1, over its limit of 0.01, with kp 1',
+        'not_arrived is 3, over its limit of 2, with kp 1'])])
+def test_a_limit_is_for_the_size_of_a_metric(limits, lines):
+    """The limit itself is allowed."""
+    assert [*Setting('kp 1', rows([0.1, 0.1, -0.2], 'late')).broken(limits)] == lines
+
+
+@pytest.mark.parametrize('live, shown', [
+    (True, ['', '1 of 4 runs', '2 of 4 runs, 0.5 a second, 0:00:04 left',
+            '3 of 4 runs, 0.5 a second, 0:00:02 left',
+            '4 of 4 runs, 0.5 a second, 0:00:00 left\n']),
+    (False, ['4 of 4 runs, 0.5 a second, 0:00:00 left\n'])])
+def test_progress_rewrites_a_line_of_a_terminal_or_prints_one_every_few_seconds(
+        monkeypatch, live, shown):
+    """A run takes two seconds; without a terminal there are no control characters."""
+    clock, output = iter(range(100, 200, 2)), io.StringIO()
+    output.isatty = lambda: live
+    monkeypatch.setattr('time.monotonic', lambda: next(clock))
+    monkeypatch.setattr('sys.stdout', output)
+    assert list(with_progress('abcd', 4)) == list('abcd')
+    monkeypatch.undo()
+    lines = output.getvalue().split('\r\x1b[K') if live else [output.getvalue()]
+    assert [line[33:] for line in lines] == shown
+
+
+def test_the_picture_has_a_diagram_for_each_metric_and_a_line_for_each_setting():
+    """Also where all runs are the same."""
+    settings = [Setting('kp 1', rows([0.25, 0.25])), Setting('kp 2', rows([0.1, 0.2, 0.3]))]
+    figure = make_figure('move', settings)
+    assert [axes.get_title() for axes in figure.axes] == SHOWN['move']
+    assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == ['kp 1', 'kp 2']
+    medians = [line.get_xdata()[0] for line in figure.axes[0].get_lines()
+               if line.get_color() == 'black']
+    assert medians == [0.25, 0.2]
+
+
+@pytest.mark.parametrize('jobs, seeds, processes', [(None, 100, 4), (6, 3, 3), (999, 10**6, 8)])
+def test_there_are_never_more_processes_than_runs_or_than_twice_the_processors(
+        monkeypatch, jobs, seeds, processes):
+    """There are four processors here."""
+    started = []
+
+    def parallel(n_jobs, **_):
+        started.append(n_jobs)
+        return lambda _: iter(())
+
+    joblib = SimpleNamespace(cpu_count=lambda: 4, Parallel=parallel, delayed=None)
+    monkeypatch.setitem(sys.modules, 'joblib', joblib)
+    with side_by_side(jobs) as run_all:
+        assert list(run_all(Campaign('move', seeds, {}, {}))) == []
+    assert started == [processes]
