@@ -5,6 +5,8 @@ done
 unset file
 
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch test)
+# A checkout without robot_view has no page, and all the rest.
+[ ! -e "$CHECKOUT/robot_view" ] || PACKAGES+=(robot_view)
 PYTHON_PARTS=(python3-venv)
 # The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
 # lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
@@ -144,5 +146,5 @@ need_for_cluster() {
 }
 
 need_for_view() {
-    need_python view "$ROOT/sim_turtlebot/requirements-view.txt"
+    [ ! -e robot_view ] || need_python view "$ROOT/robot_view/requirements.txt"
 }

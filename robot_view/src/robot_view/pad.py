@@ -1,4 +1,4 @@
-"""The pad: it drives the robot while a button or an arrow key is held, and no longer."""
+"""The pad: it drives a robot while a button or an arrow key is held, and no longer."""
 
 import threading
 import time
@@ -7,19 +7,24 @@ from odometry_common.connections import is_heard_within
 from odometry_common.velocity import VelocityPublisher
 
 from robot_view import steering
-from robot_view.pad_html import LAYOUT
+from robot_view.pad_layout import LAYOUT
 
-LONGEST_CONNECTING = 10.0  # s; no robot listens then
+LONGEST_CONNECTING = 10.0  # s; a robot that takes longer does not listen
 
 
 class Pad:
     """Publishes velocities on the chosen robot's cmd_vel while a button is held.
 
-    A robot that it has not driven receives nothing from it, not even when the node ends.
+    A robot that it has not driven receives nothing from it, not even when the node exits.
     """
 
-    def __init__(self, speeds):
-        """Take a function that returns the linear (m/s) and the angular speed (rad/s)."""
+    def __init__(self, chosen, speeds):
+        """Take two functions.
+
+        :param chosen: returns the namespace of the robot to drive; None if there is none
+        :param speeds: returns the linear (m/s) and the angular speed (rad/s)
+        """
+        self._chosen = chosen
         self._speeds = speeds
         self._steering = steering.Steering()
         self._publishers = {}
@@ -27,24 +32,18 @@ class Pad:
         self._changed = threading.Event()
         threading.Thread(target=self._drive, daemon=True).start()
 
-    def choose(self, chosen):
-        """Drive the robot in the namespace that `chosen()` returns from now on.
-
-        It is asked while no other thread can choose, so that none brings an older choice.
-        """
-        self._tell(lambda: self._steering.choose(chosen()))
-
     def hold(self, client, button):
-        """Do what the button says for a short while."""
-        self._tell(self._steering.hold, client, button, time.monotonic())
+        """Command what the button says for HOLD_TIMEOUT."""
+        robot = self._chosen()
+        if robot is not None:
+            with self._lock:
+                self._steering.hold(client, button, robot, time.monotonic())
+            self._changed.set()
 
     def release(self, client, button=None):
         """Release a button, or all of them."""
-        self._tell(self._steering.release, client, button)
-
-    def _tell(self, what, *arguments):
         with self._lock:
-            what(*arguments)
+            self._steering.release(client, button)
         self._changed.set()
 
     def _drive(self):
@@ -53,23 +52,18 @@ class Pad:
             self._changed.clear()
             with self._lock:
                 commands = self._steering.commands(time.monotonic())
-            for namespace, shares in commands:
+            for namespace, shares in commands.items():
                 self._command(namespace, *shares)
 
     def _command(self, namespace, forward, left):
         if namespace not in self._publishers:
-            self._publishers[namespace] = _connected_publisher(f'{namespace}cmd_vel')
+            self._publishers[namespace] = publisher = VelocityPublisher(f'{namespace}cmd_vel')
+            # Wait for the robot, or a first command to stop would be lost.
+            is_heard_within(publisher, LONGEST_CONNECTING)
             if (forward, left) != steering.STANDSTILL:
                 return  # the button may have been released meanwhile
         linear, angular = self._speeds()
         self._publishers[namespace].publish(forward * linear, left * angular)
-
-
-def _connected_publisher(topic):
-    """Return a VelocityPublisher once its robot hears it, lest a first command to stop get lost."""
-    publisher = VelocityPublisher(topic)
-    is_heard_within(publisher, LONGEST_CONNECTING)
-    return publisher
 
 
 def add_pad(gui, pad):
@@ -85,7 +79,7 @@ def add_pad(gui, pad):
 def _add_direction(gui, pad, direction):
     button = gui.add_button(direction)
 
-    # Both run on the event loop, one after the other: a release cannot overtake a hold.
+    # Both run on the event loop, in the order of the messages: no hold comes after its release.
     @button.on_hold(callback_hz=steering.HOLD_RATE)
     async def _(event):
         pad.hold(event.client_id, direction)
@@ -100,5 +94,5 @@ def _add_stop(gui, pad):
 
     @button.on_click
     async def _(event):
-        # As long as a hold lasts, so that it reaches even a robot that was not driven before.
+        # Held, it also reaches a robot that the pad has not driven before.
         pad.hold(event.client_id, steering.STOP)

@@ -16,11 +16,11 @@ class Plots:
 
     def __init__(self, gui, place):
         """Take viser's GUI and the part of it for the plots."""
-        self._distance = _Plot(gui, place, 1, 'distance (m)', (0.0, TWO_METRES), [
+        self._distance = _Plot(gui, place, 'distance (m)', (0.0, TWO_METRES), [
             _series('moved', BLUE), _series('true', ORANGE, DASHES),
-            _series('two metres', RED, DOTS)])
-        self._heading = _Plot(gui, place, 2, 'heading (degrees)', (-5.0, 5.0), [
-            _series('heading', BLUE), _series('target', RED, DOTS)])
+            _series('two metres', RED, DOTS)], order=1)
+        self._heading = _Plot(gui, place, 'heading (degrees)', (-5.0, 5.0), [
+            _series('heading', BLUE), _series('target', RED, DOTS)], order=2)
 
     def draw(self, history):
         """Draw rows of time (s), moved, true distance (m), heading and target (degrees)."""
@@ -32,9 +32,9 @@ class Plots:
 
 
 class _Plot:
-    """A plot of those of its series of which something is known."""
+    """A plot that shows a series once it has a value."""
 
-    def __init__(self, gui, place, order, title, least_range, series):
+    def __init__(self, gui, place, title, least_range, series, order):
         self._gui, self._place, self._series = gui, place, series
         lowest, highest = least_range
         y_range = {'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
@@ -65,6 +65,5 @@ def _fill(time, values):
     return numpy.interp(time, time[known], values[known])
 
 
-def _series(label, colour, dash=None):
-    series = {'label': label, 'stroke': colour, 'width': 2, 'points': {'show': False}}
-    return {**series, 'dash': dash} if dash else series
+def _series(label, colour, dash=()):
+    return {'label': label, 'stroke': colour, 'width': 2, 'points': {'show': False}, 'dash': dash}

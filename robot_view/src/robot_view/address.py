@@ -1,53 +1,54 @@
-"""Where the page is, read from the parameters; needs no viser."""
+"""The page's address and names, from the parameters; needs no viser."""
 
 import errno
 import os
+import re
 import socket
 from typing import NamedTuple
 
 from odometry_common.parameters import ParameterError, get_text, get_whole
 from odometry_common.ports import bind
 
-from robot_view.hosts import ANY_ADDRESS, OwnHosts, parse_hosts
-
-# In a container it names the container's interface, whose port is published by whoever runs that.
+# A container sets it: there the page listens on the container's interface.
 HOST_VARIABLE = 'ODOMETRY_VIEW_HOST'
 ADDRESSES = 'a name or an address of this machine'
+LOOPBACK = {'localhost', '127.0.0.1', '[::1]'}
+ANY_ADDRESS = {'0.0.0.0', '::'}
+HOST = re.compile(r'(\[[0-9a-f:.]+\]|[a-z0-9][a-z0-9._-]*)(:[1-9][0-9]{0,4})?')
 
 
 class Address(NamedTuple):
-    """A place to listen on, and the names of the page there."""
+    """Where the page listens, and the names it has there."""
 
-    host: str  # as given
     ip: str
     port: int
-    own_hosts: OwnHosts
-
-    @property
-    def url(self):
-        """Return where a browser finds the page."""
-        return f'http://{"localhost" if self.host in ANY_ADDRESS else self.host}:{self.port}'
+    url: str  # for a browser on this machine
+    names: set  # in lower case; with a port, a name is valid with that port only
 
 
 def read_address():
     """Return the Address; raise ParameterError if it is impossible to listen there."""
     port = get_whole('~port', 8080, 1, 65535)
     host = get_text('~host', os.environ.get(HOST_VARIABLE) or 'localhost')
-    own_hosts = OwnHosts(host, _read_allowed_hosts())
-    return Address(host, _find_ip(host, port), port, own_hosts)
+    names = {*LOOPBACK, host.lower(), *_read_allowed_hosts()}
+    shown = host
+    if host in ANY_ADDRESS:
+        names.add(socket.gethostname().lower())
+        shown = 'localhost'
+    return Address(_find_ip(host, port), port, f'http://{shown}:{port}', names)
 
 
 def _read_allowed_hosts():
     text = get_text('~allowed_hosts', '')
-    try:
-        return parse_hosts(text)
-    except ValueError:
+    hosts = [host for host in re.split(r'[,\s]+', text.lower()) if host]
+    if not all(HOST.fullmatch(host) for host in hosts):
         raise ParameterError('~allowed_hosts', text, 'host names or addresses, each with or '
-                             'without a port, separated by commas or spaces') from None
+                             'without a port, separated by commas or spaces')
+    return hosts
 
 
 def _find_ip(host, port):
-    """Return an address of the host that can be listened on; viser would look for another port."""
+    """Return an address of the host that is free; viser would silently take another port."""
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
     except OSError:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Show the robots in a browser, by their topics: simulated ones and real ones.
 
-Whoever opens the page can drive the robot. While no page is open, only the warning is
-subscribed to.
+Everybody who opens the page can drive the robot. While no page is open, the node subscribes to the
+simulator's warning only.
 
 Subscribes:
     odom (nav_msgs/Odometry): the odometry of each robot
@@ -11,7 +11,7 @@ Subscribes:
     scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
-    sim_turtlebot/warning (std_msgs/String): what the simulator warns of, shown in the panel
+    sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
@@ -26,9 +26,8 @@ Parameters:
     ~port (int, 8080, from 1 to 65535): port of the page
     ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the whole network in; the
         environment variable ODOMETRY_VIEW_HOST sets another default
-    ~allowed_hosts (str, ''): further names of the page, where a proxy or a forwarded port gives
-        it others, such as robots.example, lab:9000: separated by commas or spaces; without a
-        port, any will do
+    ~allowed_hosts (str, ''): further names of the page, for a proxy or a forwarded port, such as
+        robots.example, lab:9000: separated by commas or spaces; without a port, any will do
 """
 
 import signal
@@ -47,7 +46,7 @@ def main():
     try:
         from robot_view.node import view
     except ModuleNotFoundError as error:
-        raise StartError(f'{error.name} is not installed; sim_turtlebot/requirements-view.txt '
+        raise StartError(f'{error.name} is not installed; robot_view/requirements.txt '
                          'lists what the page needs: pip install -r it') from None
     view(address)
 

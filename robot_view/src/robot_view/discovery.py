@@ -1,4 +1,4 @@
-"""Which robots there are, as the ROS master knows them."""
+"""Find the robots that the ROS master knows."""
 
 import re
 from typing import NamedTuple
@@ -9,16 +9,16 @@ import rospy
 TARGET = 'rotate_robot/target'
 
 
-class Graph(NamedTuple):
-    """What the ROS master knows."""
+class Discovery(NamedTuple):
+    """The robots and services that the ROS master knows."""
 
-    robots: list  # namespaces of the robots, '' or such as 'robot_1/'
+    robots: list  # their namespaces, '' or such as 'robot_1/'
     rotating: set  # namespaces in which rotate.py runs
     services: set  # full names
 
 
-def query_master():
-    """Return the Graph; raise OSError or rosgraph.MasterException if there is no master."""
+def discover():
+    """Return a Discovery; raise OSError or rosgraph.MasterException if the master is gone."""
     publications, subscriptions, services = rosgraph.Master(rospy.get_name()).getSystemState()
     published = {topic for topic, _ in publications}
     subscribed = {topic for topic, nodes in subscriptions if set(nodes) != {rospy.get_name()}}
@@ -28,4 +28,4 @@ def query_master():
     if rospy.resolve_name('odom') in published:
         robots.insert(0, '')
     rotating = {robot for robot in robots if rospy.resolve_name(f'{robot}{TARGET}') in subscribed}
-    return Graph(robots, rotating, {service for service, _ in services})
+    return Discovery(robots, rotating, {service for service, _ in services})

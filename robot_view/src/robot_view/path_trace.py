@@ -1,7 +1,6 @@
-"""What a robot's poses add up to: its trail, its true distance, the drift of its odometry."""
+"""What follows from a robot's poses: its trail, its true distance, the drift of its odometry."""
 
 import math
-from collections import deque
 
 import numpy
 from odometry_common.geometry import PlanarPose, wrap_to_pi
@@ -25,7 +24,7 @@ class Samples:
         self._rows = []
 
     def add(self, at, row):
-        """Take a row at a time or place `at`, unless the last one is too close."""
+        """Add a row at a time or place `at`, unless it is too close to the last one."""
         if at - self._last < self._spacing:
             return
         self._last = at
@@ -39,29 +38,26 @@ class Samples:
         return numpy.array(self._rows, dtype=float).reshape(-1, self._width)
 
 
-class Track:
-    """The path of one robot, from its odometry and, if it is simulated, its ground truth.
-
-    The ground truth is drawn if there is any, else the odometry.
-    """
+class PathTrace:
+    """The path of one robot, by its ground truth if it has one, else by its odometry."""
 
     def __init__(self):
         """Begin before the first pose."""
         self._restart()
 
     def _restart(self):
-        self.origin = ORIGIN  # of the odometry, in the frame of what is drawn
+        self.origin = ORIGIN  # of the odometry, in the frame of the path
         self.true_distance = None  # m
         self.drift = ORIGIN  # from the odometry's pose to the true one
         self.heading = None  # rad, of the odometry, continuous
-        self.trail = Samples(TRAIL_SPACING, 2)
-        self.history = Samples(HISTORY_SPACING, 5)
+        self.trail = Samples(TRAIL_SPACING, 2)  # x, y (m)
+        self.history = Samples(HISTORY_SPACING, 5)  # as note() adds them
         self._travelled = 0.0
-        self._drawn = None
-        self._odometry = self._ground_truth = None
+        self._last_traced = None
+        self._odometry = self._ground_truth = None  # stamp and pose
 
     def add_odometry(self, stamp, pose):
-        """Take the odometry's PlanarPose at `stamp` (s)."""
+        """Add the odometry's PlanarPose at `stamp` (s)."""
         if _is_reset(self._odometry, stamp, pose):
             self._restart()
         self._odometry = stamp, pose
@@ -69,73 +65,52 @@ class Track:
             self.heading = pose.yaw
         self.heading += wrap_to_pi(pose.yaw - self.heading)
         if self._ground_truth is None:
-            self._draw(pose)
+            self._trace(pose)
         self._compare()
 
     def add_ground_truth(self, stamp, pose):
-        """Take the true PlanarPose at `stamp` (s)."""
+        """Add the true PlanarPose at `stamp` (s)."""
         if _is_reset(self._ground_truth, stamp, pose):
             self._restart()
         if self._ground_truth is None:
             self.trail = Samples(TRAIL_SPACING, 2)
-            self._drawn = None
+            self._last_traced = None
         elif self.true_distance is not None:
             self.true_distance += _distance(self._ground_truth[1], pose)
         self._ground_truth = stamp, pose
-        self._draw(pose)
+        self._trace(pose)
         self._compare()
 
     def note(self, time, moved, target):
-        """Add to the history: rows of time (s), moved and true distance (m), heading, target (deg).
+        """Add a row to the history: time (s), moved and true distance (m), heading, target (deg).
 
-        :param target: heading to turn to (degrees) or None; whole turns are added to it so that it
-            is nearest to the heading
+        :param target: heading to turn to (degrees) or None; the history has it plus whole turns,
+            nearest to the heading
         """
-        if self.heading is None:
-            return
         heading = math.degrees(self.heading)
         if target is not None:
             target = heading + math.remainder(target - heading, 360)
         row = [time, moved, self.true_distance, heading, target]
         self.history.add(time, [math.nan if value is None else value for value in row])
 
-    def _draw(self, pose):
-        if self._drawn is not None:
-            self._travelled += _distance(self._drawn, pose)
-        self._drawn = pose
+    def _trace(self, pose):
+        if self._last_traced is not None:
+            self._travelled += _distance(self._last_traced, pose)
+        self._last_traced = pose
         self.trail.add(self._travelled, (pose.x, pose.y))
 
     def _compare(self):
-        """Compare an odometry and a true pose of the same moment."""
-        if self._odometry is None or self._ground_truth is None:
+        """Compare the odometry with the ground truth if both are of the same moment."""
+        if not self._odometry or not self._ground_truth:
             return
         (stamp, odometry), (true_stamp, ground_truth) = self._odometry, self._ground_truth
         if stamp != true_stamp:
             return
         if self.true_distance is None:
             self.origin = ground_truth.then(odometry.inverse())
-            # A page that was opened late sees where the odometry began, but not by which path.
+            # A page that opens late knows where the odometry began, but not the way since then.
             self.true_distance = _distance(ORIGIN, odometry)
         self.drift = self.origin.then(odometry).inverse().then(ground_truth)
-
-
-class RateGauge:
-    """Measures how fast a clock runs against another one."""
-
-    def __init__(self, window=2.0):
-        """Look back `window` seconds."""
-        self._window = window
-        self._samples = deque()
-
-    def rate(self, now, clock):
-        """Return clock seconds per second up to `now`, or None if it is too early to tell."""
-        if self._samples and clock < self._samples[-1][1]:
-            self._samples.clear()
-        self._samples.append((now, clock))
-        while now - self._samples[0][0] > self._window:
-            self._samples.popleft()
-        since, start = self._samples[0]
-        return (clock - start) / (now - since) if now - since > self._window / 2 else None
 
 
 def _is_reset(last, stamp, pose):

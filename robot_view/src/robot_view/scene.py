@@ -35,15 +35,15 @@ def add_floor_and_lights(scene):
                    plane_color=(248, 248, 250), plane_opacity=1.0)
 
 
-class RobotFigure:
-    """One robot in the scene."""
+class RobotModel:
+    """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
     def __init__(self, scene, name, links, labelled):
-        """Put it into viser's scene.
+        """Add it to viser's scene.
 
         :param name: of the scene node, without slashes
-        :param links: the robot's model.Links
-        :param labelled: whether the name is shown beside the robot
+        :param links: the robot's looks.Links
+        :param labelled: whether to show the name beside the robot
         """
         self._scene = scene
         self._root = f'/robots/{name}'
@@ -53,7 +53,7 @@ class RobotFigure:
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
-        self._wheels = {}
+        self._wheels = []  # joints and frames
         for link in links:
             self._add_link(link)
         if labelled:
@@ -71,61 +71,66 @@ class RobotFigure:
         """Remove it from the scene, with all its parts."""
         self._node.remove()
 
-    def move(self, state):
-        """Draw it as in a robots.RobotState."""
-        self._body.position, self._body.wxyz = state.pose
-        self._odometry.position = (state.origin.x, state.origin.y, 0.0)
-        self._odometry.wxyz = SO3.from_z_radians(state.origin.yaw).wxyz
-        drift = state.drift
+    def move(self, robot):
+        """Draw it where a RobotMonitor has it."""
+        origin, drift = robot.trace.origin, robot.trace.drift
+        self._body.position, self._body.wxyz = robot.pose
+        self._odometry.position = (origin.x, origin.y, 0.0)
+        self._odometry.wxyz = SO3.from_z_radians(origin.yaw).wxyz
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
-            self._ghost.position, self._ghost.wxyz = state.odometry
-        for joint, (frame, link) in self._wheels.items():
-            if joint in state.wheels:
-                rotation = SO3.exp(link.axis * state.wheels[joint])
-                frame.wxyz = (link.rotation @ rotation).wxyz
+            self._ghost.position, self._ghost.wxyz = robot.odometry_pose
+        for joint, frame in self._wheels:
+            if joint.name in robot.wheels:
+                frame.wxyz = _wxyz(joint.rotation_at(robot.wheels[joint.name]))
 
-    def draw_trail(self, points):
-        """Draw the path of the robot: rows of x, y (m)."""
+    def draw_path(self, robot):
+        """Draw where it has been, and its latest scan."""
+        points = robot.trace.trail.array()
         if len(points) < 2:
             points = numpy.zeros((2, 2))
         line = numpy.column_stack([points, numpy.full(len(points), TRAIL_HEIGHT)])
         segments = numpy.stack([line[:-1], line[1:]], axis=1)
         if not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
             self._trail.points = segments
-
-    def draw_scan(self, scan):
-        """Draw a scan.Scan where it was taken, if there is one."""
-        if scan is None or scan is self._drawn_scan:
-            return
-        self._drawn_scan = scan
-        self._scan.position, self._scan.wxyz = scan.pose
-        self._scan.points = scan.points
-        self._scan.visible = len(scan.points) > 0
+        if robot.scan is not self._drawn_scan:
+            self._drawn_scan = robot.scan
+            (self._scan.position, self._scan.wxyz), self._scan.points = robot.scan
+            self._scan.visible = len(self._scan.points) > 0
 
     def _add_link(self, link):
-        body, ghost = (
-            self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False,
-                                  position=link.position, wxyz=link.rotation.wxyz)
-            for parent in (self._body, self._ghost))
-        for number, (colour, mesh) in enumerate(link.meshes.items()):
-            self._scene.add_mesh_simple(f'{body.name}/{number}', mesh.vertices, mesh.faces,
-                                        color=colour, flat_shading=True)
-            self._scene.add_mesh_simple(f'{ghost.name}/{number}', mesh.vertices, mesh.faces,
-                                        color=GHOST_COLOUR, opacity=GHOST_OPACITY,
-                                        flat_shading=True)
-        if link.joint:
-            self._wheels[link.joint] = body, link
-            self._add_spokes(body, next(iter(link.meshes.values())).extents)
+        body = self._add_frame(self._body, link)
+        ghost = self._add_frame(self._ghost, link)
+        for number, shape in enumerate(link.shapes):
+            self._add_shape(f'{body.name}/{number}', shape, shape.colour)
+            self._add_shape(f'{ghost.name}/{number}', shape, GHOST_COLOUR, GHOST_OPACITY)
+        if link.joint and link.joint.axis:
+            self._wheels.append((link.joint, body))
+            self._add_spokes(body, link.shapes[0])
 
-    def _add_spokes(self, wheel, extents):
-        """Mark a wheel, so that its turning is seen: little of it shows below the base."""
-        across, _, width = extents + SPOKE_MARGIN
+    def _add_frame(self, parent, link):
+        frame = self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False)
+        if link.joint:
+            frame.position, frame.wxyz = link.joint.position, _wxyz(link.joint.rotation)
+        return frame
+
+    def _add_shape(self, name, shape, colour, opacity=None):
+        options = {'color': colour, 'opacity': opacity, 'flat_shading': True,
+                   'position': shape.position, 'wxyz': shape.rotation.wxyz}
+        if len(shape.size) == 3:
+            self._scene.add_box(name, dimensions=shape.size, **options)
+        else:
+            self._scene.add_cylinder(name, *shape.size, **options)
+
+    def _add_spokes(self, wheel, shape):
+        """Mark a wheel, so that you see it turn: little of it shows below the base."""
+        radius, width = shape.size
         for number in range(SPOKES):
-            rotation = SO3.from_z_radians(numpy.pi * number / SPOKES)
-            self._scene.add_box(f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
-                                (across, SPOKE_WIDTH, width), wxyz=rotation.wxyz)
+            rotation = shape.rotation @ SO3.from_z_radians(numpy.pi * number / SPOKES)
+            self._scene.add_box(
+                f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
+                (2 * radius + SPOKE_MARGIN, SPOKE_WIDTH, width + SPOKE_MARGIN), wxyz=rotation.wxyz)
 
     def _add_marks(self):
         node = self._odometry.name
@@ -134,3 +139,8 @@ class RobotFigure:
         self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
                             position=(TWO_METRES, 0.0, 0.0))
         self._scene.add_label(f'{node}/goal/label', '2 m', position=(0.0, 0.3, 0.0))
+
+
+def _wxyz(quaternion):
+    """Return x, y, z, w in viser's order."""
+    return numpy.roll(quaternion, 1)

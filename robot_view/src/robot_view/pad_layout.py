@@ -1,7 +1,7 @@
-"""What the pad adds to the page as HTML: its layout, and the arrow keys.
+"""The HTML of the pad: the layout of its buttons, and the arrow keys.
 
-viser reports keys that go down, but not keys that come up. So the page itself turns the arrow keys
-into presses of the buttons.
+viser reports when a key goes down, but not when it comes up. So the page itself turns the arrow
+keys into presses of the buttons.
 """
 
 import html
