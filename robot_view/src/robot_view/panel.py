@@ -83,9 +83,11 @@ class PlacingInputs:
             gui.add_button(PUT).on_click(self._put)
 
     def _put(self, event):
+        # Read before the wait, in which somebody may type another place.
+        pose = _pose(self._x.value, self._y.value, self._heading.value)
         publisher = _pose_publisher(f'{NODE}/{self._chosen()}set_pose')
         if is_heard_within(publisher, CONNECTING_TIMEOUT):
-            publisher.publish(_pose(self._x.value, self._y.value, self._heading.value))
+            publisher.publish(pose)
         else:
             event.client.add_notification(PUT, f'{publisher.name} has no subscriber',
                                           auto_close_seconds=NOTICE_SECONDS)

@@ -6,22 +6,19 @@ import sys
 import numpy
 import pytest
 from geometry_msgs.msg import Twist
-
-from odometry_tests.pausing import call
 from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
 
 MOVING = 0.05  # m/s
-SILENCE = 1.0  # s of the robot's time; who is driven is commanded many times meanwhile
+SILENCE = 1.0  # s of the robot's time; a robot that is driven gets many commands in it
 ROBOT_PIXELS = 100  # at least so many are the robot's
 PICTURE_PERIOD = 0.2  # s
 DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
 
 
-# A viewer whose pad waits for ever for a page that says no more, so that a test sees what else
-# stops the robot.
+# Its pad waits for ever for a page that falls silent: a test sees what else stops the robot.
 PATIENT_VIEWER = '''
 import runpy, sys
 from robot_view import steering
@@ -41,36 +38,34 @@ class View:
         pytest.importorskip('viser', reason='viser is not installed')
         self._stack = contextlib.ExitStack()
         self.port = self._stack.enter_context(hold_port())
+        self.url = f'http://localhost:{self.port}'
         arguments = f'_port:={self.port}', *arguments
         if patient:
-            script = ROOT / 'sim_turtlebot' / 'script' / 'view.py'
+            script = ROOT / 'robot_view' / 'script' / 'view.py'
             self.process = Process(sys.executable, '-c', PATIENT_VIEWER, script, *arguments)
         else:
-            self.process = rosrun('sim_turtlebot', 'view.py', *arguments)
-        self.url = f'http://localhost:{self.port}'
+            self.process = rosrun('robot_view', 'view.py', *arguments)
+        self._stack.push(self.process)
 
     def __enter__(self):
         """Return once it says where the page is."""
-        try:
+        with contextlib.ExitStack() as stack:
+            stack.push(self)
             self.process.wait_for_output(f'view: {self.url}', timeout=TIMEOUT)
-        except AssertionError:
-            self.__exit__()
-            raise
+            stack.pop_all()
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *exception):
         """End it."""
-        self.process.__exit__()
-        self._stack.close()
+        return self._stack.__exit__(*exception)
 
 
 class Motion(Truth):
-    """What a robot does, and in `commands` what it is told."""
+    """The motion of a robot, and in `commands` what it is told."""
 
     def __init__(self, namespace=''):
         """Record both."""
         super().__init__(namespace)
-        self._namespace = namespace
         self.commands = Recorder(f'{namespace}cmd_vel', Twist)
         self.wait_for()
 
@@ -85,25 +80,13 @@ class Motion(Truth):
                    f'{self.commands.last}')
         self.wait_until_resting()
 
-    @contextlib.contextmanager
-    def paused(self):
-        """Use it as a context in which its time stands still."""
-        call('pause_physics', self._namespace)
-        yield
-        call('unpause_physics', self._namespace)
 
-
-def dark_pixels(picture):
-    """Return rows and columns of the pixels that are as dark as the robot."""
-    return numpy.nonzero(picture.max(axis=2) < DARK)
-
-
-def wait_for_robot(page, accepts=lambda rows, columns: True):
-    """Return rows and columns of its pixels once the page has drawn it and they are accepted."""
+def wait_for_robot(window, accepts=lambda rows, columns: True):
+    """Return rows and columns of its dark pixels once the page has drawn it and they are accepted."""
     seen = []
 
     def robot():
-        seen[:] = dark_pixels(page.scene())
+        seen[:] = numpy.nonzero(window.scene().max(axis=2) < DARK)
         return len(seen[0]) > ROBOT_PIXELS and accepts(*seen)
 
     wait_until(robot, TIMEOUT, lambda: f'the robot in the picture; dark are {seen}',

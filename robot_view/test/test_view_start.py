@@ -3,11 +3,13 @@
 import os
 import signal
 import socket
+from types import SimpleNamespace
 
 import pytest
+import rospy
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import hold_port, rosrun
-from odometry_tests.viewing import View
+from viewer import View
 
 EXIT_BAD_PARAMETER = 2
 
@@ -21,8 +23,8 @@ def assert_refused(viewer, *words):
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
-    """One line on stdout, nothing else, exit status 0; the network gets no robot to drive."""
+def test_it_prints_the_url_and_exits_quietly(master, signum):
+    """One line on stdout, nothing else, exit status 0; it listens on loopback only."""
     with View() as view:
         with socket.create_connection(('127.0.0.1', view.port)):
             pass
@@ -32,10 +34,10 @@ def test_it_says_where_the_page_is_and_ends_quietly(master, signum):
 
 
 @pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])
-def test_the_environment_may_say_where_it_listens(master, arguments, address):
-    """As in a container; the parameter is stronger."""
+def test_an_environment_variable_sets_the_default_of_host(master, arguments, address):
+    """As in a container."""
     pytest.importorskip('viser', reason='viser is not installed')
-    with hold_port() as port, rosrun('sim_turtlebot', 'view.py', f'_port:={port}', *arguments,
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}', *arguments,
                                      env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
         viewer.wait_for_output(f'view: http://{address}:{port}')
         with socket.create_connection((address, port)):
@@ -44,24 +46,35 @@ def test_the_environment_may_say_where_it_listens(master, arguments, address):
 
 def test_nonsense_in_the_environment_is_refused(master):
     """As in the parameter."""
-    with hold_port() as port, rosrun('sim_turtlebot', 'view.py', f'_port:={port}',
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',
                                      env={'ODOMETRY_VIEW_HOST': 'not a host'}) as viewer:
         assert_refused(viewer, "parameter ~host is 'not a host'")
 
 
 def test_a_port_that_is_taken_is_refused(master):
-    """It does not look for another one, where nobody would look for the page."""
+    """It does not choose another one, where nobody would look for the page."""
     pytest.importorskip('viser', reason='viser is not installed')
     with socket.create_server(('127.0.0.1', 0)) as other:
         port = other.getsockname()[1]
-        with rosrun('sim_turtlebot', 'view.py', f'_port:={port}') as viewer:
+        with rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
             assert_refused(viewer, f'parameter ~port is {port}')
 
 
 def test_without_viser_it_says_what_to_install(master, tmp_path):
-    """The package works without it, but for the page."""
+    """requirements.txt is of this package only."""
     (tmp_path / 'viser.py').write_text("raise ModuleNotFoundError(name='viser')\n")
     path = f'{tmp_path}:{os.environ["PYTHONPATH"]}'
-    with hold_port() as port, rosrun('sim_turtlebot', 'view.py', f'_port:={port}',
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',
                                      env={'PYTHONPATH': path}) as viewer:
-        assert_refused(viewer, 'is not installed', 'requirements-view.txt')
+        assert_refused(viewer, 'viser is not installed', 'robot_view/requirements.txt')
+
+
+def test_it_notices_a_shutdown_that_has_begun_before(monkeypatch):
+    """rospy calls no hook that is added then, and says only later that it is shut down."""
+    node = pytest.importorskip('robot_view.node', reason='viser is not installed')
+    monkeypatch.setattr(rospy, 'Subscriber', lambda *_: None)
+    monkeypatch.setattr(rospy.core, '_client_shutdown_hooks', [])
+    monkeypatch.setattr(rospy.core, '_in_shutdown', True)
+    page = SimpleNamespace(is_open=False, wake=lambda: None, set_robots=lambda _: None,
+                           wait=lambda: pytest.fail('it would wait for ever'))
+    node.Viewer(page).run()

@@ -1,4 +1,4 @@
-"""A client of the page's websocket that says whatever a test has it say, as no browser would."""
+"""A client of the page's websocket that sends whatever a test tells it, as no browser would."""
 
 import contextlib
 import socket
@@ -9,12 +9,11 @@ import rospy
 import viser
 import zstandard
 from nav_msgs.msg import Odometry
+from odometry_tests.messages import odometry
+from odometry_tests.waiting import TIMEOUT, wait_until
+from viewer import View
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
-
-from odometry_tests.messages import odometry
-from odometry_tests.viewing import View
-from odometry_tests.waiting import TIMEOUT, wait_until
 
 HEADER = 16  # bytes before the compressed part of a message; its length is in the second eight
 ROBOTS = 'robot_1', 'robot_2'
@@ -23,15 +22,15 @@ CAMERA = {'wxyz': [1.0, 0.0, 0.0, 0.0], 'position': [0.0, 0.0, 1.0], 'fov': 1.0,
           'up_direction': [0.0, 0.0, 1.0]}
 
 
-class RawPage:
+class PageClient:
     """A websocket to the page, in viser's wire format."""
 
     def __init__(self, port, host=None, origin=None):
         """Connect.
 
-        :param host: what the Host header says, with its port; None: what it has to say
-        :param origin: what the Origin header says; None: there is none
-        :raises websockets.exceptions.InvalidStatus: if the answer is no
+        :param host: the Host header; None: the usual one
+        :param origin: the Origin header; None: there is none
+        :raises websockets.exceptions.InvalidStatus: if the page refuses
         """
         self._inputs = {}  # properties by label
         self._texts = {}  # by id
@@ -50,23 +49,16 @@ class RawPage:
         self._websocket.close()
 
     def show(self):
-        """Say where the camera is, as a browser does first: from then on it is a page."""
+        """Send the pose of the camera, with which a browser begins to show the page."""
         self.send(type='ViewerCameraMessage', **CAMERA)
 
-    def hold(self, label, frequency=10.0):
+    def hold(self, label):
         """Say that a button is held."""
-        self.send(type='GuiButtonHoldMessage', uuid=self.find(label), frequency=frequency)
+        self.send(type='GuiButtonHoldMessage', uuid=self.find(label), frequency=10.0)
 
-    def set(self, label, value, name='value'):
-        """Give an input another value, which is a click for a button, or another property."""
-        self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={name: value})
-
-    def click_hidden(self, label):
-        """Say that a button was clicked that the page has, but does not show."""
-        wait_until(lambda: label in self._inputs, TIMEOUT,
-                   lambda: f'{label!r} in the page, which has {self._inputs}')
-        assert not self._inputs[label]['visible']
-        self.send(type='GuiUpdateMessage', uuid=self._inputs[label]['uuid'], updates={'value': True})
+    def set(self, label, value):
+        """Give an input another value; True clicks a button."""
+        self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={'value': value})
 
     def send(self, **message):
         """Send a message."""
@@ -112,9 +104,9 @@ def _decode(data):
 
 
 @contextlib.contextmanager
-def honest_page(view):
-    """Open a page that shows both robots."""
-    with RawPage(view.port, origin=view.url) as page:
+def open_page(view):
+    """Open the page once it shows both robots."""
+    with PageClient(view.port, origin=view.url) as page:
         page.show()
         page.find('robot')
         yield page
@@ -135,5 +127,5 @@ def published(namespace):
 @contextlib.contextmanager
 def view_of_two(namespace, *arguments):
     """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
-    with published(namespace), View(f'__ns:={namespace}', *arguments) as view, honest_page(view):
+    with published(namespace), View(f'__ns:={namespace}', *arguments) as view, open_page(view):
         yield view
