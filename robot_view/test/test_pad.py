@@ -6,8 +6,9 @@ import pytest
 import rosgraph
 from geometry_msgs.msg import Twist
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
-from robot_view import pad
 from robot_view.steering import FORWARD, STOP
+
+from robot_view import pad
 
 
 @pytest.mark.parametrize('button', [STOP, FORWARD])

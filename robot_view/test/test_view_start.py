@@ -70,7 +70,7 @@ def test_without_viser_it_says_what_to_install(master, tmp_path):
 
 
 def test_it_notices_a_shutdown_that_has_begun_before(monkeypatch):
-    """rospy calls no hook that is added then, and says only later that it is shut down."""
+    """A hook that is added then is not called, and rospy.is_shutdown() is still false."""
     node = pytest.importorskip('robot_view.node', reason='viser is not installed')
     monkeypatch.setattr(rospy, 'Subscriber', lambda *_: None)
     monkeypatch.setattr(rospy.core, '_client_shutdown_hooks', [])
