@@ -6,7 +6,7 @@ unset file
 
 # Some of them may be left out.
 PACKAGES=(odometry_common odom_movement_detector test_movement rotate_robot sim_turtlebot launch
-    odometry_sweep test)
+    robot_view odometry_sweep test)
 PYTHON_PARTS=(python3-venv)
 # The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
 # lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
@@ -156,5 +156,5 @@ need_for_cluster() {
 }
 
 need_for_view() {
-    need_python view "$ROOT/sim_turtlebot/requirements-view.txt"
+    [ ! -e robot_view ] || need_python view "$ROOT/robot_view/requirements.txt"
 }

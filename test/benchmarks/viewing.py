@@ -39,7 +39,7 @@ def _compare(name, speed, viewer, options, target=None):
 def _viewer():
     """Run the viewer, and yield the address of its page."""
     with hold_port() as port, \
-            rosrun('sim_turtlebot', 'view.py', f'_port:={port}') as viewer:
+            rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
         viewer.wait_for_output(f'http://localhost:{port}', TIMEOUT)
         yield f'http://localhost:{port}'
 

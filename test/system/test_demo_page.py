@@ -19,6 +19,7 @@ USUAL_PORT = 8080
 ADDRESS = re.compile(r'^view            (http://localhost:(\d+))$', re.MULTILINE)
 STAYS = 'The page stays'
 
+pytest.importorskip('robot_view', reason='the page is left out')
 pytest.importorskip('viser', reason='viser is not installed')
 
 

@@ -34,7 +34,7 @@ REAL_ROBOT = 'docs/real_robot.md: Two machines'
 GOES_ON = {
     'Has the robot moved one metre?': TUTORIALS,
     'Rotate the robot to a heading': TUTORIALS,
-    'rosrun sim_turtlebot view.py': TUTORIALS,
+    'rosrun robot_view view.py': TUTORIALS,
     'Drive up to it': SCAN,
     'Drive the robot': REAL_ROBOT,
     'Two metres by the tape': REAL_ROBOT,

@@ -107,7 +107,7 @@ STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 @pytest.mark.parametrize('script', [
     'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
     'rotate_robot/script/main.py', 'rotate_robot/script/rotate.py',
-    'sim_turtlebot/script/sim_turtlebot_node.py', 'sim_turtlebot/script/view.py',
+    'sim_turtlebot/script/sim_turtlebot_node.py', 'robot_view/script/view.py',
     'sim_turtlebot/script/world_frame.py', 'launch/scripts/plot_run.py',
     'launch/scripts/rosout.py', 'setup/bin/roslaunch'])
 def test_ctrl_c_ends_a_script_at_any_moment_of_its_imports(script):

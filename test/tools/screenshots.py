@@ -7,11 +7,10 @@ import argparse
 import re
 
 import rospy
-from odometry_tests.processes import Master, Process
+from odometry_tests.processes import Master, Process, hold_port, rosrun
 from odometry_tests.screen import Screen
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth
-from odometry_tests.viewing import View
 from odometry_tests.waiting import wait_until
 from PIL import Image
 
@@ -43,12 +42,20 @@ def save(image, name):
 def view():
     """Return the browser window."""
     from odometry_tests.browser import Browser
-    with View() as viewer, Browser(1280, 760) as browser, browser.open(viewer.url) as page:
-        page.dismiss_notices()
-        # The page is there first, and sees all of the way.
-        with launched():
-            page.wait_for_reading('moved_distance', lambda metres: metres > MOMENT, DRIVE_TIMEOUT)
-            return page.photograph()
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
+        url = f'http://localhost:{port}'
+        viewer.wait_for_output(url)
+        with Browser(1280, 760) as browser, browser.open(url) as page:
+            return drive_before(page)
+
+
+def drive_before(page):
+    """Return what a page shows of a robot on its way."""
+    page.dismiss_notices()
+    # The page is there first, and sees all of the way.
+    with launched():
+        page.wait_for_reading('moved_distance', lambda metres: metres > MOMENT, DRIVE_TIMEOUT)
+        return page.photograph()
 
 
 def rviz():

@@ -1,12 +1,17 @@
-"""A headless Chromium that looks at the browser window, as a user does."""
+"""A headless Chromium that shows the page, as a user sees and touches it."""
 
+import io
+import re
 import shutil
 
+import numpy
+from PIL import Image
 from selenium import webdriver
+from selenium.webdriver import ActionChains
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.keys import Keys
 
-from odometry_tests.page import Page
-from odometry_tests.waiting import PATIENCE
+from odometry_tests.waiting import PATIENCE, wait_until
 
 CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 # Without a graphics card Chromium draws with the processor, if it is told that it may.
@@ -14,12 +19,13 @@ SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-
             '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
             # A window that no other one covers is still hidden to Chromium.
             '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
-
 ANSWER_TIMEOUT = 120.0 * PATIENCE  # s
+LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
+PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
 
 
 class Browser:
-    """A context in which pages can be opened, each by a Chromium of its own.
+    """A context in which windows can be opened, each by a Chromium of its own.
 
     One that drew two pages without a graphics card would make them wait for each other.
     """
@@ -34,7 +40,7 @@ class Browser:
         self._switches = [*SWITCHES, f'--window-size={width},{height}',
                           f'--force-device-scale-factor={scale}']
         self._frame_rate = frame_rate
-        self._pages = []
+        self._windows = []
         self._drivers = []
 
     def __enter__(self):
@@ -47,19 +53,19 @@ class Browser:
             driver.quit()
 
     def open(self, url):
-        """Open a page and return it once it shows the panel."""
-        page = Page(self._idle_driver() or self._start(), url, self._frame_rate)
-        self._pages.append(page)
-        page.load()
-        return page
+        """Open a page and return its BrowserWindow once it shows the panel."""
+        window = BrowserWindow(self._idle_driver() or self._start(), url, self._frame_rate)
+        self._windows.append(window)
+        window.load()
+        return window
 
     def find(self, url):
-        """Return a page at this address that is still open, or None."""
-        return next((page for page in self._pages if page.url == url and page.is_open), None)
+        """Return a window with this address that is still open, or None."""
+        return next((window for window in self._windows if window.url == url and window.is_open), None)
 
     def _idle_driver(self):
-        """Return a Chromium whose page has been closed, or None: to start one takes longer."""
-        busy = [page.driver for page in self._pages if page.is_open]
+        """Return a Chromium whose window is closed, or None: to start one takes longer."""
+        busy = [window.driver for window in self._windows if window.is_open]
         return next((driver for driver in self._drivers if driver not in busy), None)
 
     def _start(self):
@@ -75,3 +81,128 @@ class Browser:
         driver.set_page_load_timeout(ANSWER_TIMEOUT)
         driver.set_script_timeout(ANSWER_TIMEOUT)
         return driver
+
+
+class BrowserWindow:
+    """A window with the page."""
+
+    def __init__(self, driver, url, frame_rate=None):
+        """Take over a driver that shows nothing yet."""
+        self.driver = driver
+        self.url = url
+        self.is_open = True
+        self._frame_rate = frame_rate
+
+    def load(self):
+        """Show the page and return once it has the panel."""
+        # In a window of its own: without its first, empty one Chromium would end with the page.
+        self.driver.switch_to.new_window('window')
+        if self._frame_rate:
+            self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
+                                        {'source': _draw_at(self._frame_rate)})
+        self.driver.get(self.url)
+        self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
+                         'a page with readings')
+
+    def __enter__(self):
+        """Use it as a context, at whose end the window is closed."""
+        return self
+
+    def __exit__(self, *_):
+        """Close the window unless it is closed already."""
+        self.close()
+
+    def close(self):
+        """Close the window, as a user does."""
+        if self.is_open:
+            self.is_open = False
+            self.driver.close()
+            self.driver.switch_to.window(self.driver.window_handles[0])
+
+    def run(self, script, *arguments):
+        """Return what a piece of JavaScript returns."""
+        return self.driver.execute_script(script, *arguments)
+
+    @property
+    def text(self):
+        """All text that is to be read."""
+        return self.run('return document.body.innerText')
+
+    def reading(self, name):
+        """Return a number of the panel by its id; None if it is a dash or not there yet."""
+        text = self.run('return document.getElementById(arguments[0])?.textContent', name)
+        return float(re.match('-?[0-9.]+', text)[0]) if text not in (None, '–') else None
+
+    def wait_for_reading(self, name, accepts, timeout=PAGE_TIMEOUT):
+        """Return once a number of the panel is there and is accepted."""
+        def accepted():
+            value = self.reading(name)
+            return value is not None and accepts(value)
+        self._wait_until(accepted, lambda: f'{name}; it is {self.reading(name)}', timeout)
+
+    def wait_for_text(self, text):
+        """Return once the text is to be read."""
+        self._wait_until(lambda: text in self.text,
+                         lambda: f'{text!r} in the page, which says:\n{self.text}')
+
+    def click(self, label):
+        """Click a button."""
+        self._button(label).click()
+
+    def hold(self, label):
+        """Press a button and hold it."""
+        ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
+
+    def release(self):
+        """Let go of the button."""
+        ActionChains(self.driver, duration=0).release().perform()
+
+    def press_key(self, name):
+        """Press a key and hold it."""
+        ActionChains(self.driver, duration=0).key_down(getattr(Keys, name)).perform()
+
+    def release_key(self, name):
+        """Let go of the key."""
+        ActionChains(self.driver, duration=0).key_up(getattr(Keys, name)).perform()
+
+    def let_go(self):
+        """Let go of all buttons and keys."""
+        ActionChains(self.driver).reset_actions()
+
+    def dismiss_notices(self):
+        """Close what viser says, for instance of the lack of a graphics card."""
+        self.run('document.querySelectorAll("[class*=Notification-closeButton]")'
+                 '.forEach((button) => button.click())')
+        self._wait_until(lambda: not self.run(
+            'return document.querySelector("[class*=Notification-root]")'),
+            'a page without notices')
+
+    def photograph(self):
+        """Return the whole page as an image."""
+        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
+
+    def scene(self):
+        """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
+        box = self.run('const box = document.querySelector("canvas").getBoundingClientRect();'
+                       'return [box.left, box.top, box.right, box.bottom]'
+                       '.map((edge) => edge * devicePixelRatio)')
+        return numpy.asarray(self.photograph().crop([round(edge) for edge in box]), dtype=int)
+
+    def _button(self, label):
+        # At once in the page: it may replace its buttons at any time.
+        return self._wait_until(lambda: self.run(
+            'return [...document.querySelectorAll("button")].find('
+            '(button) => button.innerText.trim() === arguments[0])', label), f'a button {label!r}')
+
+    @staticmethod
+    def _wait_until(condition, what, timeout=PAGE_TIMEOUT):
+        return wait_until(condition, timeout, what, LOOKING_PERIOD)
+
+
+def _draw_at(frame_rate):
+    """Return JavaScript by which a page draws only so many pictures per second (Hz)."""
+    # All that wants to draw does so at the same moments, or each would get its own picture.
+    script = ('window.requestAnimationFrame = (draw) => setTimeout('
+              '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);'
+              'window.cancelAnimationFrame = clearTimeout;')
+    return script.replace('PERIOD', str(1000 / frame_rate))

@@ -10,7 +10,7 @@ SYSTEM_NUMPY = {'3.8': None, '3.9': None, '3.10': '1.21.5', '3.11': '1.24.2', '3
                 '3.13': '2.2.4'}
 PYTHONS = list(SYSTEM_NUMPY)
 REQUIREMENTS = [ROOT / name for name in (
-    'requirements.txt', 'sim_turtlebot/requirements-view.txt', 'odometry_sweep/requirements.txt',
+    'requirements.txt', 'robot_view/requirements.txt', 'odometry_sweep/requirements.txt',
     'odometry_sweep/requirements-cluster.txt', 'test/requirements.txt')]
 WHEELS = ROOT / 'test' / 'unit' / 'wheels.jsonl'  # test/tools/wheels.py makes it
 # pip decides by --python-version which wheels fit, but of python_version, and whether a wheel may be

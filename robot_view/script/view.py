@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Show the robots in a browser, by their topics: simulated ones and real ones.
+
+Everybody who opens the page can drive the robot. While no page is open, the node subscribes to the
+simulator's warning only.
+
+Subscribes:
+    odom (nav_msgs/Odometry): the odometry of each robot
+    base_pose_ground_truth (nav_msgs/Odometry): where a simulated robot really is
+    joint_states (sensor_msgs/JointState): the wheels
+    scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
+    moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
+    rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
+    sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
+
+Publishes:
+    cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
+    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): where the
+        panel's button puts a simulated robot
+
+Calls:
+    sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,
+        sim_turtlebot/reset_simulation (std_srvs/Empty): the panel's buttons
+
+Parameters:
+    ~port (int, 8080, from 1 to 65535): port of the page
+    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the whole network in; the
+        environment variable ODOMETRY_VIEW_HOST sets another default
+    ~allowed_hosts (str, ''): further names of the page, for a proxy or a forwarded port, such as
+        robots.example, lab:9000: separated by commas or spaces; without a port, any will do
+"""
+
+import signal
+
+# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+from odometry_common.node import run_node
+from odometry_common.parameters import StartError
+from robot_view.address import read_address
+
+
+def main():
+    """View until shutdown."""
+    address = read_address()
+    try:
+        from robot_view.node import view
+    except ModuleNotFoundError as error:
+        raise StartError(f'{error.name} is not installed; robot_view/requirements.txt '
+                         'lists what the page needs: pip install -r it') from None
+    view(address)
+
+
+if __name__ == '__main__':
+    # Simulated time may stand still, and the page has nothing to do with it.
+    run_node('view', main, __doc__, anonymous=True, disable_rostime=True)

@@ -1,0 +1,1 @@
+"""A browser page that shows and drives robots through their topics and services."""

@@ -1,0 +1,135 @@
+"""The state of a robot, from its topics."""
+
+import math
+import threading
+
+import rospy
+from nav_msgs.msg import Odometry
+from odometry_common.geometry import planar_pose, wrap_to_pi
+from odometry_common.parameters import as_number
+from sensor_msgs.msg import JointState, LaserScan
+from std_msgs.msg import Float64
+
+from robot_view.discovery import TARGET
+from robot_view.path_trace import PathTrace
+from robot_view.scan import scan_points
+
+EPOCH = 1e9  # s; stamps beyond this are wall time
+
+
+class RobotMonitor:
+    """The latest state of one robot. Take its `lock` to read it, once it `is_known`.
+
+    A pose is a pair: x, y, z (m) and a quaternion w, x, y, z.
+    """
+
+    def __init__(self, namespace):
+        """Subscribe in a namespace, '' or one that ends in a slash."""
+        self.lock = threading.Lock()
+        self.trace = PathTrace()
+        self.wheels = {}  # angles (rad) by joint
+        self.scan = None  # pose of the robot, and points: rows of x, y, z (m) from there
+        self._target_topic = f'{namespace}{TARGET}'
+        self._odometry = self._ground_truth = self._moved = self._target = None
+        self._first_stamp = None
+        topics = [('odom', Odometry, self._on_odometry),
+                  ('base_pose_ground_truth', Odometry, self._on_ground_truth),
+                  ('joint_states', JointState, self._on_joints),
+                  ('moved_distance', Float64, self._on_moved),
+                  ('scan', LaserScan, self._on_scan),
+                  (TARGET, Float64, self._on_target)]
+        self._subscribers = [
+            rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
+            for topic, kind, callback in topics]
+
+    def close(self):
+        """Unsubscribe."""
+        for subscriber in self._subscribers:
+            subscriber.unregister()
+
+    def set_rotating(self, rotating):
+        """Note whether rotate.py turns this robot; its first target is a parameter, if set."""
+        if not rotating:
+            self._target = None
+        elif self._target is None:
+            self._target = as_number(rospy.get_param(self._target_topic, None))
+
+    @property
+    def is_known(self):
+        """Whether there has been odometry."""
+        return self._odometry is not None
+
+    @property
+    def pose(self):
+        """The true pose if the robot is simulated, else the odometry's."""
+        return _pose_3d(self._ground_truth or self._odometry)
+
+    @property
+    def odometry_pose(self):
+        """The pose in the frame of the odometry."""
+        return _pose_3d(self._odometry)
+
+    @property
+    def stamp(self):
+        """The time of the odometry (s)."""
+        return self._odometry.header.stamp.to_sec()
+
+    def readings(self):
+        """Return values for panel.Readings by name, None where nothing is known."""
+        return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
+                'speed': self._odometry.twist.twist.linear.x,
+                'heading': math.degrees(wrap_to_pi(self.trace.heading)),
+                'simulated_time': self.stamp if self.stamp < EPOCH else None}
+
+    def _on_odometry(self, message):
+        pose = _planar_pose(message)
+        if pose is None:
+            return
+        with self.lock:
+            self._odometry = message
+            if self._first_stamp is None:
+                self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
+            self.trace.add_odometry(self.stamp, pose)
+            self.trace.note(self.stamp - self._first_stamp, self._moved, self._target)
+
+    def _on_ground_truth(self, message):
+        pose = _planar_pose(message)
+        if pose is None:
+            return
+        with self.lock:
+            self._ground_truth = message
+            self.trace.add_ground_truth(message.header.stamp.to_sec(), pose)
+
+    def _on_joints(self, message):
+        with self.lock:
+            self.wheels = dict(zip(message.name, message.position))
+
+    def _on_scan(self, message):
+        points = scan_points(message)
+        with self.lock:
+            if self._odometry is not None:
+                self.scan = self.pose, points
+
+    def _on_moved(self, message):
+        self._moved = message.data if math.isfinite(message.data) else None
+
+    def _on_target(self, message):
+        if math.isfinite(message.data):
+            self._target = message.data
+
+
+def _pose_3d(message):
+    position, orientation = message.pose.pose.position, message.pose.pose.orientation
+    wxyz = orientation.w, orientation.x, orientation.y, orientation.z
+    length = math.hypot(*wxyz)
+    return (position.x, position.y, position.z), tuple(part / length for part in wxyz)
+
+
+def _planar_pose(message):
+    """Return the PlanarPose of an Odometry; None if it cannot be drawn."""
+    position = message.pose.pose.position
+    numbers = position.x, position.y, position.z, message.twist.twist.linear.x
+    try:
+        return planar_pose(message.pose.pose) if all(map(math.isfinite, numbers)) else None
+    except ValueError:  # the orientation is no rotation
+        return None

@@ -1,0 +1,112 @@
+"""The panel: the robot's state in numbers, and the buttons for the simulation."""
+
+import functools
+import html
+import math
+
+import rospy
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
+from odometry_common.connections import is_heard_within
+from sim_turtlebot.poses import MAX_COORDINATE
+from std_srvs.srv import Empty
+
+NODE = 'sim_turtlebot'
+SERVICES = {'pause': f'{NODE}/pause_physics', 'resume': f'{NODE}/unpause_physics',
+            'reset': f'{NODE}/reset_simulation'}
+PUT = 'put here'
+CONNECTING_TIMEOUT = 2.0  # s
+NOTICE_SECONDS = 10
+ROWS = [  # name, label, decimals, unit
+    ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true distance', 3, ' m'),
+    ('speed', 'speed', 2, ' m/s'), ('heading', 'heading', 1, '°'),
+    ('simulated_time', 'simulated time', 1, ' s'), ('real_time_factor', 'real-time factor', 2, '')]
+STYLE = ('<style>#readings{width:100%;font-size:0.95em;padding:0 0.8em}'
+         '#readings td+td{text-align:right;font-weight:600;font-variant-numeric:tabular-nums}'
+         '#status{padding:0 1em 0.6em;font-size:0.85em;color:#b05010}</style>')
+
+
+class Readings:
+    """A table of measured values."""
+
+    def __init__(self, gui):
+        """Add it to viser's GUI."""
+        self._html = gui.add_html('')
+        self.show({})
+
+    def show(self, values):
+        """Show values by the names in ROWS; one that is missing or None is a dash."""
+        rows = ''.join(
+            f'<tr><td>{label}</td><td id="{name}">{_format(values.get(name), *form)}</td></tr>'
+            for name, label, *form in ROWS)
+        self._html.content = f'{STYLE}<table id="readings">{rows}</table>'
+
+
+class SimulationButtons:
+    """A status line, and the buttons that call the simulator's services."""
+
+    def __init__(self, gui):
+        """Add them."""
+        self._status = gui.add_html('')
+        self._buttons = gui.add_button_group('simulation', tuple(SERVICES), visible=False)
+        self._buttons.on_click(self._call)
+
+    def update(self, is_simulated, complaint):
+        """Show the buttons if there is a simulator, and a complaint if there is one."""
+        self._buttons.visible = is_simulated
+        if not complaint and not is_simulated:
+            complaint = 'no simulator here: no pause, resume and reset'
+        self._status.content = f'<div id="status">{html.escape(complaint)}</div>'
+
+    @staticmethod
+    def _call(event):
+        button = event.target.value
+        if button not in SERVICES:
+            return
+        try:
+            rospy.ServiceProxy(SERVICES[button], Empty)()
+        except rospy.ServiceException as error:
+            event.client.add_notification(button, str(error), auto_close_seconds=NOTICE_SECONDS)
+
+
+class PlacingInputs:
+    """A place in the world, and a button that puts the chosen simulated robot there, at rest."""
+
+    def __init__(self, gui, chosen):
+        """Add them; `chosen` is a function that returns the namespace of a robot."""
+        self._chosen = chosen
+        self.folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
+        with self.folder:
+            self._x, self._y = (
+                gui.add_number(f'{name} (m)', 0.0, min=-MAX_COORDINATE, max=MAX_COORDINATE,
+                               step=0.05) for name in 'xy')
+            self._heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
+            gui.add_button(PUT).on_click(self._put)
+
+    def _put(self, event):
+        # Read before the wait, in which somebody may type another place.
+        pose = _pose(self._x.value, self._y.value, self._heading.value)
+        publisher = _pose_publisher(f'{NODE}/{self._chosen()}set_pose')
+        if is_heard_within(publisher, CONNECTING_TIMEOUT):
+            publisher.publish(pose)
+        else:
+            event.client.add_notification(PUT, f'{publisher.name} has no subscriber',
+                                          auto_close_seconds=NOTICE_SECONDS)
+
+
+@functools.lru_cache(maxsize=None)
+def _pose_publisher(topic):
+    return rospy.Publisher(topic, PoseStamped, queue_size=1)
+
+
+def _pose(x, y, heading):
+    """Return the PoseStamped of a robot on the floor of the world; m, m, degrees."""
+    half = math.radians(heading) / 2
+    message = PoseStamped(pose=Pose(
+        Point(x, y, 0.0), Quaternion(0.0, 0.0, math.sin(half), math.cos(half))))
+    message.header.frame_id = 'world'
+    return message
+
+
+def _format(value, decimals, unit):
+    # Adding zero takes the sign from a zero.
+    return '–' if value is None else f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'

@@ -1,0 +1,146 @@
+"""The 3-D scene: a metric grid and robots on it."""
+
+import numpy
+from viser.transforms import SO3
+
+TWO_METRES = 2.0  # m, what the tutorial's robot drives
+GHOST_DISTANCE = 0.005  # m between odometry and ground truth from which on both are drawn
+GHOST_ANGLE = 0.01  # rad
+GHOST_COLOUR = (30, 120, 220)
+GHOST_OPACITY = 0.35
+TRAIL_COLOUR = (230, 120, 20)
+TRAIL_HEIGHT = 0.004  # m, above the floor
+SCAN_COLOUR = (210, 30, 150)
+SCAN_POINT_SIZE = 0.02  # m
+START_COLOUR = (40, 160, 70)
+GOAL_COLOUR = (210, 40, 40)
+MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
+DAYLIGHT = 3.0
+DUSK_COLOUR = (110, 110, 120)  # of the light from below
+SPOKE_COLOUR = (235, 235, 235)
+SPOKES = 3  # from rim to rim
+SPOKE_WIDTH = 0.008  # m
+SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
+
+
+def add_floor_and_lights(scene):
+    """Add lights, and a floor with a line at each metre, to an empty viser scene."""
+    scene.set_up_direction('+z')
+    # Reflections and shadows would leave a computer without a graphics card one frame a second.
+    scene.configure_environment_map(None)
+    scene.configure_default_lights(cast_shadow=False)
+    scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)
+    scene.add_grid('/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
+                   section_size=1.0, section_color=(170, 170, 178), fade_distance=20.0,
+                   plane_color=(248, 248, 250), plane_opacity=1.0)
+
+
+class RobotModel:
+    """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
+
+    def __init__(self, scene, name, links, labelled):
+        """Add it to viser's scene.
+
+        :param name: of the scene node, without slashes
+        :param links: the robot's looks.Links
+        :param labelled: whether to show the name beside the robot
+        """
+        self._scene = scene
+        self._root = f'/robots/{name}'
+        self._node = scene.add_frame(self._root, show_axes=False)
+        self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
+        # The marks and the ghost are drawn in the odometry's frame.
+        self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
+        self._ghost = scene.add_frame(
+            f'{self._root}/odometry/ghost', show_axes=False, visible=False)
+        self._wheels = []  # joints and frames
+        for link in links:
+            self._add_link(link)
+        if labelled:
+            scene.add_label(f'{self._root}/body/label', name, position=(0.0, 0.0, 0.55))
+        self._add_marks()
+        self._trail = scene.add_line_segments(
+            f'{self._root}/trail', numpy.zeros((1, 2, 3)), TRAIL_COLOUR, thickness=3.0,
+            thickness_units='screen')
+        self._scan = scene.add_point_cloud(
+            f'{self._root}/scan', numpy.zeros((1, 3)), SCAN_COLOUR, point_size=SCAN_POINT_SIZE,
+            point_shape='circle', precision='float32', point_shading='flat', visible=False)
+        self._drawn_scan = None
+
+    def remove(self):
+        """Remove it from the scene, with all its parts."""
+        self._node.remove()
+
+    def move(self, robot):
+        """Draw it where a RobotMonitor has it."""
+        origin, drift = robot.trace.origin, robot.trace.drift
+        self._body.position, self._body.wxyz = robot.pose
+        self._odometry.position = (origin.x, origin.y, 0.0)
+        self._odometry.wxyz = SO3.from_z_radians(origin.yaw).wxyz
+        self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
+                               or abs(drift.yaw) > GHOST_ANGLE)
+        if self._ghost.visible:
+            self._ghost.position, self._ghost.wxyz = robot.odometry_pose
+        for joint, frame in self._wheels:
+            if joint.name in robot.wheels:
+                frame.wxyz = _wxyz(joint.rotation_at(robot.wheels[joint.name]))
+
+    def draw_path(self, robot):
+        """Draw where it has been, and its latest scan."""
+        points = robot.trace.trail.array()
+        if len(points) < 2:
+            points = numpy.zeros((2, 2))
+        line = numpy.column_stack([points, numpy.full(len(points), TRAIL_HEIGHT)])
+        segments = numpy.stack([line[:-1], line[1:]], axis=1)
+        if not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
+            self._trail.points = segments
+        if robot.scan is not self._drawn_scan:
+            self._drawn_scan = robot.scan
+            (self._scan.position, self._scan.wxyz), self._scan.points = robot.scan
+            self._scan.visible = len(self._scan.points) > 0
+
+    def _add_link(self, link):
+        body = self._add_frame(self._body, link)
+        ghost = self._add_frame(self._ghost, link)
+        for number, shape in enumerate(link.shapes):
+            self._add_shape(f'{body.name}/{number}', shape, shape.colour)
+            self._add_shape(f'{ghost.name}/{number}', shape, GHOST_COLOUR, GHOST_OPACITY)
+        if link.joint and link.joint.axis:
+            self._wheels.append((link.joint, body))
+            self._add_spokes(body, link.shapes[0])
+
+    def _add_frame(self, parent, link):
+        frame = self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False)
+        if link.joint:
+            frame.position, frame.wxyz = link.joint.position, _wxyz(link.joint.rotation)
+        return frame
+
+    def _add_shape(self, name, shape, colour, opacity=None):
+        options = {'color': colour, 'opacity': opacity, 'flat_shading': True,
+                   'position': shape.position, 'wxyz': shape.rotation.wxyz}
+        if len(shape.size) == 3:
+            self._scene.add_box(name, dimensions=shape.size, **options)
+        else:
+            self._scene.add_cylinder(name, *shape.size, **options)
+
+    def _add_spokes(self, wheel, shape):
+        """Mark a wheel, so that you see it turn: little of it shows below the base."""
+        radius, width = shape.size
+        for number in range(SPOKES):
+            rotation = shape.rotation @ SO3.from_z_radians(numpy.pi * number / SPOKES)
+            self._scene.add_box(
+                f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
+                (2 * radius + SPOKE_MARGIN, SPOKE_WIDTH, width + SPOKE_MARGIN), wxyz=rotation.wxyz)
+
+    def _add_marks(self):
+        node = self._odometry.name
+        self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
+        self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
+        self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
+                            position=(TWO_METRES, 0.0, 0.0))
+        self._scene.add_label(f'{node}/goal/label', '2 m', position=(0.0, 0.3, 0.0))
+
+
+def _wxyz(quaternion):
+    """Return x, y, z, w in viser's order."""
+    return numpy.roll(quaternion, 1)

@@ -1,0 +1,96 @@
+"""The page's web server: viser's, open to the page itself and to nobody else's page.
+
+viser has no option for that. It calls websockets.asyncio.server.serve(), whose documented
+parameters have all that is needed, so serve() gets these added while viser starts.
+"""
+
+import atexit
+import contextlib
+import functools
+import http
+import re
+import warnings
+
+import rich
+import rospy
+import viser
+from odometry_common.parameters import StartError
+from websockets.asyncio import server
+
+LOG_PERIOD = 10.0  # s, between two lines
+LOG_LENGTH = 100  # characters of a header
+
+
+def start_server(address):
+    """Return a viser.ViserServer at an Address that is free; it runs until the process ends.
+
+    :raises StartError: if this version of viser starts its server in another way
+    """
+    # viser prints its start and its end through rich, verbose or not.
+    rich.get_console().quiet = True
+    # A browser may close at any moment, also during a write to it.
+    warnings.filterwarnings('ignore', 'Queued a .* on a closed connection')
+    with _guarded_serve(address.names) as calls:
+        started = viser.ViserServer(address.ip, address.port, label='TurtleBot 2', verbose=False)
+    if not calls:
+        raise StartError('this version of viser starts its server in another way than that in '
+                         'robot_view/requirements.txt: pip install -r it')
+    # At exit viser would wait seconds for busy browsers.
+    atexit.unregister(started.stop)
+    return started
+
+
+@contextlib.contextmanager
+def _guarded_serve(names):
+    """Replace websockets' serve() by a guarded one; yield a list of its calls."""
+    serve, calls = server.serve, []
+
+    def guarded_serve(*arguments, process_request, **options):
+        calls.append(arguments)
+        options.update(process_request=functools.partial(_admit, names, process_request),
+                       process_response=_forbid_framing)
+        return serve(*arguments, **options)
+
+    server.serve = guarded_serve
+    try:
+        yield calls
+    finally:
+        server.serve = serve
+
+
+def _admit(names, process_request, connection, request):
+    """Answer 403, unless the request is the page's own."""
+    # Joined, a header that occurs twice matches nothing.
+    host, origin = (', '.join(request.headers.get_all(name)) for name in ('Host', 'Origin'))
+    if is_own({*names, connection.local_address[0]}, host, origin):
+        return process_request(connection, request)
+    rospy.logwarn_throttle(LOG_PERIOD, (
+        f'refused a connection with the Host header "{_printable(host)}" and the Origin header '
+        f'"{_printable(origin)}"; ~allowed_hosts adds names of this page'))
+    return connection.respond(http.HTTPStatus.FORBIDDEN, 'This is not an address of the page.\n')
+
+
+def is_own(names, host, origin):
+    """Return whether the page itself sends a request, by two headers that no script can change.
+
+    Origin is the address of the page that connects. Another page's differs from the Host to which
+    it connects. With a name that its owner has redirected here (DNS rebinding) both are equal,
+    but no name of this page. Any port will do, since `ssh -L 9000:localhost:8080` changes it.
+
+    :param names: host names of the page
+    :param host: the Host header
+    :param origin: the Origin header, '' if there is none, as from a program that is no browser
+    """
+    host = host.lower()
+    name = re.sub(r':\d+$', '', host)
+    is_known = not names.isdisjoint({host, name, name.strip('[]')})
+    return is_known and origin.lower() in ('', f'http://{host}', f'https://{host}')
+
+
+def _forbid_framing(_, __, response):
+    # In an invisible frame over another page, clicks meant for that page would drive the robot.
+    response.headers['Content-Security-Policy'] = "frame-ancestors 'self'"
+
+
+def _printable(header):
+    return ascii(header)[1:-1][:LOG_LENGTH]

@@ -1,0 +1,56 @@
+"""The commands that follow from the held buttons of the pad."""
+
+HOLD_RATE = 10.0  # Hz, at which a page repeats that a button is held
+HOLD_TIMEOUT = 0.5  # s without a repetition after which it counts as released
+COMMAND_PERIOD = 0.05  # s
+
+FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
+# Shares of the greatest speed forwards and to the left.
+STANDSTILL = 0, 0
+DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
+
+
+class Steering:
+    """Decides what the held buttons command to which robot; times in seconds.
+
+    A robot gets commands while a button is held for it, then one zero and nothing more.
+    """
+
+    def __init__(self):
+        """Start with no button held."""
+        self._held = {}  # robot and deadline by client and button
+        self._driven = set()
+
+    @property
+    def is_driving(self):
+        """Whether a robot has a command that is not yet followed by its zero."""
+        return bool(self._driven)
+
+    def hold(self, client, button, robot, now):
+        """Note that a client holds a button for a robot."""
+        self._held[client, button] = robot, now + HOLD_TIMEOUT
+
+    def release(self, client, button=None):
+        """Note that a client has released a button, or all of them."""
+        self._held = {held: until for held, until in self._held.items()
+                      if held[0] != client or button not in (None, held[1])}
+
+    def commands(self, now):
+        """Return a dictionary of shares of speed, forwards and to the left, by robot.
+
+        While a robot is driven, ask again every COMMAND_PERIOD.
+        """
+        self._held = {held: until for held, until in self._held.items() if until[1] > now}
+        buttons = {robot: set() for robot, _ in self._held.values()}
+        for (_, button), (robot, _) in self._held.items():
+            buttons[robot].add(button)
+        # First those that stop: no robot starts before the other one has been told to stop.
+        stopped = {robot: STANDSTILL for robot in self._driven - set(buttons)}
+        self._driven = set(buttons)
+        return {**stopped, **{robot: _shares(held) for robot, held in buttons.items()}}
+
+
+def _shares(buttons):
+    if STOP in buttons:
+        return STANDSTILL
+    return tuple(map(sum, zip(*(DIRECTIONS[button] for button in buttons))))

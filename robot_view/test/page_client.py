@@ -1,0 +1,131 @@
+"""A client of the page's websocket that sends whatever a test tells it, as no browser would."""
+
+import contextlib
+import socket
+import threading
+
+import msgspec
+import rospy
+import viser
+import zstandard
+from nav_msgs.msg import Odometry
+from odometry_tests.messages import odometry
+from odometry_tests.waiting import TIMEOUT, wait_until
+from viewer import View
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import connect
+
+HEADER = 16  # bytes before the compressed part of a message; its length is in the second eight
+ROBOTS = 'robot_1', 'robot_2'
+CAMERA = {'wxyz': [1.0, 0.0, 0.0, 0.0], 'position': [0.0, 0.0, 1.0], 'fov': 1.0, 'near': 0.1,
+          'far': 100.0, 'image_height': 480, 'image_width': 640, 'look_at': [0.0, 0.0, 0.0],
+          'up_direction': [0.0, 0.0, 1.0]}
+
+
+class PageClient:
+    """A websocket to the page, in viser's wire format."""
+
+    def __init__(self, port, host=None, origin=None):
+        """Connect.
+
+        :param host: the Host header; None: the usual one
+        :param origin: the Origin header; None: there is none
+        :raises websockets.exceptions.InvalidStatus: if the page refuses
+        """
+        self._inputs = {}  # properties by label
+        self._texts = {}  # by id
+        self._websocket = connect(
+            f'ws://{host or f"localhost:{port}"}', origin=origin, compression=None, max_size=None,
+            sock=socket.create_connection(('localhost', port)),
+            subprotocols=[f'viser-v{viser.__version__}'])
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def __enter__(self):
+        """Use it as a context, at whose end it is closed."""
+        return self
+
+    def __exit__(self, *_):
+        """Close it."""
+        self._websocket.close()
+
+    def show(self):
+        """Send the pose of the camera, with which a browser begins to show the page."""
+        self.send(type='ViewerCameraMessage', **CAMERA)
+
+    def hold(self, label):
+        """Say that a button is held."""
+        self.send(type='GuiButtonHoldMessage', uuid=self.find(label), frequency=10.0)
+
+    def set(self, label, value):
+        """Give an input another value; True clicks a button."""
+        self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={'value': value})
+
+    def send(self, **message):
+        """Send a message."""
+        self.send_raw(msgspec.msgpack.encode(message))
+
+    def send_raw(self, data):
+        """Send bytes or, as text, a string."""
+        self._websocket.send(data)
+
+    def find(self, label):
+        """Return the id of an input once the page shows it."""
+        wait_until(lambda: self._inputs.get(label, {}).get('visible'), TIMEOUT,
+                   lambda: f'{label!r} in the page, which has {self._inputs}')
+        return self._inputs[label]['uuid']
+
+    def wait_for_text(self, text):
+        """Return once the page shows it."""
+        wait_until(lambda: any(text in shown for shown in list(self._texts.values())), TIMEOUT,
+                   lambda: f'{text!r} in the page, which shows {self._texts}')
+
+    def _read(self):
+        with contextlib.suppress(ConnectionClosed):
+            for data in self._websocket:
+                for message in _decode(data)['messages']:
+                    self._note(message)
+
+    def _note(self, message):
+        changed = message.get('props') or message.get('updates') or {}
+        if 'content' in changed:
+            self._texts[message['uuid']] = changed['content']
+        if 'label' in message.get('props', {}):
+            self._inputs[message['props']['label']] = {**message['props'], 'uuid': message['uuid']}
+        elif message['type'] == 'GuiUpdateMessage':
+            for properties in self._inputs.values():
+                if properties['uuid'] == message['uuid']:
+                    properties.update(message['updates'])
+
+
+def _decode(data):
+    length = int.from_bytes(data[8:HEADER], 'little')
+    packed = zstandard.ZstdDecompressor().decompress(data[HEADER:HEADER + length])
+    return msgspec.msgpack.decode(packed)
+
+
+@contextlib.contextmanager
+def open_page(view):
+    """Open the page once it shows both robots."""
+    with PageClient(view.port, origin=view.url) as page:
+        page.show()
+        page.find('robot')
+        yield page
+
+
+@contextlib.contextmanager
+def published(namespace):
+    """Publish an odometry for each of two robots; yield the publishers."""
+    publishers = [rospy.Publisher(f'{namespace}/{robot}/odom', Odometry, queue_size=1, latch=True)
+                  for robot in ROBOTS]
+    for publisher in publishers:
+        publisher.publish(odometry(x=0.0, stamp=5.0))
+    yield publishers
+    for publisher in publishers:
+        publisher.unregister()
+
+
+@contextlib.contextmanager
+def view_of_two(namespace, *arguments):
+    """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
+    with published(namespace), View(f'__ns:={namespace}', *arguments) as view, open_page(view):
+        yield view

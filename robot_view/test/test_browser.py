@@ -1,0 +1,178 @@
+"""What the page shows in a real browser: robots, numbers, plots, and nothing to a stranger's page."""
+
+import contextlib
+import http.server
+import math
+import threading
+
+import numpy
+import pytest
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from odometry_tests.messages import odometry
+from odometry_tests.processes import rosrun
+from odometry_tests.scripts import ROOT
+from odometry_tests.waiting import TIMEOUT, wait_until
+from viewer import ROBOT_PIXELS, Motion, View, wait_for_robot
+
+viser = pytest.importorskip('viser', reason='viser is not installed')
+
+SCAN_PIXELS = 100
+# The element is what a Browser waits for when it opens a page.
+HOSTILE_PAGE = '''<!DOCTYPE html><title>Win a robot</title><p id="readings"></p><script>
+const note = (word) => { document.getElementById('readings').textContent += word + ' '; };
+for (const name of ['localhost', '127.0.0.1']) {
+  const socket = new WebSocket(`ws://${name}:PORT`, ['viser-vVERSION']);
+  let isOpen = false;
+  socket.onopen = () => { isOpen = true; note('connected'); };
+  socket.onclose = () => { if (!isOpen) note('refused'); };
+}
+</script>'''
+
+
+def viewers(topic='/odom'):
+    """Return the viewers that subscribe to a topic."""
+    _, subscriptions, _ = rosgraph.Master('/test').getSystemState()
+    return [node for node in dict(subscriptions).get(topic, []) if node.startswith('/view')]
+
+
+def count_pixels(page, more, less):
+    """Return how many pixels have clearly more of one colour (0 to 2) than of another."""
+    colours = numpy.moveaxis(page.scene(), 2, 0)
+    return (colours[more] - colours[less] > 50).sum()
+
+
+@contextlib.contextmanager
+def hostile_page(view):
+    """Serve a page that connects to a viewer's websocket; yield its URL."""
+    text = HOSTILE_PAGE.replace('PORT', str(view.port)).replace('VERSION', viser.__version__)
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            self.send_response(200)
+            self.send_header('Content-Type', 'text/html')
+            self.end_headers()
+            self.wfile.write(text.encode())
+
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(('localhost', 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f'http://localhost:{server.server_address[1]}'
+        server.shutdown()
+
+
+def test_a_page_without_a_robot_says_what_it_waits_for(page):
+    """The floor is there, and nothing on it."""
+    page.wait_for_text('waiting for odometry on /odom')
+    page.dismiss_notices()
+    assert page.scene().std() > 1, 'the picture is blank'
+    assert page.reading('moved_distance') is None
+
+
+def test_the_page_shows_the_robot_drive_two_metres(robot, page):
+    """From the start mark to the two-metre mark, in numbers and in the picture."""
+    page.wait_for_reading('moved_distance', lambda metres: metres == 0)
+    rows, columns = wait_for_robot(page)
+    with rosrun('test_movement', 'test_movement.py', '_speed:=0.5',
+                '_exit_when_done:=true') as mover:
+        assert mover.wait() == 0, mover.output
+    robot.wait_until_resting()
+    went = pytest.approx(robot.last.pose.pose.position.x, abs=0.002)
+    assert went.expected >= 2.0
+    for name in 'moved_distance', 'true_distance':
+        page.wait_for_reading(name, lambda metres: metres == went)
+    page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
+    # Two metres are about half the width of what the camera sees.
+    wait_for_robot(page, lambda end_rows, end_columns: end_columns.mean() - columns.mean() > 75
+                   and abs(end_rows.mean() - rows.mean()) < 15)
+
+
+def test_the_page_shows_a_heading_and_its_target(robot, page):
+    """The target of rotate.py is drawn beside the heading."""
+    with rosrun('rotate_robot', 'rotate.py', '_target:=30', '_kp:=1') as rotator:
+        page.wait_for_text('target')
+        page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(30, abs=2))
+        assert rotator.end() == 0, rotator.output
+
+
+def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
+    """A paused robot's time stands still; a reset robot is where it began."""
+    page.wait_for_text('pause')
+    page.click('pause')
+    page.wait_for_reading('real_time_factor', lambda rate: rate == 0)
+    page.wait_for_reading('simulated_time', lambda seconds: seconds == pytest.approx(robot.stamp, abs=0.051))
+    page.click('resume')
+    page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
+    robot.clear()
+    page.click('reset')
+    start = robot.wait_for(lambda m: m.header.seq == 0, what='a robot at its start')
+    assert abs(start.pose.pose.position.x) < 1e-3
+    page.wait_for_reading('true_distance', lambda metres: metres == 0)
+
+
+def test_stop_commands_zero(robot, page):
+    """Also if it was not the pad that drove."""
+    page.wait_for_reading('speed', lambda speed: speed == 0)
+    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1, latch=True)
+    command = Twist()
+    command.linear.x = 0.2
+    publisher.publish(command)
+    robot.wait_until_moving()
+    publisher.unregister()
+    page.click('stop')
+    robot.wait_until_resting()
+
+
+def test_a_page_of_another_origin_gets_no_connection(browser, robot, view, page):
+    """While the page itself is open in the same browser, and stays so."""
+    with hostile_page(view) as url, browser.open(url) as hostile:
+        hostile.wait_for_text('refused refused')
+        assert 'connected' not in hostile.text
+        view.process.wait_for_output(f'Origin header "{url}"')
+    shown = page.reading('simulated_time')
+    page.wait_for_reading('simulated_time', lambda seconds: seconds > shown)
+
+
+def test_the_viewer_subscribes_only_while_a_page_is_open(robot, page):
+    """The simulation then pays for no subscriber."""
+    wait_until(viewers, TIMEOUT, 'a viewer on /odom')
+    page.close()
+    for topic in ('/odom', '/base_pose_ground_truth', '/joint_states', '/moved_distance'):
+        wait_until(lambda topic=topic: not viewers(topic), TIMEOUT, f'no viewer on {topic}')
+    assert not viewers('/clock')
+
+
+def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
+    """Without ground truth, detector and simulator the page says what it lacks and shows the rest."""
+    with View('__ns:=real') as view:
+        publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
+        publisher.publish(odometry(x=1.0, y=0.5, yaw=math.radians(30), stamp=5.0))
+        with browser.open(view.url) as page:
+            page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(30))
+            page.wait_for_text('no simulator here')
+            assert page.reading('true_distance') is None
+            assert page.reading('moved_distance') is None
+            wait_for_robot(page)
+    publisher.unregister()
+
+
+def test_a_scan_and_odometry_that_is_off_are_drawn(master, browser):
+    """Dots on the walls of the room; a blue ghost where slipping wheels believe the robot to be."""
+    with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=slippery', '_scan:=true',
+                '_odometry_source:=encoder', '_wheel_slip:=0.4', '_cmd_vel_timeout:=0',
+                f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'), \
+            View('__ns:=slippery') as view, browser.open(view.url) as page:
+        motion = Motion('/slippery/')
+        page.dismiss_notices()
+        wait_until(lambda: count_pixels(page, 0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
+        assert count_pixels(page, 2, 0) < ROBOT_PIXELS / 10
+        page.hold('forward')
+        page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
+        page.release()
+        motion.wait_until_resting()
+        wait_until(lambda: count_pixels(page, 2, 0) > ROBOT_PIXELS, TIMEOUT,
+                   'a blue robot beside the dark one')

@@ -1,0 +1,201 @@
+"""The page and its clients: strangers, and what no browser would send."""
+
+import contextlib
+import http.client
+import math
+import socket
+import time
+
+import pytest
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+from odometry_tests.robots import place
+from odometry_tests.tutorial import Truth, simulator
+from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
+from std_msgs.msg import String
+from viewer import View
+
+page_client = pytest.importorskip('page_client', reason='viser is not installed')
+from page_client import ROBOTS, PageClient, open_page, published
+from websockets.exceptions import InvalidStatus
+
+LOG_PERIOD = 10.0  # s
+NAN, INFINITY = math.nan, math.inf
+
+
+@pytest.fixture(scope='module')
+def view(master):
+    """Start a viewer of two robots that has two more names."""
+    with page_client.view_of_two('/strange', '_allowed_hosts:=robots.example, lab:9000') as running:
+        yield running
+    assert 'Traceback' not in running.process.output
+
+
+@pytest.fixture
+def commands():
+    """Record what each robot is commanded."""
+    return {robot: Recorder(f'/strange/{robot}/cmd_vel', Twist) for robot in ROBOTS}
+
+
+def connect(view, host, origin):
+    """Connect to the page with these headers, which may name its {port}."""
+    return PageClient(view.port, *(header and header.format(port=view.port)
+                                   for header in (host, origin)))
+
+
+def fetch(view, host):
+    """Return status, text and headers of the page, asked for under a host name."""
+    connection = http.client.HTTPConnection('localhost', view.port, timeout=TIMEOUT * PATIENCE)
+    with contextlib.closing(connection):
+        connection.request('GET', '/', headers={'Host': host})
+        answer = connection.getresponse()
+        return answer.status, answer.read(), answer.headers
+
+
+def drive(page, recorder, label='forward'):
+    """Hold a button until a command comes, release it, and return the command."""
+    recorder.clear()
+    wait_until(lambda: page.hold(label) or recorder.messages, TIMEOUT, 'a command', period=0.05)
+    page.set(label, True)
+    recorder.wait_for(lambda m: m == Twist(), what='the zero of a release')
+    return recorder.messages[0]
+
+
+def driven():
+    """Return the topics on which somebody may command a robot."""
+    topics, _, _ = rosgraph.Master('/test').getSystemState()
+    return {topic for topic, _ in topics if topic.endswith('cmd_vel')}
+
+
+@pytest.mark.parametrize('host, origin', [
+    (None, 'http://evil.example'), (None, 'http://localhost:1'),
+    ('evil.example:{port}', 'http://evil.example:{port}'), ('evil.example', 'http://localhost:{port}')])
+def test_a_strangers_page_gets_no_connection(view, host, origin):
+    """Nor does one under a name that its owner has redirected to this machine."""
+    with pytest.raises(InvalidStatus) as refusal:
+        connect(view, host, origin)
+    assert refusal.value.response.status_code == 403
+
+
+@pytest.mark.parametrize('host, origin', [
+    (None, 'http://localhost:{port}'), ('127.0.0.1:{port}', 'http://127.0.0.1:{port}'),
+    ('localhost:9000', 'http://localhost:9000'), ('robots.example', 'https://robots.example')])
+def test_the_page_itself_gets_one(view, host, origin):
+    """Also through a forwarded port and through a proxy."""
+    with connect(view, host, origin) as page:
+        page.find('forward')
+
+
+def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
+    """A click that was meant for the page around the frame would drive."""
+    assert fetch(view, f'evil.example:{view.port}')[0] == 403
+    status, text, headers = fetch(view, f'localhost:{view.port}')
+    assert status == 200 and b'viser' in text.lower()
+    assert headers['Content-Security-Policy'] == "frame-ancestors 'self'"
+
+
+def test_the_log_has_one_line_for_many_strangers(master):
+    """It names the first, in printable characters."""
+    with View() as view:
+        began = time.monotonic()
+        for _ in range(20):
+            with socket.create_connection(('localhost', view.port)) as stranger:
+                stranger.sendall(b'GET / HTTP/1.1\r\nHost: localhost:%d\r\nOrigin: http://evil\xff%s'
+                                 b'\r\n\r\n' % (view.port, b'x' * 5000))
+                assert stranger.makefile('rb').readline().split()[1] == b'403'
+        view.process.wait_for_output('refused')
+        assert view.process.end() == 0, view.process.output
+    lines = view.process.stderr.splitlines()
+    assert len(lines) <= 1 + (time.monotonic() - began) / LOG_PERIOD, lines
+    assert 'http://evil\\' in lines[0] and lines[0].isascii() and len(lines[0]) < 400
+
+
+@pytest.mark.parametrize('slider, button, value, expected', [
+    ('speed (m/s)', 'forward', 1e9, (0.7, 0.0)), ('speed (m/s)', 'forward', -5, (0.05, 0.0)),
+    ('speed (m/s)', 'forward', NAN, (0.0, 0.0)), ('speed (m/s)', 'forward', INFINITY, (0.0, 0.0)),
+    ('speed (m/s)', 'forward', '[]', (0.2, 0.0)), ('turn (deg/s)', 'left', 1e9, (0.0, math.pi)),
+    ('turn (deg/s)', 'left', NAN, (0.0, math.pi / 4))])
+def test_a_command_stays_within_the_ends_of_the_slider(view, commands, slider, button, value, expected):
+    """NaN never drives; a value that viser cannot convert changes nothing."""
+    with open_page(view) as page:
+        page.set(slider, value)
+        command = drive(page, commands['robot_1'], button)
+        page.set(slider, {'forward': 0.2, 'left': 45.0}[button])
+    assert (command.linear.x, command.angular.z) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize('value', ['../evil', '/evil', 'robot_3', '', 1])
+def test_only_listed_robots_are_driven(view, commands, value):
+    """And the pad goes on driving those."""
+    with open_page(view) as page:
+        page.set('robot', 'robot_2')
+        assert drive(page, commands['robot_2']) != Twist()
+        page.set('robot', value)
+        assert drive(page, commands['robot_1']) != Twist()
+        assert not {'/strange/evil/cmd_vel', '/evil/cmd_vel'} & driven()
+    assert driven() <= {f'/strange/{robot}/cmd_vel' for robot in ROBOTS}
+
+
+def test_while_no_robot_is_listed_none_is_driven(master):
+    """The robots of the last page are gone, and the next page has not found any yet."""
+    recorder = Recorder('/left/robot_1/cmd_vel', Twist)
+    with View('__ns:=left') as view:
+        with published('/left') as publishers:
+            with open_page(view):
+                pass
+            wait_until(lambda: not any(p.get_num_connections() for p in publishers), TIMEOUT,
+                       'a viewer without a page and without subscriptions')
+        with PageClient(view.port) as page:
+            page.show()
+            for _ in range(10):
+                page.hold('forward')
+            with published('/left'):
+                page.find('robot')
+                assert drive(page, recorder) != Twist()
+                assert '/left/cmd_vel' not in driven()
+
+
+@pytest.mark.parametrize('data', [
+    'forward', b'', b'\xc1\xff\x00', b'\x80', b'\x91' * 10000,
+    b'\x81\xa4type\xa8Nonsense', b'\x82\xa4type\xb0GuiUpdateMessage\xa4uuid\xa1x'], ids=repr)
+def test_noise_leaves_the_others_their_page(view, commands, data):
+    """At most the connection that it comes from ends."""
+    with open_page(view) as page:
+        with PageClient(view.port) as stranger:
+            stranger.show()
+            stranger.send_raw(data)
+        page.send(type='GuiUpdateMessage', uuid='no such button', updates={'value': True})
+        assert drive(page, commands['robot_1']) != Twist()
+
+
+def test_the_simulators_warning_is_shown_as_long_as_it_is_there(view):
+    """As text, not as HTML."""
+    publisher = rospy.Publisher('/strange/sim_turtlebot/warning', String, queue_size=1, latch=True)
+    publisher.publish('too <b>slow')
+    with open_page(view) as page:
+        page.wait_for_text('too &lt;b&gt;slow')
+        publisher.unregister()
+        page.wait_for_text('no simulator here')
+
+
+def put(page, robot, x, y, heading):
+    """Have the page put a robot there (m, m, degrees)."""
+    for label, value in ('robot', robot), ('x (m)', x), ('y (m)', y), ('heading (degrees)', heading):
+        page.set(label, value)
+    page.set('put here', True)
+
+
+def test_the_chosen_robot_is_put_where_the_page_says(master):
+    """And no other; the simulator refuses what is no coordinate."""
+    with simulator('__ns:=placed', '_robots:=2') as world, View('__ns:=placed') as view, \
+            open_page(view) as page:
+        first, second = (Truth(f'/placed/{robot}/') for robot in ROBOTS)
+        put(page, 'robot_1', 1e9, 0.0, 0.0)
+        world.wait_for_output('x is 1e+09 m')
+        put(page, 'robot_2', 3.0, -1.5, 90)
+        second.wait_for(lambda m: place(m) == (3.0, -1.5, 1.57), what='robot_2 where it was put')
+        put(page, 'robot_1', -2, 0.25, 0)
+        first.wait_for(lambda m: place(m) == (-2.0, 0.25, 0.0), what='robot_1 where it was put')
+        assert place(second.last) == (3.0, -1.5, 1.57)
+    assert len({place(message) for message in first.messages}) == 2

@@ -1,0 +1,59 @@
+"""The page's server admits the page under its own names, and nobody else's page."""
+
+import pytest
+from odometry_common.parameters import StartError, read_from
+from odometry_tests.processes import hold_port
+from robot_view.address import read_address
+
+viser = pytest.importorskip('viser', reason='viser is not installed')
+
+from robot_view.server import is_own, start_server
+from websockets.asyncio import server
+
+NAMES = {'localhost', '127.0.0.1', '[::1]', 'robots.example', 'lab:9000', '192.168.1.5', 'fd00::5'}
+
+
+@pytest.mark.parametrize('host, origin', [
+    ('localhost:8080', ''), ('localhost:8080', 'http://localhost:8080'),
+    ('LOCALHOST:8080', 'http://localhost:8080'), ('localhost', 'http://localhost'),
+    ('localhost:9000', 'http://localhost:9000'), ('127.0.0.1:8080', 'http://127.0.0.1:8080'),
+    ('[::1]:8080', 'http://[::1]:8080'), ('[fd00::5]:8080', 'http://[fd00::5]:8080'),
+    ('192.168.1.5:8080', 'http://192.168.1.5:8080'), ('robots.example', 'https://robots.example'),
+    ('robots.example:81', 'http://robots.example:81'), ('lab:9000', 'http://lab:9000')])
+def test_the_page_is_admitted_under_each_of_its_names(host, origin):
+    """With any port, which a forwarded port changes."""
+    assert is_own(NAMES, host, origin)
+
+
+@pytest.mark.parametrize('host, origin', [
+    ('localhost:8080', 'http://evil.example'), ('localhost:8080', 'http://localhost:3000'),
+    ('localhost:8080', 'http://localhost'), ('localhost:8080', 'http://localhost:8080.evil.example'),
+    ('localhost:8080', 'http://127.0.0.1:8080'), ('localhost:8080', 'null'),
+    ('localhost:8080', 'chrome-extension://localhost:8080'), ('localhost:8080', 'localhost:8080'),
+    ('localhost:8080', 'http://localhost:8080, http://localhost:8080'),
+    ('evil.example:8080', 'http://evil.example:8080'), ('evil.example:8080', ''),
+    ('localhost.evil.example:8080', ''), ('192.168.1.6:8080', 'http://192.168.1.6:8080'),
+    ('lab:9001', 'http://lab:9001'), ('lab', 'http://lab'), ('x.robots.example', ''),
+    ('', ''), ('localhost, localhost', ''), ('evil.example@localhost:8080', ''), ('localhost:8080/', '')])
+def test_others_are_not(host, origin):
+    """Other pages, names that somebody redirects to this machine, broken headers."""
+    assert not is_own(NAMES, host, origin)
+
+
+@pytest.mark.parametrize('host, url', [('localhost', 'http://localhost'), ('0.0.0.0', 'http://localhost'),
+                                       ('127.0.0.2', 'http://127.0.0.2')])
+def test_the_page_has_a_url_that_every_browser_finds(host, url):
+    """0.0.0.0 is an address to listen on; not every browser takes it for this machine."""
+    with hold_port() as port, read_from({'host': host, 'port': port, 'allowed_hosts': 'LAB:81, b'}):
+        address = read_address()
+    assert address.url == f'{url}:{port}'
+    assert {'localhost', host, 'lab:81', 'b'} <= address.names
+
+
+def test_without_its_guard_the_page_does_not_start(monkeypatch):
+    """As with a version of viser that starts its server in another way."""
+    serve = server.serve
+    monkeypatch.setattr(viser, 'ViserServer', lambda *_, **__: None)
+    with hold_port() as port, read_from({'port': port}), pytest.raises(StartError, match='version'):
+        start_server(read_address())
+    assert server.serve is serve

@@ -1,0 +1,102 @@
+"""What the page computes from the poses of a robot."""
+
+import math
+
+import numpy
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from odometry_common.geometry import PlanarPose
+from robot_view.path_trace import ORIGIN, PathTrace, Samples
+
+PERIOD = 0.05  # s
+
+
+def follow(trace, poses, start=0.0, ground_truth=None):
+    """Add an odometry pose each period, and true poses with the same stamps."""
+    for index, pose in enumerate(poses):
+        stamp = start + PERIOD * index
+        trace.add_odometry(stamp, pose)
+        if ground_truth:
+            trace.add_ground_truth(stamp, ground_truth[index])
+
+
+def straight(metres, steps=20, scale=1.0):
+    """Return poses along the x axis."""
+    return [PlanarPose(scale * metres * step / steps, 0.0, 0.0) for step in range(steps + 1)]
+
+
+@given(st.lists(st.floats(0.001, 1), min_size=1, max_size=500))
+def test_samples_cover_the_whole_run_within_their_limit(steps):
+    """However long it is, the first and almost the last place are kept."""
+    samples = Samples(0.01, 1, limit=50)
+    place = 0.0
+    for step in steps:
+        samples.add(place, [place])
+        place += step
+    kept = samples.array()[:, 0]
+    assert 1 <= len(kept) <= 50 + 1
+    assert kept[0] == 0.0
+    assert (numpy.diff(kept) > 0).all()
+    assert place - kept[-1] <= max(2.0, 6 * place / 50)
+
+
+def test_without_ground_truth_the_odometry_is_drawn():
+    """As of a real robot."""
+    trace = PathTrace()
+    follow(trace, straight(1.0))
+    assert trace.true_distance is None
+    assert trace.origin == ORIGIN
+    assert trace.trail.array()[-1].tolist() == [1.0, 0.0]
+
+
+def test_the_odometry_begins_where_the_robot_is_in_the_world():
+    """Its frame is put where ground truth and odometry agree at first."""
+    start = PlanarPose(5.0, -3.0, math.pi / 2)
+    trace = PathTrace()
+    path = straight(1.0)
+    follow(trace, path, ground_truth=[start.then(pose) for pose in path])
+    assert trace.origin == pytest.approx(start)
+    assert trace.true_distance == pytest.approx(1.0)
+    assert trace.drift == pytest.approx(ORIGIN, abs=1e-9)
+    assert trace.trail.array()[-1] == pytest.approx([5.0, -2.0])
+
+
+def test_slipping_wheels_show_as_drift():
+    """The odometry counts a metre, and the robot goes nine tenths of it."""
+    trace = PathTrace()
+    follow(trace, straight(1.0), ground_truth=straight(1.0, scale=0.9))
+    assert trace.drift == pytest.approx((-0.1, 0.0, 0.0))
+    assert trace.true_distance == pytest.approx(0.9)
+
+
+def test_poses_of_different_moments_are_not_compared():
+    """A robot that moves would seem to drift."""
+    trace = PathTrace()
+    follow(trace, straight(1.0), ground_truth=straight(1.0))
+    trace.add_odometry(10.0, PlanarPose(1.2, 0.0, 0.0))
+    assert trace.drift == pytest.approx(ORIGIN)
+
+
+@pytest.mark.parametrize('stamp, why', [(0.0, 'time goes back'), (1.05, 'the robot jumps')])
+def test_a_reset_begins_a_new_track(stamp, why):
+    """Trail, distance and origin are those of the new run."""
+    trace = PathTrace()
+    follow(trace, straight(1.0), ground_truth=straight(1.0))
+    poses = [ORIGIN, PlanarPose(0.01, 0.0, 0.0)]
+    follow(trace, poses, stamp, ground_truth=poses)
+    assert trace.true_distance == pytest.approx(0.01), why
+    assert trace.trail.array()[0].tolist() == [0.0, 0.0]
+    assert len(trace.trail.array()) == 2
+
+
+def test_a_heading_goes_on_beyond_half_a_turn():
+    """A plot of it has no jumps, and the target is that turn of it which is nearest."""
+    trace = PathTrace()
+    turns = [math.radians(degrees) for degrees in range(0, 721, 10)]
+    follow(trace, [PlanarPose(0.0, 0.0, math.remainder(yaw, 2 * math.pi)) for yaw in turns])
+    trace.note(1.0, None, 90.0)
+    _, moved, true, heading, target = trace.history.array()[-1]
+    assert heading == pytest.approx(720)
+    assert target == pytest.approx(810)
+    assert math.isnan(moved) and math.isnan(true)

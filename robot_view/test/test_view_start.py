@@ -1,0 +1,80 @@
+"""How the viewer starts and ends: one line each, whatever is in its way."""
+
+import os
+import signal
+import socket
+from types import SimpleNamespace
+
+import pytest
+import rospy
+from odometry_tests.listening import assert_loopback_only
+from odometry_tests.processes import hold_port, rosrun
+from viewer import View
+
+EXIT_BAD_PARAMETER = 2
+
+
+def assert_refused(viewer, *words):
+    """Assert that the viewer ends with status 2 and one line with all the words in it."""
+    assert viewer.wait() == EXIT_BAD_PARAMETER, viewer.output
+    assert len(viewer.stderr.splitlines()) == 1, viewer.stderr
+    for word in words:
+        assert word in viewer.stderr
+
+
+@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_it_prints_the_url_and_exits_quietly(master, signum):
+    """One line on stdout, nothing else, exit status 0; it listens on loopback only."""
+    with View() as view:
+        with socket.create_connection(('127.0.0.1', view.port)):
+            pass
+        assert_loopback_only(view.process.pid)
+        assert view.process.end(signum) == 0, view.process.output
+    assert view.process.output.split('\n') == [f'view: {view.url}', '']
+
+
+@pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])
+def test_an_environment_variable_sets_the_default_of_host(master, arguments, address):
+    """As in a container."""
+    pytest.importorskip('viser', reason='viser is not installed')
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}', *arguments,
+                                     env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
+        viewer.wait_for_output(f'view: http://{address}:{port}')
+        with socket.create_connection((address, port)):
+            pass
+
+
+def test_nonsense_in_the_environment_is_refused(master):
+    """As in the parameter."""
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',
+                                     env={'ODOMETRY_VIEW_HOST': 'not a host'}) as viewer:
+        assert_refused(viewer, "parameter ~host is 'not a host'")
+
+
+def test_a_port_that_is_taken_is_refused(master):
+    """It does not choose another one, where nobody would look for the page."""
+    pytest.importorskip('viser', reason='viser is not installed')
+    with socket.create_server(('127.0.0.1', 0)) as other:
+        port = other.getsockname()[1]
+        with rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
+            assert_refused(viewer, f'parameter ~port is {port}')
+
+
+def test_without_viser_it_says_what_to_install(master, tmp_path):
+    """requirements.txt is of this package only."""
+    (tmp_path / 'viser.py').write_text("raise ModuleNotFoundError(name='viser')\n")
+    path = f'{tmp_path}:{os.environ["PYTHONPATH"]}'
+    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',
+                                     env={'PYTHONPATH': path}) as viewer:
+        assert_refused(viewer, 'viser is not installed', 'robot_view/requirements.txt')
+
+
+def test_it_notices_a_shutdown_that_has_begun_before(monkeypatch):
+    """A hook that is added then is not called, and rospy.is_shutdown() is still false."""
+    node = pytest.importorskip('robot_view.node', reason='viser is not installed')
+    monkeypatch.setattr(rospy, 'Subscriber', lambda *_: None)
+    monkeypatch.setattr(rospy.core, '_client_shutdown_hooks', [])
+    monkeypatch.setattr(rospy.core, '_in_shutdown', True)
+    page = SimpleNamespace(is_open=False, wake=lambda: None, set_robots=lambda _: None,
+                           wait=lambda: pytest.fail('it would wait for ever'))
+    node.Viewer(page).run()

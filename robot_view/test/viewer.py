@@ -1,0 +1,94 @@
+"""A viewer, and a robot that its page shows and drives."""
+
+import contextlib
+import sys
+
+import numpy
+import pytest
+from geometry_msgs.msg import Twist
+from odometry_tests.processes import Process, hold_port, rosrun
+from odometry_tests.scripts import ROOT
+from odometry_tests.tutorial import Truth
+from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+
+MOVING = 0.05  # m/s
+SILENCE = 1.0  # s of the robot's time; a robot that is driven gets many commands in it
+ROBOT_PIXELS = 100  # at least so many are the robot's
+PICTURE_PERIOD = 0.2  # s
+DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
+
+
+# Its pad waits for ever for a page that falls silent: a test sees what else stops the robot.
+PATIENT_VIEWER = '''
+import runpy, sys
+from robot_view import steering
+steering.HOLD_TIMEOUT = float('inf')
+runpy.run_path(sys.argv.pop(1), run_name='__main__')
+'''
+
+
+class View:
+    """A viewer and where its page is."""
+
+    def __init__(self, *arguments, patient=False):
+        """Start it on a free port; without viser the test that needs it is skipped.
+
+        :param patient: whether a button is held until it is released, even by a page that hangs
+        """
+        pytest.importorskip('viser', reason='viser is not installed')
+        self._stack = contextlib.ExitStack()
+        self.port = self._stack.enter_context(hold_port())
+        self.url = f'http://localhost:{self.port}'
+        arguments = f'_port:={self.port}', *arguments
+        if patient:
+            script = ROOT / 'robot_view' / 'script' / 'view.py'
+            self.process = Process(sys.executable, '-c', PATIENT_VIEWER, script, *arguments)
+        else:
+            self.process = rosrun('robot_view', 'view.py', *arguments)
+        self._stack.push(self.process)
+
+    def __enter__(self):
+        """Return once it says where the page is."""
+        with contextlib.ExitStack() as stack:
+            stack.push(self)
+            self.process.wait_for_output(f'view: {self.url}', timeout=TIMEOUT)
+            stack.pop_all()
+        return self
+
+    def __exit__(self, *exception):
+        """End it."""
+        return self._stack.__exit__(*exception)
+
+
+class Motion(Truth):
+    """The motion of a robot, and in `commands` what it is told."""
+
+    def __init__(self, namespace=''):
+        """Record both."""
+        super().__init__(namespace)
+        self.commands = Recorder(f'{namespace}cmd_vel', Twist)
+        self.wait_for()
+
+    def wait_until_stopped(self):
+        """Return once the last command is zero, no other has followed, and the robot rests."""
+        def is_told_no_more():
+            count = len(self.commands.messages)
+            self.wait_seconds(SILENCE)
+            told = self.commands.messages
+            return len(told) == count and told[-1:] == [Twist()]
+        wait_until(is_told_no_more, TIMEOUT, lambda: f'a last command that is zero; it was\n'
+                   f'{self.commands.last}')
+        self.wait_until_resting()
+
+
+def wait_for_robot(window, accepts=lambda rows, columns: True):
+    """Return rows and columns of its dark pixels once the page has drawn it and they are accepted."""
+    seen = []
+
+    def robot():
+        seen[:] = numpy.nonzero(window.scene().max(axis=2) < DARK)
+        return len(seen[0]) > ROBOT_PIXELS and accepts(*seen)
+
+    wait_until(robot, TIMEOUT, lambda: f'the robot in the picture; dark are {seen}',
+               PICTURE_PERIOD)
+    return seen

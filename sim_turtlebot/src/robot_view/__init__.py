@@ -1,1 +1,0 @@
-"""A page in the browser that shows robots and drives them, all by their topics and services."""
