@@ -4,7 +4,7 @@ import os
 
 import pytest
 import rospy
-from odometry_common.registration import mend_registration
+from odometry_common.rospy_fixes import fix_rospy
 from odometry_tests.forked import Forked
 from odometry_tests.processes import Master, started
 from odometry_tests.tutorial import forget_parameters
@@ -21,7 +21,7 @@ def master():
     """Start a master of its own, with the clock of the wall, and join it as a node."""
     with Master(start=Forked) as process:
         if not rospy.core.is_initialized():
-            mend_registration()
+            fix_rospy()
             rospy.init_node('system_test', anonymous=True, disable_signals=True,
                             disable_rostime=True)
         yield process

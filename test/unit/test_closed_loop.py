@@ -11,6 +11,7 @@ import sys
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from odometry_common.geometry import about_z
 from odometry_sweep import closed_loop
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.closed_loop import follow, run
@@ -19,7 +20,6 @@ from odometry_sweep.running import side_by_side
 from odometry_tests.fuzzing import PHYSICS_SHARE, sequence_count
 from odometry_tests.scripts import ROOT
 from sim_turtlebot.odometry import STILL, Motion
-from sim_turtlebot.rotations import about_z
 
 SHORT = {'distance': 0.1, 'speed': 0.3}
 NOISY = {'odometry_source': 'encoder', 'wheel_noise': 0.01, 'wheel_slip': 0.02}

@@ -5,7 +5,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.rotations import (
+from odometry_common.geometry import (
     about,
     about_z,
     compose,

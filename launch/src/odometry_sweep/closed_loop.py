@@ -4,10 +4,10 @@ import functools
 import threading
 from typing import NamedTuple
 
+from odometry_common.geometry import is_upright
 from sim_turtlebot.building import new_simulation
 from sim_turtlebot.odometry import Motion
 from sim_turtlebot.physics import connect, settled_world
-from sim_turtlebot.rotations import is_upright
 
 from odometry_sweep.reading import read
 

@@ -8,8 +8,7 @@ import time
 import rospy
 from moved_distance.parameters import read_counter
 from odometry_common.parameters import read_from
-from odometry_common.registration import mend_registration
-from odometry_common.same_name import mend_same_name
+from odometry_common.rospy_fixes import fix_rospy
 from odometry_launch.folders import RUNS
 from odometry_launch.following import unpause
 from odometry_launch.graph import DemoError
@@ -106,8 +105,7 @@ def _record(nodes, tutorial, parameters, duration):
 
 
 def _join():
-    mend_registration()
-    mend_same_name()
+    fix_rospy()
     rospy.init_node('sweep', anonymous=True, disable_signals=True)
     return True
 

@@ -5,7 +5,7 @@ import os
 import socket
 from typing import NamedTuple
 
-from odometry_common.parameters import ParameterError, get_text, get_whole
+from odometry_common.parameters import ANY, Parameter, ParameterError, Parameters, between
 from odometry_common.ports import bind
 
 from robot_view.hosts import ANY_ADDRESS, OwnHosts, parse_hosts
@@ -13,6 +13,16 @@ from robot_view.hosts import ANY_ADDRESS, OwnHosts, parse_hosts
 # In a container it names the container's interface, whose port is published by whoever runs that.
 HOST_VARIABLE = 'ODOMETRY_VIEW_HOST'
 ADDRESSES = 'a name or an address of this machine'
+
+PARAMETERS = Parameters(
+    Parameter('~port', 8080, '', between(1, 65535), 'port of the page'),
+    Parameter('~host', 'localhost', '', ANY,
+              'name or address to listen on; 0.0.0.0 lets the whole network in; the environment '
+              f'variable {HOST_VARIABLE} sets another default'),
+    Parameter('~allowed_hosts', '', '', ANY,
+              'further names of the page, where a proxy or a forwarded port gives it others, such '
+              'as robots.example, lab:9000: separated by commas or spaces; without a port, any '
+              'will do'))
 
 
 class Address(NamedTuple):
@@ -31,19 +41,18 @@ class Address(NamedTuple):
 
 def read_address():
     """Return the Address; raise ParameterError if it is impossible to listen there."""
-    port = get_whole('~port', 8080, 1, 65535)
-    host = get_text('~host', os.environ.get(HOST_VARIABLE) or 'localhost')
-    own_hosts = OwnHosts(host, _read_allowed_hosts())
+    parameters = PARAMETERS.read(host=os.environ.get(HOST_VARIABLE) or 'localhost')
+    host, port = parameters.host, parameters.port
+    own_hosts = OwnHosts(host, _parse(parameters.allowed_hosts))
     return Address(host, _find_ip(host, port), port, own_hosts)
 
 
-def _read_allowed_hosts():
-    text = get_text('~allowed_hosts', '')
+def _parse(allowed_hosts):
     try:
-        return parse_hosts(text)
+        return parse_hosts(allowed_hosts)
     except ValueError:
-        raise ParameterError('~allowed_hosts', text, 'host names or addresses, each with or '
-                             'without a port, separated by commas or spaces') from None
+        raise ParameterError('~allowed_hosts', allowed_hosts, 'host names or addresses, each with '
+                             'or without a port, separated by commas or spaces') from None
 
 
 def _find_ip(host, port):

@@ -7,10 +7,10 @@ import warnings
 
 import rich
 import viser
-from odometry_common.ending import LONGEST_WAIT
 from odometry_common.geometry import PlanarPose
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import ParameterError
+from odometry_common.shutdown import LONGEST_WAIT
 
 from robot_view.guard import guarded
 from robot_view.messages import checked
