@@ -57,12 +57,6 @@ def test_the_distance_is_the_sum_of_the_tutorial_to_the_last_bit(rows):
         assert counter.distance == (total if total >= 1e-6 else 0.0)
 
 
-def test_trembling_below_min_step_is_not_counted():
-    """The reference stays where it was, so that noise around it adds nothing."""
-    distances, _ = count(DistanceCounter(min_step=0.01), [(0, 0), (0.009, 0)] * 100)
-    assert distances[-1] == 0.0
-
-
 def test_slow_motion_adds_up_past_min_step():
     """One metre in steps of a millimetre is one metre, but for what is not yet counted."""
     path = [(number / 1000, 0) for number in range(1001)]
@@ -87,28 +81,3 @@ def test_exactly_the_largest_speed_is_counted():
         counter.add(0, 0, NO_STAMP, arrival=0.0)
         assert counter.add(5, 0, stamp, arrival=1.0) is None
         assert counter.distance == 5.0
-
-
-@pytest.mark.parametrize('x, y', [(math.nan, 0), (0, math.nan), (math.inf, 0), (0, -math.inf)])
-def test_a_position_that_is_not_finite_is_refused_and_changes_nothing(x, y):
-    """Also not the position from which the next step is measured."""
-    counter = DistanceCounter()
-    counter.add(1, 1, 0.0, arrival=0.0)
-    counter.add(2, 1, 1.0, arrival=1.0)
-    with pytest.raises(ValueError, match='is not finite'):
-        counter.add(x, y, 2.0, arrival=2.0)
-    assert counter.distance == 1.0
-    counter.add(3, 1, 3.0, arrival=3.0)
-    assert counter.distance == 2.0
-
-
-def test_a_reset_counts_from_the_last_position():
-    """Not from the last counted one: what was not counted yet is dropped too."""
-    counter = DistanceCounter(min_step=0.5, max_speed=0)
-    count(counter, [(0, 0), (0.6, 0), (1.0, 0)])
-    counter.reset()
-    assert counter.distance == 0.0
-    counter.add(1.4, 0, 1.0, arrival=1.0)
-    assert counter.distance == 0.0
-    counter.add(1.5, 0, 2.0, arrival=2.0)
-    assert counter.distance == 0.5
