@@ -1,5 +1,4 @@
-"""What the detector makes of stamps that are missing, bunched, late or begin anew."""
-
+"""What the detector makes of stamps that are missing, bunched or late, or start again."""
 
 import pytest
 from moved_distance.distance_counter import DistanceCounter
@@ -80,14 +79,6 @@ def test_a_jump_between_even_stamps_stays_one(counter, first):
     stamps = [number * PERIOD for number in range(first)]
     assert drive_along(counter, stamps, 0.005) == []
     assert counter.add(first * 0.005 + 0.26, 0, first * PERIOD, arrival=first * PERIOD)
-
-
-@pytest.mark.parametrize('number', range(10, 15))
-def test_a_jump_among_bunched_stamps_stays_one(counter, number):
-    """Whichever message of the five it is."""
-    stamps = [n * PERIOD + (0.049 if n % 5 == 4 else 0) for n in range(number + 1)]
-    drive_along(counter, stamps[:-1], 0.005)
-    assert counter.add(number * 0.005 + 0.52, 0, stamps[-1], arrival=stamps[-1])
 
 
 def test_a_faster_row_of_messages_is_soon_the_usual_one():

@@ -1,22 +1,22 @@
-"""Other nodes that command the same robot."""
+"""Several nodes that publish what only one should."""
 
 import pytest
-from odometry_common.rivals import RivalWatch, period_after
+from odometry_common.publisher_conflicts import ConflictWatch, period_after
 
 
-@pytest.mark.parametrize('looks, told', [
-    (['', '', ''], {}),
-    (['', 'a', 'a', 'a', 'a'], {2: 'a'}),
-    (['a', '', 'a', '', 'b', ''], {}),  # each is about to end
-    (['a', 'a', 'ab', 'ab', 'ab'], {1: 'a', 3: 'ab'}),
-    (['ab', 'ab', 'a', 'a', 'ab', 'ab'], {1: 'ab'}),  # who comes back is no news
-    (['ab', 'ab', 'c', 'c'], {1: 'ab', 3: 'c'}),
-])
-def test_each_rival_that_stays_is_told_of_once(looks, told):
-    """With those that are known already; a name is a letter here."""
-    watch = RivalWatch()
+@pytest.mark.parametrize('looks, reported', [
+    (['a', 'a', 'a'], {}),
+    (['a', 'ab', 'ab', 'ab'], {2: 'ab'}),
+    (['ab', 'a', 'ac', 'a'], {}),  # b and c were shutting down
+    (['a', 'a', 'b', 'b'], {}),  # as after a restart
+    (['ab', 'ab', 'abc', 'abc', 'abc'], {1: 'ab', 3: 'abc'}),
+    (['ab', 'ab', 'a', 'a', 'ab', 'ab'], {1: 'ab'}),  # one that comes back is no news
+    (['ab', 'ab', 'ac', 'ac'], {1: 'ab', 3: 'ac'})])
+def test_each_conflict_that_lasts_is_reported_once(looks, reported):
+    """A name is a letter here."""
+    watch = ConflictWatch()
     said = {number: ''.join(watch.news(set(names))) for number, names in enumerate(looks)}
-    assert {number: names for number, names in said.items() if names} == told
+    assert {number: names for number, names in said.items() if names} == reported
 
 
 @pytest.mark.parametrize('duration, period', [(0.001, 1.0), (0.01, 5.0), (10.0, 30.0)])

@@ -1,11 +1,19 @@
-"""A node is registered soon, and connects to each publisher that the master has named."""
+"""What plain rospy does wrong, and our nodes do not."""
 
+import contextlib
 import threading
+from xmlrpc.client import ServerProxy
 
 import pytest
-from odometry_common.registration import mend_registration
-from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
+import rosgraph
+import rospy
+from odometry_common.rospy_fixes import fix_rospy
+from odometry_tests.tutorial import detector
+from odometry_tests.waiting import Recorder, wait_until
+from rosgraph_msgs.msg import Log
 from rospy.impl.registration import RegManager
+
+REQUEST = '[{}] Reason: new node registered with same name'  # as rosmaster words it
 
 
 class Handler:
@@ -25,9 +33,9 @@ class Handler:
     [('/odom', ['http://robot:1']), ('/odom', [])],
     [('/odom', ['http://robot:1', 'http://robot:2']), ('/odom', ['http://robot:2'])],
     [('/odom', ['http://robot:1']), ('/tf', ['http://robot:2']), ('/odom', [])]])
-def test_an_answer_that_is_older_than_the_news_takes_no_publisher_away(news):
-    """They were told before rospy's thread had time for the first."""
-    mend_registration()
+def test_an_answer_that_is_older_than_the_news_takes_no_publisher_away(master, news):
+    """The news came before rospy's thread had time for the answer."""
+    fix_rospy()
     handler = Handler()
     manager = RegManager(handler)
     for topic, addresses in news:
@@ -42,28 +50,28 @@ def test_an_answer_that_is_older_than_the_news_takes_no_publisher_away(news):
     assert not thread.is_alive()
 
 
-class Registering:
-    """Stands for a RegManager that is not registered yet when it is first asked."""
-
-    def __init__(self):
-        """Begin without a question."""
-        self._answers = iter([False, False, True, True])
-
-    @property
-    def registered(self):
-        """Whether it is registered by now."""
-        return next(self._answers)
-
-
-def test_a_node_goes_on_as_soon_as_it_is_registered(monkeypatch):
-    """With one question of rospy's, which asks again a tenth of a second later."""
-    monkeypatch.setattr('odometry_common.registration.REGISTRATION_TIME', TIMEOUT * PATIENCE)
-    mend_registration()
-    assert RegManager.is_registered(Registering())
+def test_a_request_to_shut_down_for_another_node_is_not_obeyed(master):
+    """One for this node is. The other one may have had this address before."""
+    with detector('__name:=first') as node:
+        node.wait_for_output('waiting for')
+        with ServerProxy(rosgraph.Master('/test').lookupNode('/first')) as address:
+            assert address.shutdown('/master', REQUEST.format('/second'))[0] == 1
+            with contextlib.suppress(OSError):  # it may end before it answers
+                address.shutdown('/master', REQUEST.format('/first'))
+        assert node.wait() == 0
+    assert '/first' in node.output
+    assert '/second' not in node.output
 
 
-def test_rospy_is_told_that_a_node_is_not_registered_yet(monkeypatch):
-    """It must be able to end meanwhile."""
-    monkeypatch.setattr('odometry_common.registration.REGISTRATION_TIME', 0.0)
-    mend_registration()
-    assert not RegManager.is_registered(Registering())
+@pytest.mark.parametrize('disabled', [True, False])
+def test_the_master_forgets_a_node_that_has_ended(master, disabled):
+    """One that has logged something, too, though rospy asks for a parameter with the first line."""
+    rospy.set_param('/rosout_disable_topics_generation', disabled)
+    log = Recorder('/rosout', Log)
+    name = f'/disabled_{disabled}'
+    with detector(f'__name:={name[1:]}') as node:
+        line = log.wait_for(lambda m: m.name == name and 'waiting for' in m.msg)
+        assert (line.topics == []) == disabled, line
+        assert node.end() == 0
+    with pytest.raises(rosgraph.MasterError):
+        rosgraph.Master('/test').lookupNode(name)

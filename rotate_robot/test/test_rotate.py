@@ -83,9 +83,7 @@ def test_the_turn_is_the_gain_times_the_error_by_the_shorter_way(talk):
     """Nothing before the first odometry; just 180 degrees off it turns to the left."""
     talk.clock.advance(*[PERIOD] * 30)
     assert talk.answers.messages == []
-    for target, heading, error in [
-            (90, 60, 30), (90, 135, -45), (-90, 91, 179), (180, 0, 180), (-180, 0, 180),
-            (270, 0, -90), (720, -10, 10), (-170, 170, 20), (0, 0, 0)]:
+    for target, heading, error in [(90, 60, 30), (-180, 0, 180), (270, 0, -90), (-170, 170, 20)]:
         talk.aim(target)
         talk.face(heading, 0.5 * math.radians(error))
 
@@ -139,13 +137,6 @@ def test_parameters_change_how_it_turns(talk):
         talk.clock.advance(0.5)
         commands = talk.answers.wait_for_count(count)
     assert all(turns_at(m, 2.0 * math.radians(5)) for m in commands), commands
-
-
-@pytest.mark.parametrize('node', [['_kp:=10']], indirect=True)
-def test_the_turn_is_clamped_by_default_too(talk):
-    """No error reaches 3.14 rad/s with the gain of 0.5."""
-    talk.face(-80.0, 3.14)
-    talk.face(-100.0, -3.14)
 
 
 def test_strange_odometry_and_targets_are_ignored_with_a_warning(talk, node):

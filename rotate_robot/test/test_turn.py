@@ -18,10 +18,3 @@ def test_the_error_is_the_shorter_way_round(target, yaw, error):
 def test_the_speed_is_gain_times_error_within_its_limit(error, speed):
     """To both sides."""
     assert Turn(90.0, 0.5, 1.0).speed_for(error) == speed
-
-
-def test_the_target_may_change():
-    """While the controller runs."""
-    turn = Turn(90.0, 0.5, 3.14)
-    turn.target = -90.0
-    assert turn.error_at(0.0) == -math.pi / 2
