@@ -19,10 +19,12 @@ COUNT = 2000  # messages; a socket holds some hundred of them
 
 
 @pytest.fixture
-def connection():
-    """Return a publisher's connection and the socket of its subscriber."""
+def connection(monkeypatch):
+    """Return a publisher's connection, as of a node, and the socket of its subscriber."""
+    monkeypatch.setattr(NonBlockingTransport, 'patience', 0.0)
     near, far = socket.socketpair()
     with contextlib.closing(NonBlockingTransport(TCPROSPub('/odom', Empty), '/odom')) as link, far:
+        near.setblocking(True)  # as rospy does, which gives new sockets a timeout otherwise
         link.socket, link.endpoint_id = near, '/reader'
         far.settimeout(TIMEOUT * PATIENCE)
         yield link, far
@@ -73,10 +75,8 @@ def test_one_that_reads_again_loses_nothing_more(connection, warnings):
     assert read(far, COUNT + BACKLOG - 1) == list(range(COUNT, COUNT + BACKLOG))
 
 
-def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(
-        connection, warnings, monkeypatch):
+def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(connection, warnings):
     """However much slower it reads."""
-    monkeypatch.setattr(NonBlockingTransport, 'patience', 0.0)
     wait_for_subscribers(TIMEOUT * PATIENCE)
     link, far = connection
     link._patience_left = link.patience
@@ -88,9 +88,8 @@ def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(
     assert numbers == list(range(COUNT)) and not warnings
 
 
-def test_a_publisher_waits_no_longer_than_it_says(connection, warnings, monkeypatch):
+def test_a_publisher_waits_no_longer_than_it_says(connection, warnings):
     """For one that does not read: all its messages together take as long as its patience."""
-    monkeypatch.setattr(NonBlockingTransport, 'patience', 0.0)
     wait_for_subscribers(0.2)
     link, _ = connection
     start = time.monotonic()
