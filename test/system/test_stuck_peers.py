@@ -66,8 +66,8 @@ def test_the_simulator_goes_on_for_others_and_ends(lockstep):
     """With a subscriber to each topic that does not read; the others miss nothing."""
     truth = Truth()
     topics = '/odom', '/tf', '/clock'
-    with simulator(f'_lockstep:={lockstep}', '_real_time_factor:=0', '_paused:=true') as node, rotator('_kp:=0.01'), \
-            contextlib.ExitStack() as stuck:
+    pace = f'_lockstep:={lockstep}', '_real_time_factor:=0', '_paused:=true'
+    with simulator(*pace) as node, rotator('_kp:=0.01'), contextlib.ExitStack() as stuck:
         for topic in topics:
             stuck.enter_context(stuck_subscriber(topic))
         truth.wait_for_publisher()

@@ -78,7 +78,7 @@ def test_the_exit_status_says_whether_the_limits_hold(tmp_path, limit, status):
 
 @pytest.mark.parametrize('arguments, line', [
     ([], './ws sweep: error: say which tutorial'),
-    (['move', '--set', 'speed=0'], 'sweep: parameter ~speed is 0, but must be a speed in m/s'),
+    (['move', '--set', 'speed=0'], 'sweep: parameter ~speed is 0, but must be a number other than 0 m/s'),
     (['move', '--set', 'sped=1'], 'sweep: unknown parameter sped; move has '),
     (['--campaign', '/no/such/file'], 'sweep: /no/such/file cannot be read')])
 def test_what_makes_no_sense_gets_one_line_and_status_2(arguments, line):
