@@ -1,19 +1,20 @@
 """A ROS master for each run of pytest: rospy joins one only once."""
 
+import itertools
 import os
 
 import pytest
 import rospy
-from odometry_common.registration import mend_registration
 from odometry_tests.forked import Forked
+from odometry_tests.fuzzing import load_profile
 from odometry_tests.processes import Master, started
+from odometry_tests.rostests import join
 from odometry_tests.tutorial import forget_parameters
 from odometry_tests.waiting import open_recorders
-from rospy.impl.masterslave import ROSHandler
 
-# When a node takes the name of one that was killed, the ROS master asks that one's address to shut
-# down. A test may listen there by now, of another run even.
-ROSHandler.shutdown = lambda *_: (1, 'not obeyed', 0)
+NAMESPACES = (f'case_{number}' for number in itertools.count(1))
+
+load_profile()
 
 
 @pytest.fixture(scope='session')
@@ -21,9 +22,7 @@ def master():
     """Start a master of its own, with the clock of the wall, and join it as a node."""
     with Master(start=Forked) as process:
         if not rospy.core.is_initialized():
-            mend_registration()
-            rospy.init_node('system_test', anonymous=True, disable_signals=True,
-                            disable_rostime=True)
+            join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
         yield process
 
 
@@ -59,3 +58,11 @@ def simulated_time(master):
     """Let the nodes follow the simulator's clock, with the parameters of this test only."""
     forget_parameters()
     rospy.set_param('/use_sim_time', True)
+
+
+@pytest.fixture
+def ns(master, monkeypatch):
+    """Give the nodes of a test a namespace of their own, without connections of an earlier test."""
+    name = next(NAMESPACES)
+    monkeypatch.setenv('ROS_NAMESPACE', name)
+    return f'/{name}/'

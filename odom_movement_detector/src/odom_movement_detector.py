@@ -7,13 +7,6 @@ Subscribes:
 
 Publishes:
     moved_distance (std_msgs/Float64): metres travelled, once per odometry message
-
-Parameters:
-    ~min_step (float, 0.0 m, from 0): a displacement from the last counted position that is
-        below this is not counted until it has grown
-    ~max_speed (float, 5.0 m/s, from 0): a faster step is a jump of the odometry and is not
-        counted, with one warning; 0 counts every step. Each step may take the usual time
-        between messages, however their stamps are bunched
 """
 
 import signal
@@ -22,11 +15,11 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
-from moved_distance.parameters import read_counter
+from moved_distance.parameters import PARAMETERS, read_counter
 from nav_msgs.msg import Odometry
-from odometry_common.ending import spin
 from odometry_common.node import run_node
 from odometry_common.publishing import ClosingPublisher
+from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from std_msgs.msg import Empty, Float64
 
@@ -62,4 +55,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('movement_detector_node', main, __doc__, anonymous=True)
+    run_node('movement_detector_node', main, __doc__, PARAMETERS, anonymous=True)

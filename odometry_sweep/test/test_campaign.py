@@ -69,7 +69,7 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'set': [1]}, 'set is [1], but must have a line for each name'),
     ({'tutorial': 'move', 'set': {'speed': []}}, 'speed has no value'),
     ({'tutorial': 'move', 'set': {'speed': [0.1, 0]}},
-     'parameter ~speed is 0, but must be a speed in m/s other than 0'),
+     'parameter ~speed is 0, but must be a number other than 0 m/s'),
     ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
      'there are 10000000000 runs, but must be 1000000 at most'),
     ({'tutorial': 'move', 'set': {'kp': 1}},

@@ -9,10 +9,10 @@ import subprocess
 import sys
 
 import pytest
+from odometry_common.geometry import about_z
 from odometry_sweep.closed_loop import follow, run, run_parameters
 from odometry_tests.scripts import ROOT
 from sim_turtlebot.odometry import STILL, Motion
-from sim_turtlebot.rotations import about_z
 
 SHORT = {'distance': 0.1, 'speed': 0.3}
 NOISY = {'odometry_source': 'encoder', 'wheel_noise': 0.01, 'wheel_slip': 0.02}

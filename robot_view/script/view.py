@@ -21,13 +21,6 @@ Publishes:
 Calls:
     sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,
         sim_turtlebot/reset_simulation (std_srvs/Empty): the panel's buttons
-
-Parameters:
-    ~port (int, 8080, from 1 to 65535): port of the page
-    ~host (str, localhost): name or address to listen on; 0.0.0.0 lets the whole network in; the
-        environment variable ODOMETRY_VIEW_HOST sets another default
-    ~allowed_hosts (str, ''): further names of the page, for a proxy or a forwarded port, such as
-        robots.example, lab:9000: separated by commas or spaces; without a port, any will do
 """
 
 import signal
@@ -37,7 +30,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 from odometry_common.node import run_node
 from odometry_common.parameters import StartError
-from robot_view.address import read_address
+from robot_view.address import PARAMETERS, read_address
 
 
 def main():
@@ -53,4 +46,4 @@ def main():
 
 if __name__ == '__main__':
     # Simulated time may stand still, and the page has nothing to do with it.
-    run_node('view', main, __doc__, anonymous=True, disable_rostime=True)
+    run_node('view', main, __doc__, PARAMETERS, anonymous=True, disable_rostime=True)

@@ -8,18 +8,7 @@ Subscribes:
 Publishes:
     cmd_vel (geometry_msgs/Twist): angular.z = kp * (target - yaw), the shorter way round
 
-Parameters:
-    ~target (float, 90 degrees, finite): heading to turn to, in the odom frame
-    ~kp (float, 0.5 1/s, above 0): gain
-    ~rate (float, 10 Hz, from 0.1 to 1000): control rate
-    ~max_angular_speed (float, 3.14 rad/s, above 0): the command is clamped to this
-    ~tolerance (float, 0.0 degrees, from 0 to 180): 0 controls for ever; above 0, the node exits
-        once the heading has stayed this close and the robot has come to rest
-    ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no odometry has arrived
-        for this long (ROS time, and at least 0.2 s of wall time); go on when it returns; 0
-        turns it off
-
-The last command the robot receives is zero, however the node ends.
+The node always sends zero before it exits.
 """
 
 import signal
@@ -30,14 +19,13 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 import math
 
 import rospy
-from heading_control.parameters import read_rate, read_turn
+from heading_control.parameters import PARAMETERS, read_turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
-from odometry_common.ending import spin
 from odometry_common.geometry import yaw_from_orientation
 from odometry_common.node import run_node
-from odometry_common.parameters import get_number
-from odometry_common.rivals import warn_of_rivals
+from odometry_common.publisher_conflicts import warn_of_conflicts
+from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher
@@ -53,19 +41,19 @@ class RotateRobot:
     def __init__(self):
         """Read the parameters and listen; the first odometry sets the robot turning."""
         self._turn = read_turn()
-        self._tolerance = get_number(
-            '~tolerance', 0.0, lambda v: 0 <= v < 180, 'from 0 to 180 degrees')
-        timeout = get_number('~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s')
-        self._loop = ControlLoop(self._control, self._stop, timeout, period=1 / read_rate())
+        parameters = PARAMETERS.read()
+        self._tolerance = parameters.tolerance
+        self._loop = ControlLoop(
+            self._control, self._stop, parameters.timeout, period=1 / parameters.rate)
         self._rest = RestDetector(REST_BAND, REST_DURATION)
         self._velocity = VelocityPublisher('cmd_vel')
         Subscriber('odom', Odometry, self._on_odometry, 'odometry')
         Subscriber('~target', Float64, self._on_target)
-        warn_of_rivals('cmd_vel')
+        warn_of_conflicts('cmd_vel')
 
     def _on_odometry(self, message):
         yaw = yaw_from_orientation(message.pose.pose.orientation)
-        self._loop.hear(yaw, message.header.stamp.to_sec())
+        self._loop.receive(yaw, message.header.stamp.to_sec())
 
     def _on_target(self, message):
         if math.isfinite(message.data):
@@ -95,4 +83,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('rotate_robot', main, __doc__)
+    run_node('rotate_robot', main, __doc__, PARAMETERS)

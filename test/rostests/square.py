@@ -5,11 +5,11 @@ import math
 import unittest
 
 import rospy
+from odometry_common.geometry import yaw_of
 from odometry_tests.punctual_rate import PunctualRate
 from odometry_tests.robots import Robot
 from odometry_tests.rostests import run_rostest
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.rotations import yaw_of
 
 LEGS = [(0.2, 0.0, 2.5), (0.0, math.pi / 4, 2.0)] * 4  # m/s, rad/s, s
 BEGIN = 1.0  # s; at time zero rospy does not know yet that there is a clock

@@ -10,7 +10,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.links import pid_of
 from odometry_tests.pausing import moves_on
-from odometry_tests.processes import Process
+from odometry_tests.processes import Master, Process
 from odometry_tests.tutorial import (
     LONGEST_STEP,
     Distance,
@@ -26,7 +26,7 @@ from odometry_tests.waiting import PATIENCE, Recorder, wait_until
 
 BASE_TIMEOUT = 0.6  # s, a Kobuki's own watchdog
 BRAKING = 0.1  # s
-TOLERANCE, DRIFT = 0.5, 0.1  # degrees
+TRUTH = '/base_pose_ground_truth'
 FAR = '_distance:=1000'  # m; no test lasts until there
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
@@ -53,11 +53,10 @@ def test_the_base_stops_when_the_mover_is_killed_and_a_new_one_goes_on(master):
     assert arrived == pytest.approx(truth.last.pose.pose.position.x, abs=1e-3)
 
 
-@pytest.mark.parametrize('base_timeout', [BASE_TIMEOUT, 0])
-def test_the_mover_stops_when_the_detector_is_killed_and_goes_on_with_a_new_one(base_timeout):
-    """The mover's watchdog commands zero; also a base that has none of its own comes to rest."""
+def test_the_mover_stops_when_the_detector_is_killed_and_goes_on_with_a_new_one(master):
+    """The mover's watchdog commands zero; a base that has none comes to rest, too."""
     truth, commands = Truth(), Recorder('cmd_vel', Twist)
-    with simulator('_real_time_factor:=3', f'_cmd_vel_timeout:={base_timeout}'), \
+    with simulator('_real_time_factor:=3', '_cmd_vel_timeout:=0'), \
             mover(FAR) as driver:
         with detector() as first:
             truth.wait_until_moving()
@@ -82,19 +81,6 @@ def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
             assert counter.running and driver.running
     assert max(moved.steps) < LONGEST_STEP, 'a jump was counted'
     assert min(moved.steps) >= 0, 'distance was lost'
-
-
-def test_the_base_stops_when_rotate_is_killed_and_a_new_one_finishes_the_turn(master):
-    """As for the mover."""
-    truth = Truth()
-    with simulator_in_step('_real_time_factor:=10'):
-        with rotator('_kp:=0.1') as first:  # slowly, so that most of the turn is left
-            truth.wait_until_moving()
-            assert moves_on(truth, lambda: kill(first)) <= BASE_TIMEOUT + BRAKING
-        with rotator(f'_tolerance:={TOLERANCE}', '_kp:=0.5') as second:
-            assert second.wait(60.0) == 0, second.output
-        truth.wait_until_resting()
-    assert heading(truth.last) == pytest.approx(90, abs=TOLERANCE + DRIFT)
 
 
 def test_rotate_stops_a_base_without_watchdog_when_the_odometry_ceases(master):
@@ -136,22 +122,30 @@ def test_the_launch_ends_when_the_simulator_dies(master):
     assert 'REQUIRED process' in launch.output
 
 
-def test_the_graph_goes_on_without_its_master_and_a_new_master_needs_new_nodes(master):
+def test_the_graph_goes_on_without_its_master_and_a_new_master_needs_new_nodes(monkeypatch):
     """Connections outlive the master; who registers later needs the nodes to be started again."""
-    with simulator('_real_time_factor:=3') as robot, detector() as counter, \
-            mover(FAR) as driver:
-        truth = Truth()
-        truth.wait_until_moving()
-        master.end(signal.SIGINT, timeout=20.0)
+    for variable in 'ROS_MASTER_URI', 'ROS_HOSTNAME':  # which the master of this test sets
+        monkeypatch.setenv(variable, os.environ[variable])
+    with Master(use_sim_time=True) as own, simulator('_real_time_factor:=3') as robot, \
+            detector() as counter, mover(FAR) as driver, \
+            Process('rostopic', 'echo', '-p', f'{TRUTH}/twist/twist/linear/x') as speeds:
+        wait_until(lambda: moving(speeds), 20.0, 'a moving robot')
+        own.end(signal.SIGINT, timeout=20.0)
         wait_until(lambda: not rosgraph.is_master_online(), 5.0, 'a master that is gone')
-        truth.wait_seconds(3.0)
-        truth.wait_until_moving()
+        before = moving(speeds)
+        wait_until(lambda: moving(speeds) > before + 100, 20.0, 'a robot that goes on')
         for process in (driver, counter, robot):
             assert process.end() == 0, process.output
-    port = urlparse(rosgraph.get_master_uri()).port
-    with Process('rosmaster', '--core', '-p', port):
-        wait_until(rosgraph.is_master_online, 20.0, 'a new master')
-        assert not any(topic == '/odom' for topic, _ in rosgraph.Master('/test').getTopicTypes())
-        with simulator():
-            wait_until(lambda: ['/odom', 'nav_msgs/Odometry']
-                       in rosgraph.Master('/test').getTopicTypes(), 20.0, 'a new robot on it')
+        port = urlparse(rosgraph.get_master_uri()).port
+        with Process('rosmaster', '--core', '-p', port):
+            wait_until(rosgraph.is_master_online, 20.0, 'a new master')
+            topics = rosgraph.Master('/test').getTopicTypes
+            assert TRUTH not in dict(topics())
+            with simulator():
+                wait_until(lambda: TRUTH in dict(topics()), 20.0, 'a new robot on it')
+
+
+def moving(speeds):
+    """Return how many messages of a moving robot `rostopic echo -p` has printed."""
+    values = [line.split(',')[1] for line in speeds.stdout.splitlines() if line[:1].isdigit()]
+    return sum(float(value) > 0.05 for value in values)

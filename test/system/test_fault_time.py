@@ -52,13 +52,6 @@ def test_the_robot_arrives_at_any_speed_of_time(master, factor, distance):
     assert moved.last.data < distance + OVERSHOOT
 
 
-def test_the_robot_arrives_when_time_runs_away_from_its_controllers(master):
-    """A reaction of 5 ms is half a second of driving then: it gets there, and past it."""
-    moved = Distance()
-    with simulator('_real_time_factor:=100'), detector(), mover('_distance:=1'):
-        moved.wait_until_arrived(1.0)
-
-
 def test_whoever_listens_to_a_robot_that_begins_paused_misses_none_of_its_time(master):
     """However fast it is then."""
     truth, odometry = Truth(), Recorder('odom', Odometry)

@@ -2,18 +2,9 @@
 
 import rospy
 from geometry_msgs.msg import Twist
-from odometry_launch.keeping import Kept
 from odometry_tests.processes import Process
-from odometry_tests.tutorial import detector
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
-
-
-def test_a_line_is_seen_while_the_node_runs(master):
-    """Python keeps what is printed into a pipe until the node ends, unless told otherwise."""
-    with detector(start=Kept) as node:
-        node.wait_for_output('waiting for odometry on /odom')
-        assert node.running
 
 
 def test_a_log_line_that_nobody_reads_any_more_ends_the_node_quietly(master):

@@ -1,11 +1,10 @@
-"""Subscribers that do not read, and others that are stuck: nobody else notices them."""
+"""Subscribers that do not read, and other stuck peers: nobody else notices them."""
 
 import contextlib
 import os
 import signal
 import socket
 import subprocess
-from functools import partial
 from urllib.parse import urlparse
 
 import pytest
@@ -17,7 +16,7 @@ from odometry_launch.keeping import Kept
 from odometry_tests.pausing import call
 from odometry_tests.processes import path_of
 from odometry_tests.stuck import connected, publisher_of, stuck_subscriber
-from odometry_tests.tutorial import Truth, detector, mover, rotator, simulator, simulator_in_step
+from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
 
@@ -35,17 +34,6 @@ def published(topic, message_class):
     publisher.unregister()
 
 
-def publish_until_warned(node, warning, publish, answers):
-    """Publish numbered messages, all of which are answered, until the node warns."""
-    for count in range(BATCH, MOST, BATCH):
-        for number in range(count - BATCH, count):
-            publish(number)
-        answers.wait_for_count(count)
-        if warning in node.output:
-            return
-    raise AssertionError(f'no warning after {MOST} messages: {node.output}')
-
-
 def assert_ends_at_once(node):
     """Assert that a node ends by Ctrl-C, in order."""
     assert node.end(signal.SIGINT) == 0, node.output
@@ -57,8 +45,12 @@ def test_the_mover_commands_others_notices_silence_and_ends(master):
     with mover('_timeout:=0.2') as node, stuck_subscriber('/cmd_vel'), \
             published('moved_distance', Float64) as distances:
         commands.wait_for_publisher()
-        publish_until_warned(node, WARNING.format('/cmd_vel'), lambda _: distances.publish(0.0),
-                             commands)
+        for count in range(BATCH, MOST, BATCH):
+            for _ in range(BATCH):
+                distances.publish(0.0)
+            commands.wait_for_count(count)
+            if WARNING.format('/cmd_vel') in node.output:
+                break
         node.wait_for_output('stopping: no moved_distance arrives')
         wait_until(lambda: commands.last == Twist(), 10.0, 'zero in silence')
         distances.publish(0.0)
@@ -68,32 +60,14 @@ def test_the_mover_commands_others_notices_silence_and_ends(master):
     assert node.output.count(WARNING.format('/cmd_vel')) == 1
 
 
-def test_the_detector_counts_for_others_and_ends(master):
-    """With a subscriber to the distance that does not read; the others miss none."""
-    moved = Recorder('moved_distance', Float64)
-    with detector('_max_speed:=0') as node, stuck_subscriber('/moved_distance'), \
-            published('odom', Odometry) as odometry:
-        moved.wait_for_publisher()
-        message = Odometry()
-
-        def publish(number):
-            message.pose.pose.position.x = float(number)
-            odometry.publish(message)
-
-        publish_until_warned(node, WARNING.format('/moved_distance'), publish, moved)
-        assert_ends_at_once(node)
-    distances = [message.data for message in moved.messages]
-    assert distances == list(range(len(distances)))
-    assert node.output.count(WARNING.format('/moved_distance')) == 1
-
-
 @pytest.mark.usefixtures('simulated_time')
-@pytest.mark.parametrize('start', [simulator, partial(simulator_in_step, rate=10)],
+@pytest.mark.parametrize('start', [simulator, simulator_in_step],
                          ids=['unpaced', 'in lockstep'])
 def test_the_simulator_goes_on_for_others_and_ends(start):
     """With a subscriber to each topic that does not read; the others miss nothing."""
     truth = Truth()
-    topics = '/odom', '/tf', '/clock'
+    # In lockstep it would take long until a socket is full of such short messages as the clock's.
+    topics = ['/odom', '/tf'] if start is simulator_in_step else ['/odom', '/tf', '/clock']
     with start('_real_time_factor:=0', '_paused:=true') as node, rotator('_kp:=0.01'), \
             contextlib.ExitStack() as stuck:
         for topic in topics:

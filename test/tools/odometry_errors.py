@@ -7,9 +7,9 @@ import argparse
 import math
 import statistics
 
+from odometry_common.geometry import yaw_of
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.odometry import EncoderOdometry
-from sim_turtlebot.rotations import yaw_of
 
 SEEDS = 200
 TWO_METRES = 0.1, 0.0, 20.0  # m/s, rad/s, s

@@ -4,36 +4,33 @@ What stands under a heading that names a node, a launch file, the demo or the sw
 """
 
 import argparse
-import ast
+import inspect
 import re
 from typing import NamedTuple
 from xml.etree import ElementTree
 
+from odometry_common.parameters import Parameters
 from odometry_launch import options as demo_options
 from odometry_sweep.options import make_parser as make_sweep_parser
-from odometry_tests.scripts import ROOT
+from odometry_tests.scripts import ROOT, load_script
 
 PAGE = ROOT / 'docs' / 'reference.md'
 GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep)\n.*?(?=^## |\Z)',
                        re.DOTALL | re.MULTILINE)
 KINDS = {'Subscribes': 'sub', 'Publishes': 'pub', 'Calls': 'calls', 'Services': 'srv'}
-PARAMETERS = 'Parameters'
-SECTION = re.compile(rf'^({"|".join([*KINDS, PARAMETERS])}):\n((?: +.*\n?)+)', re.MULTILINE)
+SECTION = re.compile(rf'^({"|".join(KINDS)}):\n((?: +.*\n?)+)', re.MULTILINE)
 ENTRY = re.compile(r'^    (?=\S)', re.MULTILINE)
-PARTS = re.compile(r'(?P<names>[^(]+) \((?P<type>[^,]+?)(, (?P<default>[^,]+?))?'
-                   r'(, (?P<range>.+?))?\): (?P<meaning>.*)')
+PARTS = re.compile(r'(?P<names>[^(]+) \((?P<type>.+?)\): (?P<meaning>.*)')
 BASE_LAUNCH = 'sim.launch'
 PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parser}
 
 
 class Entry(NamedTuple):
-    """A topic, a service or a parameter in a docstring, or several that are alike."""
+    """A topic or a service in a docstring, or several that are alike."""
 
     section: str
     names: str
     type: str
-    default: str
-    range: str
     meaning: str
 
 
@@ -51,32 +48,33 @@ def updated(page):
 def _part(heading):
     if heading.endswith('.launch'):
         return _launch_part(heading)
-    return _options_part(heading) if heading in PARSERS else _node_part(docstring(heading))
+    return _options_part(heading) if heading in PARSERS else _node_part(heading)
 
 
-def docstring(name):
-    """Return the docstring of a node's script."""
+def _script(name):
     path, = [*ROOT.glob(f'*/src/{name}'), *ROOT.glob(f'*/script*/{name}')]
-    return ast.get_docstring(ast.parse(path.read_text())) + '\n'
+    return load_script(path)
 
 
 def entries(documentation):
-    """Return the Entry of each topic, service and parameter in a node's docstring."""
+    """Return the Entry of each topic and service in a node's docstring."""
     found = []
     for title, block in SECTION.findall(documentation):
         for entry in filter(None, ENTRY.split(block)):
             parts = PARTS.fullmatch(' '.join(entry.split()))
             assert parts, f'this is not "name (type): meaning": {entry}'
-            found.append(Entry(title, **parts.groupdict(default='')))
+            found.append(Entry(title, **parts.groupdict()))
     return found
 
 
-def _node_part(documentation):
+def _node_part(heading):
+    script = _script(heading)
+    documentation = f'{inspect.getdoc(script)}\n'
     prose = re.split(r'\n\n+', SECTION.sub('', documentation).strip())
-    found = entries(documentation)
-    topics = [(KINDS[e.section], _code(e.names), e.type, e.meaning) for e in found if e.section in KINDS]
-    parameters = [(_code(e.names), e.type, _code(e.default), e.range, e.meaning)
-                  for e in found if e.section == PARAMETERS]
+    topics = [(KINDS[e.section], _code(e.names), e.type, e.meaning) for e in entries(documentation)]
+    table = getattr(script, 'PARAMETERS', Parameters())
+    parameters = [(_code(row.name), row.type, _code(row.default_text), row.range.text, row.meaning)
+                  for row in table.rows]
     return '\n\n'.join(filter(None, [
         *prose, _table(' | name | type | meaning', topics),
         _table('parameter | type | default | range | meaning', parameters)]))

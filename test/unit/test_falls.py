@@ -3,10 +3,10 @@
 import math
 
 import pytest
+from odometry_common.geometry import about_z
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.current_warnings import CurrentWarnings
 from sim_turtlebot.falls import Falls
-from sim_turtlebot.rotations import about_z
 
 ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
 TABLE = """<robot name="table"><link name="top"><collision><origin xyz="3 0 0.15"/>

@@ -5,11 +5,11 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from odometry_common.geometry import about_z
 from odometry_common.parameters import read_from
 from odometry_tests.fuzzing import sequence_count
 from odometry_tests.scripts import ROOT
 from sim_turtlebot.building import new_scanners, new_simulation
-from sim_turtlebot.rotations import about_z
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.velocity_mux import INPUTS
 

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, rule
+from odometry_common.geometry import about_z, yaw_of
 from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import about_z, yaw_of
 
 from odometry_common import kobuki
 

@@ -3,10 +3,10 @@
 import math
 
 import pytest
+from odometry_common.geometry import about_z, yaw_of
 from odometry_tests.arcs import PERIOD, drive, motion
 from sim_turtlebot.gyro import Gyro
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import about_z, yaw_of
 
 SOURCES = [lambda gyro_drift: WorldOdometry(Gyro(drift=gyro_drift)), EncoderOdometry]
 ERRORS = {'gyro_noise': 0.02, 'gyro_drift': 0.01, 'seed': 3}

@@ -5,10 +5,10 @@ import math
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from odometry_common.geometry import yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.arcs import PERIOD, TICK, drive, motion, on_arc, wheel_angles
 from sim_turtlebot.odometry import STILL, EncoderOdometry, Motion, WorldOdometry
-from sim_turtlebot.rotations import yaw_of
 
 places = st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-3.1, 3.1))
 speeds = st.floats(-0.7, 0.7)

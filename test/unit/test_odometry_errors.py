@@ -4,10 +4,10 @@ import math
 import statistics
 
 import pytest
+from odometry_common.geometry import yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.arcs import PERIOD, TICK, drive, motion, wheel_angles
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import yaw_of
 
 RUNS = 400  # seeds, for a standard deviation within about a tenth
 ERRORS = {'wheel_slip': 0.01, 'wheel_noise': 0.01, 'gyro_noise': 0.01}

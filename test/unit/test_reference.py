@@ -25,14 +25,13 @@ def test_every_node_and_launch_file_has_a_heading():
 
 
 def test_an_entry_may_go_on_in_the_next_line():
-    """Several names, a unit with a slash, a range that has words."""
-    found, = reference.entries('A node.\n\nParameters:\n'
-                               '    ~a, ~b (float, 0.1 m/s, 0 or from 1 to ~c): this\n        and that\n')
-    assert found == reference.Entry(
-        'Parameters', '~a, ~b', 'float', '0.1 m/s', '0 or from 1 to ~c', 'this and that')
+    """Several names, a meaning with a parenthesis."""
+    found, = reference.entries('A node.\n\nPublishes:\n'
+                               '    a, ~b (std_msgs/Float64): this\n        and (m) that\n')
+    assert found == reference.Entry('Publishes', 'a, ~b', 'std_msgs/Float64', 'this and (m) that')
 
 
 def test_an_entry_of_another_form_is_refused():
     """It would be missing from the page."""
-    with pytest.raises(AssertionError, match='~a float'):
-        reference.entries('A node.\n\nParameters:\n    ~a float: this\n')
+    with pytest.raises(AssertionError, match='a Float64'):
+        reference.entries('A node.\n\nPublishes:\n    a Float64: this\n')

@@ -3,9 +3,9 @@
 import math
 
 import pytest
+from odometry_common.geometry import yaw_of
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import yaw_of
 
 STILL = (0.0, 0.0, 0.0)
 

@@ -5,10 +5,10 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from odometry_common.geometry import yaw_of
 from odometry_tests.fuzzing import PHYSICS_SHARE, sequence_count
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
-from sim_turtlebot.rotations import yaw_of
 
 STOPPING = 1.0  # s, more than enough to stand
 STEP_RATE = 240  # Hz

@@ -3,11 +3,11 @@
 import math
 
 import pytest
+from odometry_common.geometry import about_z, yaw_of
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry
 from sim_turtlebot.poses import checked_pose
-from sim_turtlebot.rotations import about_z, yaw_of
 
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 LEVEL = about_z(0.0)

@@ -7,18 +7,7 @@ Subscribes:
 Publishes:
     cmd_vel (geometry_msgs/Twist): one command per moved_distance message
 
-Parameters:
-    ~distance (float, 2.0 m, above 0): where to stop
-    ~speed (float, 0.1 m/s, other than 0): how fast; negative drives backwards
-    ~relative (bool, false): count from the first message instead of from the detector's start,
-        so that a second run moves again
-    ~exit_when_done (bool, false): exit once the robot has stopped, instead of commanding zero
-        for ever
-    ~timeout (float, 1.0 s, from 0 to 3600): stop, with a warning, when no message has arrived
-        for this long (ROS time, and at least 0.2 s of wall time) while the robot moves; go on
-        when messages return; 0 turns it off
-
-The last command the robot receives is zero, however the node ends.
+The node always sends zero before it exits.
 """
 
 import signal
@@ -28,16 +17,14 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
 from odometry_common.control_loop import ControlLoop
-from odometry_common.ending import spin
 from odometry_common.node import run_node
-from odometry_common.parameters import get_flag, get_number
-from odometry_common.rivals import warn_of_rivals
-from odometry_common.senders import warn_of_two_senders
+from odometry_common.publisher_conflicts import warn_of_conflicts
+from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
-from straight_drive.parameters import read_drive
+from straight_drive.parameters import PARAMETERS, read_drive
 
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s
@@ -49,18 +36,18 @@ class TestMovement:
     def __init__(self):
         """Read the parameters; from then on each message is answered with a command."""
         self._drive = read_drive()
-        self._exit_when_done = get_flag('~exit_when_done', False)
-        self._loop = ControlLoop(self._control, self._stop, timeout=get_number(
-            '~timeout', 1.0, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'))
+        parameters = PARAMETERS.read()
+        self._exit_when_done = parameters.exit_when_done
+        self._loop = ControlLoop(self._control, self._stop, parameters.timeout)
         self._rest = RestDetector(REST_BAND, REST_DURATION)
         self._moving = False
         self._velocity = VelocityPublisher('cmd_vel')
-        Subscriber('moved_distance', Float64, self._on_moved_distance)
-        warn_of_rivals('cmd_vel')
-        warn_of_two_senders('moved_distance', Float64)
+        distance = Subscriber('moved_distance', Float64, self._on_moved_distance)
+        warn_of_conflicts('cmd_vel')
+        warn_of_conflicts('moved_distance', distance.publishers)
 
     def _on_moved_distance(self, message):
-        self._loop.hear(message.data)
+        self._loop.receive(message.data)
 
     def _control(self, moved_distance, now):
         try:
@@ -93,4 +80,4 @@ def main():
 
 
 if __name__ == '__main__':
-    run_node('test_movement', main, __doc__)
+    run_node('test_movement', main, __doc__, PARAMETERS)

@@ -5,9 +5,7 @@ import sys
 import time
 
 import rospy
-from odometry_common.ending import end_without_delay
-from odometry_common.registration import mend_registration
-from odometry_common.same_name import mend_same_name
+from odometry_common.rospy_fixes import fix_rospy
 from std_srvs.srv import Empty
 
 from odometry_launch.folders import RUNS
@@ -50,10 +48,8 @@ def follow(options, graph, page, picture):
 
 
 def _join():
-    mend_registration()
-    mend_same_name()
+    fix_rospy()
     rospy.init_node('demo', anonymous=True, disable_signals=True)
-    end_without_delay()
     return True
 
 

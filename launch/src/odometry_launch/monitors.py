@@ -6,7 +6,7 @@ from functools import partial
 
 import rospy
 from nav_msgs.msg import Odometry
-from odometry_common.connections import hears
+from odometry_common.connections import is_connected
 from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
 from std_msgs.msg import Float64
 
@@ -36,7 +36,7 @@ class ProgressMonitor:
 
     def hears(self):
         """Return whether it hears the next message of everything that it listens to."""
-        return all(map(hears, self._subscribers))
+        return all(map(is_connected, self._subscribers))
 
     @property
     def now(self):

@@ -8,7 +8,7 @@ import rosbag
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_common.connections import hears
+from odometry_common.connections import is_connected
 from std_msgs.msg import Float64
 
 from odometry_launch.folders import new_folder
@@ -33,7 +33,7 @@ class Recording:
 
     def hears(self, *topics):
         """Return whether each of these topics has a publisher whose next message is recorded."""
-        return all(hears(self._subscribers[topic]) for topic in topics)
+        return all(is_connected(self._subscribers[topic]) for topic in topics)
 
     def count(self, topic):
         """Return how many messages of a topic have been recorded."""

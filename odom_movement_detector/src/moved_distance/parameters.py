@@ -1,12 +1,19 @@
-"""The detector's parameters, read and checked."""
+"""The detector's parameters."""
 
-from odometry_common.parameters import get_number
+from odometry_common.parameters import Parameter, Parameters, at_least
 
 from moved_distance.distance_counter import DistanceCounter
+
+PARAMETERS = Parameters(
+    Parameter('~min_step', 0.0, 'm', at_least(0),
+              'a displacement from the last counted position that is below this is not counted '
+              'until it has grown'),
+    Parameter('~max_speed', 5.0, 'm/s', at_least(0),
+              'a faster step is a jump of the odometry and is not counted, with one warning; 0 '
+              'counts every step. Each step may take the usual time between messages, however '
+              'their stamps are bunched'))
 
 
 def read_counter():
     """Return the DistanceCounter that the parameters ask for."""
-    return DistanceCounter(
-        min_step=get_number('~min_step', 0.0, lambda v: v >= 0, 'a number of metres from 0'),
-        max_speed=get_number('~max_speed', 5.0, lambda v: v >= 0, 'a speed in m/s from 0'))
+    return DistanceCounter(**vars(PARAMETERS.read()))

@@ -1,37 +1,34 @@
-"""Who really hears whom: rospy counts a subscriber's connection before it is made."""
+"""Which connections exist: rospy counts a subscriber's connection before it is made."""
 
 import time
 import xmlrpc.client
 
 import rospy
 
-ANSWER_TIMEOUT = 5.0  # s; a node that is stopped does not answer
-ANSWERED = 2  # where a node's answers have what it was asked for
+ANSWER_TIMEOUT = 5.0  # s; a suspended node does not answer
+ANSWER = 2  # its place in (status, message, answer)
 SENDS = 'o'
 LOOK_PERIOD = 0.02  # s
 
 
 class _Transport(xmlrpc.client.Transport):
-    """HTTP to somebody who may not answer."""
+    """HTTP with a timeout."""
 
     def make_connection(self, host):
-        """Return a connection that does not wait for ever."""
+        """Return a connection that gives up after ANSWER_TIMEOUT."""
         connection = super().make_connection(host)
         connection.timeout = ANSWER_TIMEOUT
         return connection
 
 
-def hears(subscriber):
-    """Return whether a publisher sends its next message to this rospy.Subscriber, too.
-
-    The publishers themselves are asked.
-    """
+def is_connected(subscriber):
+    """Return whether a publisher, when asked, says that it sends to this rospy.Subscriber."""
     return any(_sends(connection.endpoint_id, subscriber.resolved_name)
                for connection in subscriber.impl.connections)
 
 
 def is_heard_within(publisher, timeout):
-    """Return whether anybody hears a publisher, now or within `timeout` s of wall time.
+    """Return whether a publisher has a subscriber, now or within `timeout` s of wall time.
 
     :param publisher: rospy.Publisher, or another that counts its connections
     """
@@ -50,8 +47,8 @@ def _sends(uri, topic):
     """Return whether the node with this URI sends a topic to this one."""
     try:
         with node_at(uri) as node:
-            connections = node.getBusInfo(rospy.get_name())[ANSWERED]
-    except (OSError, xmlrpc.client.Error):  # it ends, or has ended
+            connections = node.getBusInfo(rospy.get_name())[ANSWER]
+    except (OSError, xmlrpc.client.Error):  # it is shutting down, or gone
         return False
     return any((listener, way, name) == (rospy.get_name(), SENDS, topic)
                for _, listener, way, _, name, *_ in connections)

@@ -1,13 +1,18 @@
-"""Angles, orientations and poses in the plane."""
+"""Angles, poses in the plane, and rotations as unit quaternions (x, y, z, w).
+
+In double precision and without ROS: PyBullet's own functions compute in single precision, which
+makes a robot far from the origin tremble by a millimetre; tf's need rospy.
+"""
 
 import math
 from typing import NamedTuple
 
-from tf.transformations import euler_from_quaternion
+import numpy
 
-# tf normalises for itself, and doing it twice would change the last digits. But it works with the
-# square of the length, which can be too small for it or too large for a float.
+UPRIGHT = 0.5  # cosine of 60 degrees; a TurtleBot that leans more has fallen, or will
+# A quaternion of such a length need not be normalised first, which would change the last digits.
 SHORT, LONG = 1e-3, 1e3
+GIMBAL_LOCK = 4 * numpy.finfo(float).eps  # cosine of the pitch, in tf
 
 
 class PlanarPose(NamedTuple):
@@ -42,6 +47,9 @@ def yaw_from_orientation(orientation):
 def euler_from_orientation(orientation):
     """Return (roll, pitch, yaw) in radians of a geometry_msgs/Quaternion of any length.
 
+    The tutorial takes them from tf.transformations.euler_from_quaternion; these are the same to
+    the last bit.
+
     :raises ValueError: if it is not finite or has no length, and so is not a rotation
     """
     x, y, z, w = orientation.x, orientation.y, orientation.z, orientation.w
@@ -50,10 +58,96 @@ def euler_from_orientation(orientation):
         raise ValueError(f'the quaternion [{x} {y} {z} {w}] is no rotation')
     if not SHORT < length < LONG:
         x, y, z, w = x / length, y / length, z / length, w / length
-    return euler_from_quaternion([x, y, z, w])
+    scale = math.sqrt(2.0 / numpy.dot((x, y, z, w), (x, y, z, w)))
+    x, y, z, w = x * scale, y * scale, z * scale, w * scale
+    forwards, left, up = 1.0 - y * y - z * z, x * y + z * w, x * z - y * w  # where x points to
+    cosine = math.sqrt(forwards * forwards + left * left)
+    pitch = math.atan2(-up, cosine)
+    if cosine <= GIMBAL_LOCK:
+        return math.atan2(-(y * z - x * w), 1.0 - x * x - z * z), pitch, 0.0
+    return math.atan2(y * z + x * w, 1.0 - x * x - y * y), pitch, math.atan2(left, forwards)
 
 
 def wrap_to_pi(angle):
     """Return the same angle (rad) in (-pi, pi]."""
     wrapped = math.remainder(angle, 2 * math.pi)
     return math.pi if wrapped == -math.pi else wrapped
+
+
+def about_z(yaw):
+    """Return the rotation by a yaw (rad)."""
+    return 0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)
+
+
+def about(axis, angle):
+    """Return the rotation by an angle (rad) about an axis (three numbers of length 1)."""
+    x, y, z = (math.sin(angle / 2) * part for part in axis)
+    return x, y, z, math.cos(angle / 2)
+
+
+def from_rpy(roll, pitch, yaw):
+    """Return the rotation by a URDF's roll, pitch and yaw (rad), about fixed axes x, y and z."""
+    return compose(about_z(yaw), compose(about((0, 1, 0), pitch), about((1, 0, 0), roll)))
+
+
+def yaw_of(rotation):
+    """Return the yaw (rad), from -pi to pi."""
+    x, y, z, w = rotation
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def height_of_z(rotation):
+    """Return how high a unit vector along z still is: 1 upright, 0 lying, -1 upside down."""
+    x, y, _, _ = rotation
+    return 1 - 2 * (x * x + y * y)
+
+
+def is_upright(rotation):
+    """Return whether what is rotated leans less than 60 degrees from the vertical."""
+    return height_of_z(rotation) > UPRIGHT
+
+
+def inverse(rotation):
+    """Return the rotation back."""
+    x, y, z, w = rotation
+    return -x, -y, -z, w
+
+
+def compose(outer, inner):
+    """Return the rotation that does `inner` first and then `outer`."""
+    (ax, ay, az, aw), (bx, by, bz, bw) = outer, inner
+    return (aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+            aw * bw - ax * bx - ay * by - az * bz)
+
+
+def rotate(rotation, vector):
+    """Return the vector (three numbers) turned by the rotation."""
+    (x, y, z, w), (a, b, c) = rotation, vector
+    # Twice the cross product of the axis and the vector: fewer products than two quaternions have.
+    d, e, f = 2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)
+    return a + w * d + y * f - z * e, b + w * e + z * d - x * f, c + w * f + x * e - y * d
+
+
+def mean_twist(before, after, duration):
+    """Return the constant velocity that leads from one pose to another in `duration` seconds.
+
+    Exact where the robot turns about an axis that is square to its way, as on a floor.
+
+    :param before, after: position (three numbers; m) and orientation, less than half a turn apart
+    :return: linear (m/s) and angular (rad/s) velocity in the robot's own frame, three of each
+    """
+    (start, orientation), (end, turned) = before, after
+    x, y, z, w = compose(inverse(orientation), turned)
+    if w < 0:
+        x, y, z, w = -x, -y, -z, -w
+    sine = math.hypot(x, y, z)  # of half the angle
+    # An arc is longer than its chord, and an angle than its sine, by the same share.
+    scale = (math.asin(min(1.0, sine)) / sine if sine else 1.0) / duration
+    half = math.hypot(sine, 1 + w)
+    halfway = compose(orientation, (x / half, y / half, z / half, (1 + w) / half))
+    way = (end[0] - start[0], end[1] - start[1], end[2] - start[2])
+    forwards, aside, up = rotate(inverse(halfway), way)
+    return ((scale * forwards, scale * aside, scale * up),
+            (2 * scale * x, 2 * scale * y, 2 * scale * z))

@@ -13,24 +13,18 @@ import rosgraph
 import rospkg
 import rospy
 
-from odometry_common.handles import shortage, take_all_handles
+from odometry_common.command_line import check_command_line, forget_argument
+from odometry_common.file_descriptors import raise_limit, shortage
+from odometry_common.node_help import show_help_if_asked, warn_of_unknown
 from odometry_common.output import LineOutput
-from odometry_common.parameters import (
-    ParameterError,
-    StartError,
-    check_command_line,
-    forget_argument,
-)
-from odometry_common.registration import mend_registration
-from odometry_common.same_name import mend_same_name
-from odometry_common.transport import use_non_blocking_transport
-from odometry_common.usage import show_help_if_asked, warn_of_unknown
-from odometry_common.xmlrpc_server import use_closable_server
+from odometry_common.parameters import ParameterError, Parameters, StartError
+from odometry_common.rospy_fixes import fix_rospy
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
 MASTER_RETRY_PERIOD = 0.5  # s
 FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
+NO_PARAMETERS = Parameters()
 
 _failures = []  # why this process cannot go on: exit status and text
 _hooks_have_run = threading.Event()  # so that the last command is out
@@ -39,16 +33,17 @@ _exit_lock = threading.Lock()
 _pythons_excepthook = threading.excepthook  # which it names __excepthook__ since 3.10 only
 
 
-def run_node(name, main, documentation, **init_node_options):
+def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_options):
     """Run a node from start to end and exit the process.
 
     :param name: node name
     :param main: function without arguments; returns when the node is done
-    :param documentation: the node's help, with a list of its parameters under "Parameters:"
+    :param documentation: the first part of the node's --help
+    :param parameters: the table of its Parameters
     :param init_node_options: passed on to rospy.init_node
 
-    The exit status is 0, or 2 with one line on stderr if it cannot start, or 1 if there
-    are no file handles left, or if main() fails.
+    The exit status is 0, or 2 with one line on stderr if the node cannot start, or 1 if it runs
+    out of file descriptors, or if main() fails.
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
@@ -57,12 +52,12 @@ def run_node(name, main, documentation, **init_node_options):
     rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
-        show_help_if_asked(documentation)
+        show_help_if_asked(documentation, parameters)
         check_command_line()
-        take_all_handles()
-        _do_without_logs_if_need_be()
+        raise_limit()
+        _go_without_logs_if_necessary()
         _start(name, init_node_options)
-        warn_of_unknown(documentation)
+        warn_of_unknown(parameters)
         main()
     except StartError as error:
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
@@ -98,15 +93,15 @@ def _exit(name):
 def _report_thread(failure):
     """Report what has ended a thread, unless the node is ending anyway.
 
-    rospy's threads stumble over the sockets that it closes at shutdown. The one that takes
-    connections ends when there is no file handle for one: then nobody reaches the node any more.
+    At shutdown rospy's threads fail on sockets that it has closed. The thread that accepts
+    connections ends when it runs out of file descriptors: then nobody reaches the node any more.
     """
     if not rospy.core.is_shutdown_requested() and not _report(failure.exc_value):
         _pythons_excepthook(failure)
 
 
 def _report(error):
-    """Have the node end if there are no file handles left; return whether that is so."""
+    """Shut the node down if it is out of file descriptors; return whether it is."""
     reason = shortage(error)
     if reason and not rospy.is_shutdown():
         _failures.append((EXIT_FAILURE, f'{reason}\n'))
@@ -117,8 +112,8 @@ def _report(error):
 def _start(name, init_node_options):
     """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
 
-    rospy and rosgraph swallow exceptions in places, so that the signal is remembered; not in an
-    Event, whose lock this thread may hold when it is interrupted.
+    rospy and rosgraph swallow exceptions in places, hence the list of signals. An Event would not
+    do: this thread may hold its lock when it is interrupted.
     """
     interrupted = []
 
@@ -128,11 +123,8 @@ def _start(name, init_node_options):
 
     _on_signals(interrupt)
     _wait_for_master(interrupted)
-    use_closable_server(_report)
-    use_non_blocking_transport()
-    mend_registration()
     if not interrupted:
-        mend_same_name()
+        fix_rospy(on_failure=_report)
         rospy.init_node(name, disable_signals=True, **init_node_options)
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted:
@@ -149,11 +141,11 @@ def _wait_for_master(interrupted):
         time.sleep(MASTER_RETRY_PERIOD)
 
 
-def _do_without_logs_if_need_be():
-    """Keep a full or read-only disk from ending the node.
+def _go_without_logs_if_necessary():
+    """Run without logs where they cannot be written.
 
-    rospy ends with a traceback if it cannot open its log file, but not if there is no folder
-    for it: then it warns. Once the disk is full, logging would print tracebacks.
+    rospy ends with a traceback if it cannot open its log file, but only warns if the folder is
+    missing. Once the disk is full, logging would print tracebacks.
     """
     logging.raiseExceptions = False
     folder = rospkg.get_log_dir()

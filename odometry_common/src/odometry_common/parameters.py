@@ -1,16 +1,18 @@
-"""Private parameters that are checked before a node does anything."""
+"""A node's parameters: declared in one table, and checked before the node does anything."""
 
 import contextlib
 import math
 import re
-import sys
-import xmlrpc.client
+import textwrap
+from types import SimpleNamespace
+from typing import Any, Callable, NamedTuple
 
 import rospy
-import yaml
 
-# YAML 1.1 takes 1e4 for a text: it wants a point and a sign in it, 1.0e+4.
+# YAML 1.1 reads 1e4 as a string: it wants a point and a sign, 1.0e+4.
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
+HELP_WIDTH = 100
+UNSET = object()
 
 
 class StartError(Exception):
@@ -24,6 +26,134 @@ class ParameterError(StartError):
         """Word the line from the name, the value that was given and what is allowed."""
         self.name = name
         super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
+
+
+class Range(NamedTuple):
+    """The values that a parameter may have."""
+
+    text: str  # in words; ~name stands for the value of another parameter
+    accepts: Callable[[Any, SimpleNamespace], bool]  # of a value, and the parameters read before it
+
+
+def at_least(low):
+    """Return the Range from a number upwards."""
+    return Range(f'from {low:g}', lambda value, _: value >= low)
+
+
+def above(low):
+    """Return the Range above a number."""
+    return Range(f'above {low:g}', lambda value, _: value > low)
+
+
+def between(low, high):
+    """Return the Range from one number to another, both included."""
+    return Range(f'from {low:.10g} to {high:.10g}', lambda value, _: low <= value <= high)
+
+
+def one_of(*choices):
+    """Return the Range of a few strings."""
+    return Range(' or '.join(choices), lambda value, _: value in choices)
+
+
+ANY = Range('', lambda *_: True)
+
+
+class Parameter(NamedTuple):
+    """A parameter; the type of its default is its own: float, int, bool or str."""
+
+    name: str  # such as ~speed
+    default: Any
+    unit: str
+    range: Range
+    meaning: str
+
+    @property
+    def type(self):
+        """Its type's name."""
+        return type(self.default).__name__
+
+    @property
+    def default_text(self):
+        """The default with its unit, as YAML."""
+        if isinstance(self.default, bool):
+            return str(self.default).lower()
+        if isinstance(self.default, str):
+            return self.default or "''"
+        return f'{self.default:g} {self.unit}'.strip()
+
+    def check(self, given, earlier=None):
+        """Return a value of the parameter server as one of this type.
+
+        :param earlier: namespace of the parameters read before this one
+        :raises ParameterError: if it is of another type, not finite or out of range
+        """
+        kind = type(self.default)
+        value = as_number(given) if kind in (float, int) else given
+        if kind in (float, int):
+            usable = value is not None and math.isfinite(value) and value == kind(value)
+        else:
+            usable = isinstance(value, kind)
+        if not usable or not self.range.accepts(value, earlier):
+            raise ParameterError(self.name, given, self._allowed(earlier))
+        return kind(value)
+
+    def _allowed(self, earlier):
+        text = re.sub(r'~(\w+)', lambda found: f'{found[0]} ({getattr(earlier, found[1]):g})',
+                      self.range.text)
+        if isinstance(self.default, bool):
+            return 'true or false'
+        if isinstance(self.default, str):
+            return text or 'a string'
+        if not text:
+            return f'a finite number of {self.unit}'
+        kind = 'a whole number' if isinstance(self.default, int) else 'a number'
+        return f'{kind} {text} {self.unit}'.rstrip()
+
+
+class Parameters:
+    """The table of a node's parameters, each a Parameter."""
+
+    def __init__(self, *rows):
+        """Take the parameters in the order in which they are read and described."""
+        self.rows = rows
+
+    @property
+    def names(self):
+        """The names, such as ~speed."""
+        return [row.name for row in self.rows]
+
+    @property
+    def help(self):
+        """The part of --help that describes them; '' if there are none."""
+        return '\n'.join(['Parameters:', *map(_help_of, self.rows)]) if self.rows else ''
+
+    def read(self, **defaults):
+        """Return a namespace with all values, by their names without ~.
+
+        :param defaults: take the place of defaults in the table
+        :raises ParameterError: for the first that the node cannot run with
+        """
+        values = SimpleNamespace()
+        for row in self.rows:
+            name = row.name.lstrip('~/')
+            given = _read(row.name, UNSET)
+            value = (defaults.get(name, row.default) if given is UNSET
+                     else row.check(given, values))
+            setattr(values, name, value)
+        return values
+
+
+def _help_of(row):
+    facts = ', '.join(filter(None, [row.type, row.default_text, row.range.text]))
+    return textwrap.fill(f'{row.name} ({facts}): {row.meaning}', HELP_WIDTH,
+                         initial_indent=' ' * 4, subsequent_indent=' ' * 8)
+
+
+def as_number(value):
+    """Return a value of the parameter server as a float; None if it is not a number."""
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    is_written_as_one = isinstance(value, str) and WITH_EXPONENT.fullmatch(value)
+    return float(value) if is_number or is_written_as_one else None
 
 
 def _from_server(name, default):
@@ -52,82 +182,3 @@ def read_from(values):
         yield asked
     finally:
         _read = _from_server
-
-
-def get_number(name, default, accepts=math.isfinite, allowed='a finite number'):
-    """Read a number.
-
-    :param name: parameter name, such as ``~speed``
-    :param accepts: takes a finite float; returns whether it is in range
-    :param allowed: the range in words, for the user
-    :return: the value as a float
-    :raises ParameterError: if it is not a finite number, or out of range
-    """
-    given = _read(name, default)
-    value = as_number(given)
-    if value is None or not math.isfinite(value) or not accepts(value):
-        raise ParameterError(name, given, allowed)
-    return value
-
-
-def as_number(value):
-    """Return a value of the parameter server as a float; None if it is not a number."""
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    is_written_as_one = isinstance(value, str) and WITH_EXPONENT.fullmatch(value)
-    return float(value) if is_number or is_written_as_one else None
-
-
-def get_whole(name, default, lowest, highest):
-    """Read a whole number; raise ParameterError if the value is another one, or out of range."""
-    return int(get_number(name, default, lambda v: v == int(v) and lowest <= v <= highest,
-                          f'a whole number from {lowest} to {highest}'))
-
-
-def get_flag(name, default):
-    """Read a boolean; raise ParameterError if the value is of another type."""
-    return _get(name, default, lambda value: isinstance(value, bool), 'true or false')
-
-
-def get_choice(name, default, choices):
-    """Read one of a few strings; raise ParameterError if the value is another one."""
-    return _get(name, default, lambda value: value in choices, ' or '.join(choices))
-
-
-def get_text(name, default):
-    """Read a string; raise ParameterError if the value is of another type."""
-    return _get(name, default, lambda value: isinstance(value, str), 'a text')
-
-
-def _get(name, default, accepts, allowed):
-    value = _read(name, default)
-    if not accepts(value):
-        raise ParameterError(name, value, allowed)
-    return value
-
-
-def check_command_line(arguments=None):
-    """Raise ParameterError for a ``_name:=value`` that rospy could not store.
-
-    rospy uploads these by XML-RPC while the node starts, and answers an empty value, broken
-    YAML, a large integer or a date with a traceback.
-    """
-    for argument in sys.argv[1:] if arguments is None else arguments:
-        name, separator, text = argument.partition(':=')
-        if not separator or not name.startswith('_') or name.startswith('__'):
-            continue
-        try:
-            xmlrpc.client.dumps((yaml.safe_load(text),))
-        except (yaml.YAMLError, TypeError, OverflowError, RecursionError):
-            raise ParameterError(
-                f'~{name[1:]}', text, 'a value that ROS can store: a text, a number with at '
-                'most 32 bits or a decimal point, true or false, or a list of them') from None
-
-
-def forget_argument(name):
-    """Take back a parameter (such as ~speed) that the command line set, or the next run gets it.
-
-    What `_name:=value` once set stays on the parameter server.
-    """
-    given = any(argument.startswith(f'_{name[1:]}:=') for argument in sys.argv[1:])
-    if given and rospy.core.is_initialized() and rospy.has_param(name):
-        rospy.delete_param(name)

@@ -1,4 +1,4 @@
-"""Publishers that send each message at once, and none after their last word."""
+"""Publishers that send each message at once, and none after their final message."""
 
 import threading
 import warnings
@@ -28,16 +28,16 @@ def advertise(topic, message_class, subscriber_listener=None):
 
 
 class ClosingPublisher:
-    """Publishes until the node shuts down, and then, if it has one, its last word.
+    """Publishes until the node shuts down, and then its final message, if it has one.
 
-    Messages are written to the subscribers before publish() returns: the last word needs no sleep
-    to get out, and no older message can follow it.
+    publish() returns when the message has been written to the subscribers: the final message needs
+    no sleep to get out, and no older message can follow it.
     """
 
-    def __init__(self, topic, message_class, last_word=None):
+    def __init__(self, topic, message_class, final_message=None):
         """Advertise `topic` and hook into rospy's shutdown."""
         self._publisher = advertise(topic, message_class)
-        self._last_word = last_word
+        self._final_message = final_message
         self._lock = threading.Lock()
         self._closed = False
         rospy.on_shutdown(self._close)
@@ -55,6 +55,6 @@ class ClosingPublisher:
     def _close(self):
         with self._lock:
             self._closed = True
-            if self._last_word is not None:
-                self._publisher.publish(self._last_word)
+            if self._final_message is not None:
+                self._publisher.publish(self._final_message)
         flush(self._publisher, CLOSE_TIMEOUT)

@@ -23,10 +23,14 @@ class Subscriber:
         self._topic, self._callback, self._what = topic, callback, what or topic
         self._heard = threading.Event()
         rospy.on_shutdown(self._heard.set)
-        rospy.Subscriber(topic, message_class, self._on_message, tcp_nodelay=True)
+        self._subscriber = rospy.Subscriber(topic, message_class, self._on_message, tcp_nodelay=True)
+
+    def publishers(self):
+        """Return the set of the names of the nodes that it is connected to."""
+        return {connection.callerid_pub for connection in self._subscriber.impl.connections}
 
     def wait(self):
-        """Return when the first message has come, or at shutdown; say each second that it waits."""
+        """Return at the first message or at shutdown; log once a second that it waits."""
         while not (self._heard.wait(timeout=1.0) or rospy.is_shutdown()):
             rospy.loginfo('waiting for %s on %s', self._what, rospy.resolve_name(self._topic))
 

@@ -8,14 +8,10 @@ from collections import deque
 
 import rospy
 from rospy.exceptions import TransportTerminated
-from rospy.impl import tcpros_pubsub
-from rospy.impl.tcpros_base import TCPROSServer, TCPROSTransport
+from rospy.impl.tcpros_base import TCPROSTransport
 
 BACKLOG = 10  # messages kept for a subscriber whose socket is full
 PATIENCE_PER_MESSAGE = 0.01  # s
-HEADER_TIMEOUT = 5.0  # s, for a peer that connects and does not say what it wants
-
-_answer = TCPROSServer._tcp_server_callback
 
 
 class NonBlockingTransport(TCPROSTransport):
@@ -105,16 +101,6 @@ class NonBlockingTransport(TCPROSTransport):
         self._patience_left = max(0.0, self._patience_left - (time.monotonic() - start))
 
 
-def use_non_blocking_transport():
-    """Have rospy write to subscribers without blocking, and take each connection on its own thread.
-
-    rospy reads the headers of all new connections on one thread: a peer that sends none would keep
-    every later subscriber out.
-    """
-    tcpros_pubsub.TCPROSTransport = NonBlockingTransport
-    TCPROSServer._tcp_server_callback = _answer_on_thread
-
-
 def wait_for_subscribers(patience):
     """Let a publisher that outruns its subscribers wait, so that those who read lose nothing.
 
@@ -130,8 +116,3 @@ def flush(publisher, timeout):
     for connection in publisher.impl.connections:
         if isinstance(connection, NonBlockingTransport):
             connection.wait_until_sent(max(0.0, end - time.monotonic()))
-
-
-def _answer_on_thread(server, connection, address):
-    connection.settimeout(HEADER_TIMEOUT)  # rospy makes it blocking again after the header
-    threading.Thread(target=_answer, args=[server, connection, address], daemon=True).start()

@@ -1,4 +1,4 @@
-"""A velocity command publisher whose last word is zero."""
+"""A velocity command publisher whose final message is zero."""
 
 from geometry_msgs.msg import Twist
 
@@ -6,11 +6,11 @@ from odometry_common.publishing import ClosingPublisher
 
 
 class VelocityPublisher:
-    """Publishes geometry_msgs/Twist, and a zero Twist as the very last one at shutdown."""
+    """Publishes geometry_msgs/Twist, and a zero Twist as the final one at shutdown."""
 
     def __init__(self, topic='cmd_vel'):
         """Advertise `topic`."""
-        self._publisher = ClosingPublisher(topic, Twist, last_word=Twist())
+        self._publisher = ClosingPublisher(topic, Twist, final_message=Twist())
 
     def get_num_connections(self):
         """Return how many subscribers are connected, as a rospy.Publisher does."""

@@ -7,14 +7,13 @@ import threading
 from geometry_msgs.msg import Quaternion
 from heading_control.parameters import read_rate, read_turn
 from moved_distance.parameters import read_counter
-from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi, yaw_from_orientation
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import read_from
 from odometry_common.timing import Metronome
 from odometry_launch.arrival import HEADING_TOLERANCE, has_driven, has_turned
 from sim_turtlebot.building import new_simulation
 from sim_turtlebot.physics import connect, settled_world
-from sim_turtlebot.rotations import is_upright
 from sim_turtlebot.settings import read_settings
 from straight_drive.parameters import read_drive
 

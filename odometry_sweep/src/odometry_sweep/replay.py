@@ -9,8 +9,7 @@ from pathlib import Path
 import rosbag
 import rospy
 from odometry_common.parameters import StartError
-from odometry_common.registration import mend_registration
-from odometry_common.same_name import mend_same_name
+from odometry_common.rospy_fixes import fix_rospy
 from odometry_launch.folders import RUNS
 from odometry_launch.following import unpause
 from odometry_launch.graph import DemoError, Graph
@@ -77,8 +76,7 @@ def _record(tutorial, parameters, end):
 
 
 def _join():
-    mend_registration()
-    mend_same_name()
+    fix_rospy()
     rospy.init_node('sweep', anonymous=True, disable_signals=True)
     return True
 

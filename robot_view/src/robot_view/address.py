@@ -6,7 +6,7 @@ import re
 import socket
 from typing import NamedTuple
 
-from odometry_common.parameters import ParameterError, get_text, get_whole
+from odometry_common.parameters import ANY, Parameter, ParameterError, Parameters, between
 from odometry_common.ports import bind
 
 # A container sets it: there the page listens on the container's interface.
@@ -15,6 +15,15 @@ ADDRESSES = 'a name or an address of this machine'
 LOOPBACK = {'localhost', '127.0.0.1', '[::1]'}
 ANY_ADDRESS = {'0.0.0.0', '::'}
 HOST = re.compile(r'(\[[0-9a-f:.]+\]|[a-z0-9][a-z0-9._-]*)(:[1-9][0-9]{0,4})?')
+
+PARAMETERS = Parameters(
+    Parameter('~port', 8080, '', between(1, 65535), 'port of the page'),
+    Parameter('~host', 'localhost', '', ANY,
+              'name or address to listen on; 0.0.0.0 lets the whole network in; the environment '
+              f'variable {HOST_VARIABLE} sets another default'),
+    Parameter('~allowed_hosts', '', '', ANY,
+              'further names of the page, for a proxy or a forwarded port, such as '
+              'robots.example, lab:9000: separated by commas or spaces; without a port, any will do'))
 
 
 class Address(NamedTuple):
@@ -28,9 +37,9 @@ class Address(NamedTuple):
 
 def read_address():
     """Return the Address; raise ParameterError if it is impossible to listen there."""
-    port = get_whole('~port', 8080, 1, 65535)
-    host = get_text('~host', os.environ.get(HOST_VARIABLE) or 'localhost')
-    names = {*LOOPBACK, host.lower(), *_read_allowed_hosts()}
+    parameters = PARAMETERS.read(host=os.environ.get(HOST_VARIABLE) or 'localhost')
+    host, port = parameters.host, parameters.port
+    names = {*LOOPBACK, host.lower(), *_parse(parameters.allowed_hosts)}
     shown = host
     if host in ANY_ADDRESS:
         names.add(socket.gethostname().lower())
@@ -38,12 +47,11 @@ def read_address():
     return Address(_find_ip(host, port), port, f'http://{shown}:{port}', names)
 
 
-def _read_allowed_hosts():
-    text = get_text('~allowed_hosts', '')
-    hosts = [host for host in re.split(r'[,\s]+', text.lower()) if host]
+def _parse(allowed_hosts):
+    hosts = [host for host in re.split(r'[,\s]+', allowed_hosts.lower()) if host]
     if not all(HOST.fullmatch(host) for host in hosts):
-        raise ParameterError('~allowed_hosts', text, 'host names or addresses, each with or '
-                             'without a port, separated by commas or spaces')
+        raise ParameterError('~allowed_hosts', allowed_hosts, 'host names or addresses, each with '
+                             'or without a port, separated by commas or spaces')
     return hosts
 
 

@@ -3,7 +3,7 @@
 import math
 import threading
 
-from odometry_common.ending import LONGEST_WAIT
+from odometry_common.shutdown import LONGEST_WAIT
 from odometry_common.geometry import PlanarPose
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 

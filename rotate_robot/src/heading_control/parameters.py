@@ -1,19 +1,29 @@
-"""The parameters of rotate.py's controller, read and checked."""
+"""The parameters of rotate.py."""
 
-from odometry_common.parameters import get_number
+from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
 
 from heading_control.turn import Turn
+
+PARAMETERS = Parameters(
+    Parameter('~target', 90.0, 'degrees', ANY, 'heading to turn to, in the odom frame'),
+    Parameter('~kp', 0.5, '1/s', above(0), 'gain'),
+    Parameter('~rate', 10.0, 'Hz', between(0.1, 1000), 'control rate'),
+    Parameter('~max_angular_speed', 3.14, 'rad/s', above(0), 'the command is clamped to this'),
+    Parameter('~tolerance', 0.0, 'degrees',
+              Range('from 0 to below 180', lambda value, _: 0 <= value < 180),
+              '0 controls for ever; above 0, the node exits once the heading has stayed this '
+              'close and the robot has come to rest'),
+    Parameter('~timeout', 1.0, 's', between(0, 3600),
+              'stop, with a warning, when no odometry has arrived for this long (ROS time, and at '
+              'least 0.2 s of wall time); go on when it returns; 0 turns it off'))
 
 
 def read_turn():
     """Return the Turn that the parameters ask for."""
-    return Turn(
-        target=get_number('~target', 90.0, allowed='a finite number of degrees'),
-        kp=get_number('~kp', 0.5, lambda v: v > 0, 'a gain in 1/s above 0'),
-        max_angular_speed=get_number(
-            '~max_angular_speed', 3.14, lambda v: v > 0, 'a speed in rad/s above 0'))
+    parameters = PARAMETERS.read()
+    return Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
 
 
 def read_rate():
     """Return the control rate (Hz)."""
-    return get_number('~rate', 10.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
+    return PARAMETERS.read().rate

@@ -1,6 +1,6 @@
 """Robots that lie on their side."""
 
-from sim_turtlebot.rotations import is_upright
+from odometry_common.geometry import is_upright
 
 
 class Falls:

@@ -3,7 +3,7 @@
 import math
 import random
 
-from sim_turtlebot.rotations import yaw_of
+from odometry_common.geometry import yaw_of
 
 
 class Gyro:

@@ -2,11 +2,11 @@
 
 import sys
 
+from odometry_common.geometry import about_z
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu
 
 from sim_turtlebot.numbering import numbered, publish
-from sim_turtlebot.rotations import about_z
 
 # About x, y and z, of the orientation (rad^2) and of the angular velocity (rad^2/s^2), and the
 # greatest number for what is not measured: kobuki_node/src/library/slot_callbacks.cpp.

@@ -4,10 +4,10 @@ import math
 import random
 from typing import NamedTuple
 
+from odometry_common.geometry import about_z, compose, inverse, mean_twist, rotate, yaw_of
 from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 
 from sim_turtlebot.gyro import Gyro
-from sim_turtlebot.rotations import about_z, compose, inverse, mean_twist, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
 LONGEST_MEAN = 0.1  # s; the mean velocity of a longer time says little of the present one

@@ -2,9 +2,10 @@
 
 import math
 
+from odometry_common.geometry import height_of_z
+
 from odometry_common import kobuki
 from sim_turtlebot.odometry import STILL, true_motion
-from sim_turtlebot.rotations import height_of_z
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s

@@ -1,82 +1,102 @@
-"""The node's parameters, read and checked."""
+"""The simulator's parameters."""
 
 import math
-from types import SimpleNamespace
 
 from odometry_common.kobuki import CMD_VEL_TIMEOUT
 from odometry_common.parameters import (
+    ANY,
+    Parameter,
     ParameterError,
-    get_choice,
-    get_flag,
-    get_number,
-    get_text,
-    get_whole,
+    Parameters,
+    Range,
+    between,
+    one_of,
 )
 
 from sim_turtlebot import scanner
-from sim_turtlebot.poses import COORDINATES, MAX_COORDINATE
+from sim_turtlebot.poses import MAX_COORDINATE
 
 LOCKSTEP_CLOCK_RATE = 100.0  # Hz; in lockstep a rospy.Rate of up to this keeps its rate
 CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that
 MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
 
+FROM_0_TO_1 = between(0, 1)
+COORDINATE = between(-MAX_COORDINATE, MAX_COORDINATE)
+START = 'where the robot starts; odom is zero there'
+
+PARAMETERS = Parameters(
+    Parameter('~gui', False, '', ANY, "open PyBullet's window"),
+    Parameter('~world', '', '', ANY,
+              'URDF or SDF file to load beside the floor; refused if it cannot be loaded, or if a '
+              'robot would start inside something'),
+    Parameter('~robots', 1, '', between(1, 1000),
+              'more than one share a world, robot k in namespace robot_k, one metre to the left '
+              'of the one before'),
+    Parameter('~x', 0.0, 'm', COORDINATE, START),
+    Parameter('~y', 0.0, 'm', COORDINATE, START),
+    Parameter('~yaw', 0.0, 'rad',
+              Range('from -2 pi to 2 pi', lambda value, _: abs(value) <= 2 * math.pi),
+              'its heading there'),
+    Parameter('~odom_rate', 20.0, 'Hz', between(0.1, 1000),
+              'odometry messages per simulated second'),
+    Parameter('~clock_rate', 0.0, 'Hz',
+              Range('0 or from ~odom_rate to 1000',
+                    lambda value, earlier: value == 0 or earlier.odom_rate <= value <= 1000),
+              'ticks of /clock per simulated second, or as few more as divide the time between '
+              'two odometry messages evenly; 0 is 200, but about 1000 per second of wall time at '
+              'most, 100 in lockstep, and else one with each odometry if unpaced'),
+    Parameter('~odometry_source', 'world', '', one_of('world', 'encoder'),
+              'world is the true pose, encoder counts wheel ticks'),
+    Parameter('~gyro', True, '', ANY,
+              'encoder: take the yaw from the gyro, as a Kobuki does, not from the wheels'),
+    Parameter('~wheel_slip', 0.0, '',
+              Range('from 0 to below 1', lambda value, _: 0 <= value < 1),
+              "encoder: share of the wheels' travel that moves nothing"),
+    Parameter('~wheel_noise', 0.0, 'm', FROM_0_TO_1,
+              "encoder: standard deviation of a wheel's travel after one metre"),
+    Parameter('~gyro_noise', 0.0, 'rad', FROM_0_TO_1,
+              "standard deviation of the gyro's yaw after one second"),
+    Parameter('~gyro_drift', 0.0, 'rad/s', between(-1, 1), 'bias of the gyro, also at rest'),
+    Parameter('~scan', False, '', ANY,
+              'publish scans; their beams meet whatever a robot can run into'),
+    Parameter('~scan_rate', scanner.RATE, 'Hz',
+              Range('from 0.1 to ~odom_rate',
+                    lambda value, earlier: 0.1 <= value <= earlier.odom_rate),
+              'scans per simulated second, each with an odometry of the same stamp; lower if '
+              '~odom_rate is'),
+    Parameter('~scan_beams', scanner.BEAMS, '', between(2, 10000), 'ranges in a scan'),
+    Parameter('~scan_fov', scanner.FIELD_OF_VIEW, 'rad',
+              Range('from 0.01 to 2 pi', lambda value, _: 0.01 <= value <= 2 * math.pi),
+              'angle from the first beam to the last'),
+    Parameter('~scan_range_min', scanner.RANGE_MIN, 'm', between(0, 100),
+              'what is nearer is -inf'),
+    Parameter('~scan_range_max', scanner.RANGE_MAX, 'm',
+              Range('above ~scan_range_min and up to 1000',
+                    lambda value, earlier: earlier.scan_range_min < value <= 1000),
+              'where nothing is nearer, +inf'),
+    Parameter('~scan_noise', 0.0, 'm', FROM_0_TO_1, 'standard deviation of a range'),
+    Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise'),
+    Parameter('~cmd_vel_timeout', CMD_VEL_TIMEOUT, 's', between(0, 3600),
+              'stop when commands cease for this long; 0 turns it off'),
+    Parameter('~real_time_factor', 1.0, '',
+              Range('0 or from 0.001 to 1000',
+                    lambda value, _: value == 0 or 0.001 <= value <= 1000),
+              'simulated seconds per second; 0 is as fast as the machine can'),
+    Parameter('~lockstep', False, '', ANY,
+              'time goes on when every node on this machine has done what it has to do with the '
+              'odometry and the clock of this moment'),
+    Parameter('~paused', False, '', ANY, 'time begins with ~unpause_physics'))
+USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
+
 
 def read_settings():
     """Return all parameters by their names; raise ParameterError for the first unusable one."""
-    odom_rate = get_number('~odom_rate', 20.0, lambda v: 0.1 <= v <= 1000, 'from 0.1 to 1000 Hz')
-    settings = SimpleNamespace(
-        gui=get_flag('~gui', False),
-        world=get_text('~world', ''),
-        robots=get_whole('~robots', 1, 1, 1000),
-        x=_get_coordinate('~x'),
-        y=_get_coordinate('~y'),
-        yaw=get_number('~yaw', 0.0, lambda v: abs(v) <= 2 * math.pi, 'from -2 pi to 2 pi rad'),
-        seed=get_whole('~seed', 0, -2**31, 2**31 - 1),
-        odom_rate=odom_rate,
-        clock_rate=get_number(
-            '~clock_rate', 0.0, lambda v: v == 0 or odom_rate <= v <= 1000,
-            f'0 (by default) or from ~odom_rate ({odom_rate:g} Hz) to 1000 Hz'),
-        odometry_source=get_choice('~odometry_source', 'world', ['world', 'encoder']),
-        gyro=get_flag('~gyro', True),
-        wheel_slip=get_number('~wheel_slip', 0.0, lambda v: 0 <= v < 1, 'from 0 to below 1'),
-        wheel_noise=get_number('~wheel_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m'),
-        gyro_noise=get_number('~gyro_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 rad'),
-        gyro_drift=get_number(
-            '~gyro_drift', 0.0, lambda v: abs(v) <= 1, 'from -1 to 1 rad/s'),
-        cmd_vel_timeout=get_number(
-            '~cmd_vel_timeout', CMD_VEL_TIMEOUT, lambda v: 0 <= v <= 3600, 'from 0 to 3600 s'),
-        real_time_factor=get_number(
-            '~real_time_factor', 1.0, lambda v: v == 0 or 0.001 <= v <= 1000,
-            '0 (as fast as possible) or from 0.001 to 1000'),
-        lockstep=get_flag('~lockstep', False),
-        paused=get_flag('~paused', False),
-        use_sim_time=get_flag('/use_sim_time', False),
-        **_read_scan(odom_rate))
+    settings = PARAMETERS.read()
+    settings.use_sim_time = USE_SIM_TIME.read().use_sim_time
     _check_wall_time(settings)
+    settings.scan_rate = min(settings.scan_rate, settings.odom_rate)
     settings.clock_rate = settings.clock_rate or _default_clock_rate(settings)
     return settings
-
-
-def _read_scan(odom_rate):
-    range_min = get_number(
-        '~scan_range_min', scanner.RANGE_MIN, lambda v: 0 <= v <= 100, 'from 0 to 100 m')
-    return {
-        'scan': get_flag('~scan', False),
-        'scan_rate': get_number(
-            '~scan_rate', min(scanner.RATE, odom_rate), lambda v: 0.1 <= v <= odom_rate,
-            f'from 0.1 to ~odom_rate, {odom_rate:g} Hz'),
-        'scan_beams': get_whole('~scan_beams', scanner.BEAMS, 2, 10000),
-        'scan_fov': get_number('~scan_fov', scanner.FIELD_OF_VIEW,
-                               lambda v: 0.01 <= v <= 2 * math.pi, 'from 0.01 to 2 pi rad'),
-        'scan_range_min': range_min,
-        'scan_range_max': get_number(
-            '~scan_range_max', scanner.RANGE_MAX, lambda v: range_min < v <= 1000,
-            'above ~scan_range_min and up to 1000 m'),
-        'scan_noise': get_number('~scan_noise', 0.0, lambda v: 0 <= v <= 1, 'from 0 to 1 m')}
-
-
-def _get_coordinate(name):
-    return get_number(name, 0.0, lambda v: abs(v) <= MAX_COORDINATE, COORDINATES)
 
 
 def _default_clock_rate(settings):

@@ -9,7 +9,7 @@ import math
 from functools import partial
 
 import rospy
-from odometry_common.ending import LONGEST_WAIT
+from odometry_common.shutdown import LONGEST_WAIT
 from std_srvs.srv import Empty, EmptyResponse
 
 from sim_turtlebot.current_warnings import CurrentWarnings

@@ -2,9 +2,9 @@
 
 import math
 
+from odometry_common.geometry import about_z
 from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 from sim_turtlebot.odometry import STILL, Motion
-from sim_turtlebot.rotations import about_z
 
 PERIOD = 0.05  # s between two odometries at 20 Hz
 TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN  # m

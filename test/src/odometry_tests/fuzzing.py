@@ -1,4 +1,10 @@
-"""Values and numbers of sequences for tests with random sequences of events."""
+"""Random sequences of events: values, how many, and the settings of hypothesis.
+
+By day the examples are the same each time, so that only a change makes a test fail; at night, new
+ones are tried.
+"""
+
+import os
 
 from hypothesis import settings
 from hypothesis import strategies as st
@@ -9,6 +15,14 @@ SEQUENCES, NIGHTLY_SEQUENCES = 300, 10000
 PHYSICS_SHARE = 10  # a sequence in the physics takes as long as hundreds of pieces of arithmetic
 
 any_number = st.one_of(st.sampled_from([*STRANGE, 1.7e308, -5e-324]), st.floats())
+
+
+def load_profile():
+    """Use the settings that HYPOTHESIS_PROFILE names: ci or nightly."""
+    settings.register_profile('ci', derandomize=True, deadline=None)
+    settings.register_profile('nightly', derandomize=False, max_examples=NIGHTLY_SEQUENCES,
+                              deadline=None)
+    settings.load_profile(os.environ.get('HYPOTHESIS_PROFILE', 'ci'))
 
 
 def sequence_count(share=1):

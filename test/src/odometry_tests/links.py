@@ -4,7 +4,7 @@ import xmlrpc.client
 from typing import NamedTuple
 
 import rosgraph
-from odometry_common.connections import ANSWERED, SENDS
+from odometry_common.connections import ANSWER, SENDS
 
 HEARS = 'i'
 CALLER = '/links'
@@ -23,7 +23,7 @@ def links(node, direction=SENDS, master_uri=None):
 
     :raises rosgraph.MasterError, OSError: if there is no such node
     """
-    connections = _node(node, master_uri).getBusInfo(CALLER)[ANSWERED]
+    connections = _node(node, master_uri).getBusInfo(CALLER)[ANSWER]
     return {Link(topic, peer, number) for number, peer, way, _, topic, *_ in connections
             if way == direction}
 
@@ -36,7 +36,7 @@ def has_listener(topic):
 
 def pid_of(node, master_uri=None):
     """Return the process id of a node (its full name), from itself."""
-    return _node(node, master_uri).getPid(CALLER)[ANSWERED]
+    return _node(node, master_uri).getPid(CALLER)[ANSWER]
 
 
 def _node(name, master_uri=None):

@@ -3,9 +3,13 @@
 import math
 
 import rospy
+from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
 
 STRANGE = [math.nan, math.inf, -math.inf, 1e308, -1e308, 5e-324, -0.0]
+STRANGE_QUATERNIONS = [(0, 0, 0, 0), (0, 0, 0, 1e-320), (0, 0, 3, 4), (1e200, 0, 0, 1e200),
+                       *((value, 0, 0, 1) for value in STRANGE)]
+STRANGE_STAMPS = [0.0, 5.0, 5.0, 4.0, 3605.0, 5.0]  # s
 
 
 def odometry(x=0.0, y=0.0, yaw=0.0, stamp=0.0):
@@ -18,3 +22,15 @@ def odometry(x=0.0, y=0.0, yaw=0.0, stamp=0.0):
     message.pose.pose.orientation.z = math.sin(yaw / 2)
     message.pose.pose.orientation.w = math.cos(yaw / 2)
     return message
+
+
+def strange_odometry():
+    """Return an Odometry with each strange number in each place, and strange stamps and frames."""
+    messages = [odometry(stamp=stamp) for stamp in STRANGE_STAMPS]
+    messages += [odometry(x=value) for value in STRANGE] + [odometry(y=value) for value in STRANGE]
+    for numbers in STRANGE_QUATERNIONS:
+        message = odometry()
+        message.pose.pose.orientation = Quaternion(*numbers)
+        messages.append(message)
+    messages.append(Odometry())  # empty frames, no length of the quaternion, no stamp
+    return messages

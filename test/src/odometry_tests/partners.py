@@ -79,6 +79,10 @@ class SteppedClock:
         self._publisher.publish(Clock(self.now))
         wait_for_subscribers(self._publisher, listeners)
 
+    def close(self):
+        """Stop publishing."""
+        self._publisher.unregister()
+
     def advance(self, *durations):
         """Let so many seconds pass, one duration after the other."""
         for duration in durations:

@@ -3,8 +3,8 @@
 import math
 from typing import NamedTuple
 
+from odometry_common.geometry import rotate
 from sim_turtlebot.odometry import WorldOdometry, true_motion
-from sim_turtlebot.rotations import rotate
 from sim_turtlebot.simulation import AT_ZERO
 from sim_turtlebot.simulation import Simulation as SteppedRobots
 

@@ -8,7 +8,7 @@ from io import BytesIO
 import rosgraph
 from rosgraph.network import read_ros_handshake_header, write_ros_handshake_header
 
-from odometry_tests.links import ANSWERED
+from odometry_tests.links import ANSWER
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 NAME = '/stuck'
@@ -31,7 +31,7 @@ def stuck_subscriber(topic):
 def connected(node, topic):
     """Yield a socket that is connected to the port at which a node serves a topic."""
     with xmlrpc.client.ServerProxy(rosgraph.Master(NAME).lookupNode(node)) as api:
-        _, host, port = api.requestTopic(NAME, topic, [['TCPROS']])[ANSWERED]
+        _, host, port = api.requestTopic(NAME, topic, [['TCPROS']])[ANSWER]
     with socket.socket() as connection:
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1)  # the system's smallest
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_MAXSEG, SMALL_SEGMENT)

@@ -5,7 +5,7 @@ import threading
 import time
 
 import rospy
-from odometry_common.connections import hears
+from odometry_common.connections import is_connected
 
 # Every bound on a wait is multiplied by this: a bound ends a test that hangs, and no verdict
 # about the robot may hang on it.
@@ -69,7 +69,7 @@ class Recorder:
 
     def wait_for_publisher(self, timeout=TIMEOUT):
         """Return once somebody publishes the topic: what comes next then arrives here, too."""
-        wait_until(lambda: hears(self._subscriber), timeout, f'a publisher of {self._topic}')
+        wait_until(lambda: is_connected(self._subscriber), timeout, f'a publisher of {self._topic}')
 
     def wait_for(self, accepts=lambda message: True, timeout=TIMEOUT, what='a message'):
         """Return the first message, also one that has come already, that is accepted."""

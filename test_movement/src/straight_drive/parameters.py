@@ -1,13 +1,32 @@
-"""The parameters of the drive, read and checked."""
+"""The mover's parameters."""
 
-from odometry_common.parameters import get_flag, get_number
+from odometry_common.parameters import (
+    ANY,
+    Parameter,
+    Parameters,
+    Range,
+    above,
+    between,
+)
 
 from straight_drive.drive import Drive
+
+PARAMETERS = Parameters(
+    Parameter('~distance', 2.0, 'm', above(0), 'where to stop'),
+    Parameter('~speed', 0.1, 'm/s', Range('other than 0', lambda value, _: value != 0),
+              'how fast; negative drives backwards'),
+    Parameter('~relative', False, '', ANY,
+              "count from the first message instead of from the detector's start, so that a "
+              'second run moves again'),
+    Parameter('~exit_when_done', False, '', ANY,
+              'exit once the robot has stopped, instead of commanding zero for ever'),
+    Parameter('~timeout', 1.0, 's', between(0, 3600),
+              'stop, with a warning, when no message has arrived for this long (ROS time, and at '
+              'least 0.2 s of wall time) while the robot moves; go on when messages return; 0 '
+              'turns it off'))
 
 
 def read_drive():
     """Return the Drive that the parameters ask for."""
-    return Drive(
-        distance=get_number('~distance', 2.0, lambda v: v > 0, 'a number of metres above 0'),
-        speed=get_number('~speed', 0.1, lambda v: v != 0, 'a speed in m/s other than 0'),
-        relative=get_flag('~relative', False))
+    parameters = PARAMETERS.read()
+    return Drive(parameters.distance, parameters.speed, parameters.relative)

@@ -1,0 +1,109 @@
+"""What the detector makes of stamps that are missing, bunched or late, or start again."""
+
+import pytest
+from moved_distance.distance_counter import DistanceCounter
+
+PERIOD = 0.05  # s between two messages at 20 Hz
+NO_STAMP = 0.0
+
+
+@pytest.fixture
+def counter():
+    """Return a counter with the default parameters."""
+    return DistanceCounter()
+
+
+def drive_along(counter, stamps, step, arrivals=None):
+    """Go a step (m) per message along x, each message as late as its stamp; return the jumps."""
+    jumps = [counter.add(number * step, 0, stamp, arrival)
+             for number, (stamp, arrival) in enumerate(zip(stamps, arrivals or stamps))]
+    return [jump for jump in jumps if jump]
+
+
+def test_stamps_count_and_not_arrivals_where_they_advance(counter):
+    """Messages that come late and all at once were measured at their stamps."""
+    stamps = [number * PERIOD for number in range(100)]
+    assert drive_along(counter, stamps, 0.2, arrivals=[10.0] * 100) == []
+    assert counter.distance == pytest.approx(99 * 0.2)
+
+
+@pytest.mark.parametrize('pause', [1.0, 60.0])
+def test_a_driver_without_stamps_is_judged_by_arrival(counter, pause):
+    """A metre is a walk in a second and a jump in a 20th of it, also after a long silence."""
+    counter.add(0, 0, NO_STAMP, arrival=10.0)
+    assert counter.add(1, 0, NO_STAMP, arrival=10.0 + pause) is None
+    jump = counter.add(2, 0, NO_STAMP, arrival=10.05 + pause)
+    assert jump and 'is faster than ~max_speed' in jump
+    assert counter.distance == 1.0
+
+
+@pytest.mark.parametrize('arrivals, step', [
+    ([0.0, 0.05, *[0.4] * 7, 0.45], 0.035),  # six messages come when the seventh does
+    ([*(number * 0.02 for number in range(50)), *[60.0] * 100], 0.014),  # a minute without network
+])
+def test_messages_without_stamps_that_arrive_in_a_burst_are_all_counted(counter, arrivals, step):
+    """A hiccup of the network is no jump of the robot."""
+    assert drive_along(counter, [NO_STAMP] * len(arrivals), step, arrivals) == []
+    assert counter.distance == pytest.approx((len(arrivals) - 1) * step)
+
+
+def test_a_stamp_that_goes_back_starts_a_new_stretch(counter):
+    """A looping bag leaps from its end to its beginning, and that leap is no movement."""
+    bag = [(0.0, 0.0), (0.1, 1.0), (0.2, 2.0)]
+    jumps = [counter.add(x, 0, stamp, arrival=0.0) for x, stamp in bag * 3]
+    assert counter.distance == pytest.approx(3 * 0.2)
+    assert [number for number, jump in enumerate(jumps) if jump] == [3, 6]
+    assert jumps[3] == 'the time stamp went back by 2.000 s'
+
+
+@pytest.mark.parametrize('late_one', range(5))
+@pytest.mark.parametrize('speed, lateness', [(0.7, 0.019), (0.1, 0.0198), (4.0, 0.0199)])
+def test_bunched_stamps_lose_nothing(counter, late_one, speed, lateness):
+    """At 50 Hz each fifth message is stamped when the next one is nearly due."""
+    stamps = [number / 50 + (lateness if number % 5 == late_one else 0) for number in range(501)]
+    assert drive_along(counter, stamps, speed / 50) == []
+    assert counter.distance == pytest.approx(10 * speed)
+
+
+@pytest.mark.parametrize('bunch', [2, 3, 10, 40])
+def test_stamps_in_bunches_of_any_size_lose_nothing(counter, bunch):
+    """At 50 Hz, after an even second; forty messages come 0.8 s after those before."""
+    even = [number / 50 for number in range(-51, 0)]
+    bunched = [number // bunch * bunch / 50 + number % bunch * 1e-4 for number in range(9 * bunch)]
+    assert drive_along(counter, even + bunched, 0.7 / 50) == []
+
+
+@pytest.mark.parametrize('first', [1, 2, 3, 19, 20, 21, 200])
+def test_a_jump_between_even_stamps_stays_one(counter, first):
+    """0.26 m in a 20th of a second, from the second message on."""
+    stamps = [number * PERIOD for number in range(first)]
+    assert drive_along(counter, stamps, 0.005) == []
+    assert counter.add(first * 0.005 + 0.26, 0, first * PERIOD, arrival=first * PERIOD)
+
+
+def test_a_faster_row_of_messages_is_soon_the_usual_one():
+    """After half a second at 20 Hz what was usual at 2 Hz is forgotten; 1 Hz never was usual."""
+    for period, forgotten in ((0.5, 11), (1.0, 1)):
+        slow = [number * period for number in range(10)]
+        fast = [slow[-1] + number * PERIOD for number in range(1, forgotten + 1)]
+        counter = DistanceCounter()
+        drive_along(counter, [*slow, *fast], 0.0)
+        assert counter.add(0.5, 0, fast[-1] + PERIOD, arrival=0.0)
+
+
+def test_two_robots_on_one_topic_do_not_add_up():
+    """A hundred metres apart, their stamps in turn: each message is a jump, whoever is late."""
+    for offset in (0.01, 0.025, 0.0499, -0.02, -1.0):
+        counter = DistanceCounter()
+        for number in range(200):
+            counter.add(number * 0.005, 0, 10 + number * PERIOD, arrival=0.0)
+            counter.add(100, 0, 10 + number * PERIOD + offset, arrival=0.0)
+        assert counter.distance <= 1.0
+
+
+def test_a_swapped_pair_counts_each_step_once(counter):
+    """The one that comes late is ignored, also for the step after it."""
+    jumps = [counter.add(number * 0.01, 0, number * PERIOD, arrival=0.0)
+             for number in (0, 1, 2, 4, 3, 5, 6)]
+    assert counter.distance == pytest.approx(0.06)
+    assert [number for number, jump in enumerate(jumps) if jump] == [4]

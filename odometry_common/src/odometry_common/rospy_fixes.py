@@ -1,0 +1,96 @@
+"""Fixes for defects of rospy that lose messages, hang a node, or end somebody else's node."""
+
+import contextlib
+import re
+import socketserver
+import threading
+
+import rosgraph
+import rospy
+from rosgraph.xmlrpc import ThreadingXMLRPCServer
+from rospy.impl import tcpros_pubsub
+from rospy.impl.masterslave import ROSHandler
+from rospy.impl.paramserver import get_param_server_cache
+from rospy.impl.registration import RegManager
+from rospy.impl.tcpros_base import TCPROSServer
+
+from odometry_common.transport import NonBlockingTransport
+
+HEADER_TIMEOUT = 5.0  # s, for a peer that connects and does not say what it wants
+# In the words of rosmaster/registrations.py.
+SAME_NAME = re.compile(r'\[(?P<name>/.+)\] Reason: new node registered with same name')
+ROSOUT_PARAMETER = '/rosout_disable_topics_generation'
+
+_shutdown = ROSHandler.shutdown
+_accept_subscriber = TCPROSServer._tcp_server_callback
+
+
+def fix_rospy(on_failure=lambda error: None):
+    """Fix rospy for this process; call it before rospy.init_node, once the master answers.
+
+    :param on_failure: is called with the OSError when the node cannot accept an XML-RPC connection
+    """
+    def accept(server):
+        try:
+            return socketserver.TCPServer.get_request(server)
+        except OSError as error:
+            # Python ignores it, leaves the peer waiting, and tries again at once, for ever.
+            on_failure(error)
+            raise
+
+    ThreadingXMLRPCServer.get_request = accept
+    TCPROSServer._tcp_server_callback = _accept_on_thread
+    tcpros_pubsub.TCPROSTransport = NonBlockingTransport
+    RegManager.publisher_update = _add_publishers
+    ROSHandler.shutdown = _shut_down_if_meant
+    _leave_no_address_behind()
+
+
+def _accept_on_thread(server, connection, address):
+    """Read a subscriber's header on a thread of its own.
+
+    rospy reads them all on one thread: a peer that sends none keeps every later subscriber out.
+    """
+    connection.settimeout(HEADER_TIMEOUT)  # rospy makes it blocking again after the header
+    threading.Thread(
+        target=_accept_subscriber, args=[server, connection, address], daemon=True).start()
+
+
+def _add_publishers(manager, topic, addresses):
+    """Queue the publishers of a topic together with those that still wait in the queue.
+
+    The master answers a new subscriber with the publishers of its topic, and sends it those that
+    come later. If the first of these overtakes the answer, rospy takes the answer, which is older,
+    for the latest, and never connects to it. A publisher that has gone meanwhile does no harm:
+    rospy's attempt to connect to it fails.
+    """
+    with manager.cond:
+        waiting = [address for name, others in manager.updates if name == topic
+                   for address in others]
+        manager.updates.append((topic, list(dict.fromkeys([*waiting, *addresses]))))
+        manager.cond.notify_all()
+
+
+def _shut_down_if_meant(handler, caller_id, reason=''):
+    """Answer a request to shut down as rospy does, unless it is for another node.
+
+    When a node registers a name that an earlier one had, the master asks the last known address
+    of the earlier one to shut down. By then that may be the port of another node, even of another
+    master: after a few hundred nodes the operating system hands out the same port again.
+    """
+    request = SAME_NAME.fullmatch(reason)
+    if request and request['name'] != rospy.get_name():
+        return 1, f'this is {rospy.get_name()}', 0
+    return _shutdown(handler, caller_id, reason)
+
+
+def _leave_no_address_behind():
+    """Read a parameter now to which rospy would subscribe with its first line of the log.
+
+    rospy never unsubscribes from it, so that the master keeps the address of each node that has
+    ended, and later asks whoever has this address to shut down.
+    """
+    value = False
+    with contextlib.suppress(OSError, rosgraph.MasterException):  # not set, or no master any more
+        value = rosgraph.Master(rospy.get_name()).getParam(ROSOUT_PARAMETER)
+    get_param_server_cache().set(ROSOUT_PARAMETER, value)

@@ -1,0 +1,164 @@
+"""The mover over real topics: moved distance in, velocity commands out; the test is the clock."""
+
+import math
+import random
+import time
+
+import pytest
+import rosgraph
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+from odometry_tests.messages import STRANGE, odometry
+from odometry_tests.partners import NodeLog, Partner, SteppedClock, differences
+from odometry_tests.tutorial import detector, mover
+from odometry_tests.waiting import wait_until
+from std_msgs.msg import Float64
+
+WALL_SILENCE = 0.25  # s; silence lasts at least as long, however fast simulated time runs
+FAR = 1e6  # m, beyond every goal
+JUST_BEFORE_TWO = 2.0 - 2.0**-52  # m
+
+
+def commands(*speeds):
+    """Return Twists that are zero but for their speed ahead (m/s)."""
+    return [Twist(linear=Vector3(x=speed)) for speed in speeds]
+
+
+class Talk(Partner):
+    """Distances to a mover, commands from it."""
+
+    def __init__(self, ns, clock):
+        """Talk to the mover of a namespace, by a SteppedClock."""
+        super().__init__(f'{ns}moved_distance', Float64, f'{ns}cmd_vel', Twist)
+        self.clock, self._ns, self._log = clock, ns, NodeLog()
+
+    def begin(self, start=0.0, goal=FAR):
+        """Return with a mover that drives and has read the clock; no command is on its way."""
+        def begun():
+            self.say_until(lambda: Float64(start), lambda m: m.linear.x != 0, 'a start')
+            self.say(Float64(goal))
+            self.answers.wait_for(lambda m: m.linear.x == 0, what='a stop')
+            # It logs by its own time that it starts.
+            return self._log.has_heard(f'{self._ns}test_movement', self.clock.now)
+
+        wait_until(begun, 10.0, 'a mover that knows the time')
+        self.tell(start)
+        self.answers.clear()
+        return self
+
+    def tell(self, *distances):
+        """Send distances (m) and return the commands that answer them."""
+        return self.ask(*map(Float64, distances))
+
+    def be_silent_until_it_stops(self):
+        """Let time pass, simulated and real."""
+        def stopped():
+            self.clock.advance(0.1)
+            return Twist() in self.answers.messages
+        wait_until(stopped, 10.0, 'a stop')
+
+
+@pytest.fixture
+def node(request, ns):
+    """Start a mover in simulated time, with the arguments that a test gives."""
+    rosgraph.Master('/test').setParam('/use_sim_time', True)
+    with mover(*getattr(request, 'param', [])) as process:
+        yield process
+    rosgraph.Master('/test').setParam('/use_sim_time', False)
+
+
+@pytest.fixture
+def talk(node, ns):
+    """Talk to the mover."""
+    clock = SteppedClock(1)
+    yield Talk(ns, clock)
+    clock.close()
+
+
+def test_the_latest_distance_decides_on_one_command(talk):
+    """To the bit; a thousand distances in any order: as many commands, and not one more."""
+    talk.begin()
+    numbers = random.Random(1)
+    distances = [JUST_BEFORE_TWO, 2.0, *(numbers.uniform(0.0, 4.0) for _ in range(1000))]
+    expected = commands(*(0.1 if distance < 2.0 else 0.0 for distance in distances))
+    assert differences(talk.tell(*distances), expected)[:1] == []
+    # After a reset of the distance it drives on: it does not remember that it has arrived.
+    assert talk.tell(2.1, 0.0) == commands(0.0, 0.1)
+    assert len(talk.answers.messages) == 2
+
+
+def test_a_distance_that_is_not_finite_stops_it_with_a_warning(talk, node):
+    """The next healthy distance decides again."""
+    talk.begin()
+    assert talk.tell(*STRANGE) == commands(0.0, 0.0, 0.0, 0.0, 0.1, 0.1, 0.1)
+    assert talk.tell(math.inf, 1.0) == commands(0.0, 0.1)
+    node.wait_for_output('the moved distance nan is not finite')
+
+
+def test_silence_stops_it_until_distances_return(talk, node):
+    """After one second; a standing robot is not stopped again."""
+    talk.begin().be_silent_until_it_stops()
+    assert talk.answers.messages == commands(0.0)
+    node.wait_for_output('no moved_distance arrives')
+    talk.clock.advance(*[0.1] * 30)
+    talk.say(Float64(1.0))
+    assert talk.answers.wait_for_count(2) == commands(0.0, 0.1)
+
+
+def test_the_silence_that_stops_it_lasts_a_second(talk):
+    """Not 0.9 s, however often; and no more than two of its ten looks a second longer."""
+    talk.begin()
+    for _ in range(3):
+        time.sleep(WALL_SILENCE)
+        talk.clock.advance(*[0.1] * 9)
+        assert talk.tell(1.0) == commands(0.1)
+    time.sleep(WALL_SILENCE)
+    talk.clock.advance(*[0.1] * 13)
+    assert talk.answers.wait_for_count(2) == commands(0.1, 0.0)
+
+
+@pytest.mark.parametrize('node', [['_distance:=0.5', '_speed:=-0.2', '_timeout:=0']], indirect=True)
+def test_it_drives_backwards_as_far_as_it_is_told_and_silence_need_not_stop_it(talk, ns):
+    """A mover with a timeout, beside it in the same time, stops meanwhile."""
+    assert talk.begin().tell(0.0, 0.499, 0.5, 3.0) == commands(-0.2, -0.2, 0.0, 0.0)
+    talk.tell(0.1)
+    with mover(env={'ROS_NAMESPACE': f'{ns}beside'}):
+        Talk(f'{ns}beside/', talk.clock).begin().be_silent_until_it_stops()
+    talk.say(Float64(0.1))
+    assert talk.answers.wait_for_count(2) == commands(-0.2, -0.2)
+
+
+@pytest.mark.parametrize('node', [['_relative:=true']], indirect=True)
+def test_relative_counts_from_the_first_distance(talk):
+    """It would be beyond the goal for any other mover."""
+    assert talk.begin(start=10.0).tell(11.999, 12.0, 0.0) == commands(0.1, 0.0, 0.1)
+
+
+@pytest.mark.parametrize('node', [['_exit_when_done:=true']], indirect=True)
+def test_exit_when_done_ends_it_once_the_robot_stands(talk, node):
+    """With exit status 0, and not while the distance still grows."""
+    talk.begin(goal=2.0)
+    for distance in (2.0, 2.01, 2.02, 2.03):
+        talk.clock.advance(0.4)
+        assert talk.tell(distance) == commands(0.0)
+    assert node.running
+
+    def ended():
+        talk.clock.advance(0.1)
+        talk.say(Float64(2.03))
+        return not node.running
+
+    wait_until(ended, 10.0, lambda: f'its end; it printed:\n{node.output}')
+    assert node.wait() == 0, node.output
+    wait_until(lambda: talk.answers.last == Twist(), 5.0, 'a zero at last')
+
+
+def test_two_publishers_of_the_distance_are_warned_of_once_by_name(talk, node, ns):
+    """If a detector was left running, the robot drives off whenever the other one stops it."""
+    talk.begin()
+    with detector(env={'ROS_NAMESPACE': ns.strip('/')}):
+        Partner(f'{ns}odom', Odometry, f'{ns}moved_distance', Float64).say_until(
+            odometry, lambda _: True, 'a distance')
+        node.wait_for_output(f'{ns}moved_distance is published by ')
+    line, = [line for line in node.output.splitlines() if 'is published by' in line]
+    assert '/system_test' in line and f'{ns}movement_detector_node_' in line
