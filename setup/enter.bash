@@ -10,19 +10,12 @@
 }
 export PATH=$ODOMETRY_ROOT/setup/bin:$ODOMETRY_ROOT/.venv/bin:$PATH
 
-listens_on_this_machine_only() {
-    local address=${ROS_HOSTNAME:-${ROS_IP:-localhost}}
-    case ${address,,} in
-        localhost | localhost.* | *.localhost | localhost[46] | ip6-localhost | ip6-loopback) ;;
-        127.* | ::1) ;;
-        *) return 1 ;;
-    esac
-}
-
-if listens_on_this_machine_only; then
-    # Of loopback's names rospy knows this one only; under another it listens to the whole network,
-    # as without any. The C++ rosout does so in any case, and catkin's files have just named that.
-    export ROS_HOSTNAME=localhost ROS_ETC_DIR=$ODOMETRY_ROOT/launch/etc
-    unset ROS_IP
-fi
-unset -f listens_on_this_machine_only
+address=${ROS_HOSTNAME:-${ROS_IP:-localhost}}
+case ${address,,} in
+    localhost | localhost.* | *.localhost | localhost[46] | ip6-localhost | ip6-loopback | 127.* | ::1)
+        # Of loopback's names rospy knows this one only; under another, and without any, it listens to
+        # the whole network. The C++ rosout, which catkin's files have just named, always does.
+        export ROS_HOSTNAME=localhost ROS_ETC_DIR=$ODOMETRY_ROOT/launch/etc
+        unset ROS_IP ;;
+esac
+unset address

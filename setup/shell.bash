@@ -5,7 +5,7 @@ address=$(declare -p ROS_HOSTNAME ROS_IP 2>/dev/null)
 unset ROS_HOSTNAME ROS_IP
 eval "$address"
 unset address
-. "$ODOMETRY_ROOT/launch/scripts/enter.bash"
+. "$ODOMETRY_ROOT/setup/enter.bash"
 PS1="(ws) $PS1"
 
 # Debian has completion of ROS's commands only beside the package bash-completion.
