@@ -2,7 +2,7 @@
 
 import rospy
 from geometry_msgs.msg import Twist
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector
 from odometry_tests.waiting import Recorder, wait_until
@@ -11,7 +11,7 @@ from std_msgs.msg import Float64
 
 def test_a_line_is_seen_while_the_node_runs(master):
     """Python keeps what is printed into a pipe until the node ends, unless told otherwise."""
-    with detector(start=Kept) as node:
+    with detector(start=GuardedProcess) as node:
         node.wait_for_output('waiting for odometry on /odom')
         assert node.running
 
