@@ -6,7 +6,7 @@ OPT=/opt/ros
 # find_ros: set ROS, the folder that has it, and its PYTHON. A workspace stays with the ROS it was
 # made with, whatever a terminal has sourced.
 find_ros() {
-    ! { read -r ROS && read -r PYTHON; } 2>/dev/null <"$VENV/ros" || return 0
+    ! remembers_ros || return 0
     if [ "${ROS_VERSION:-}" = 1 ] && read -r ROS < <(type -P catkin_make); then
         ROS=${ROS%/bin/catkin_make}
         ROS=${ROS:-$USR}
@@ -23,6 +23,7 @@ find_ros() {
     [ -x "$PYTHON" ] || PYTHON=$USR/bin/python3
 }
 
+remembers_ros() { { read -r ROS && read -r PYTHON; } 2>/dev/null <"$VENV/ros"; }
 is_debians() { [ "$ROS" = "$USR" ]; }
 
 # load_ros: source it. conda's has no file for that: a terminal has to activate it.

@@ -9,6 +9,7 @@ from odometry_tests.scripts import ROOT
 TIMEOUT = 60.0  # s
 START = """
 set -euo pipefail
+CALLED_FROM=/
 . "$CHECKOUT/setup/set_up.bash"
 """
 # The set-up of a few packages, with the virtual environment of this project.

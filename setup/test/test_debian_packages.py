@@ -1,13 +1,12 @@
-"""docs/workspace.md has Debian install what every package.xml names, and what builds it."""
+"""The lists of Debian packages in the docs, against the manifests and the set-up."""
 
 import re
 from xml.etree import ElementTree
 
 from odometry_tests.scripts import ROOT
 
-PAGE = (ROOT / 'docs' / 'workspace.md').read_text()
 MANIFESTS = [*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')]
-# Where Debian's name is not python3- and the key's.
+# Where Debian's name is not python3- and the key.
 DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
           'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
 TO_BUILD = {'g++', 'git', 'make', 'python3-dev', 'python3-venv', 'ros-environment'}
@@ -23,16 +22,13 @@ def debian_packages():
     roots = [ElementTree.parse(manifest).getroot() for manifest in MANIFESTS]
     keys = {element.text for root in roots for element in root if element.tag.endswith('depend')}
     keys -= {root.findtext('name') for root in roots}
-    return {package for key in keys for package in DEBIAN.get(key, [in_debian(key)])}
+    return {package for key in keys for package in DEBIAN.get(
+        key, ['python3-' + re.sub('^python3-', '', key).replace('_', '-')])}
 
 
-def in_debian(key):
-    """Return what Debian calls a Python package or the messages of a package."""
-    return 'python3-' + re.sub('^python3-', '', key).replace('_', '-')
-
-
-def test_the_page_installs_what_the_packages_depend_on():
-    """Neither less nor more."""
-    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)', PAGE)
+def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
+    """docs/workspace.md: neither less nor more."""
+    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)',
+                       (ROOT / 'docs' / 'workspace.md').read_text())
     installed = {word for line in lines for word in line.split()}
     assert installed == debian_packages() | TO_BUILD | DEFINITIONS | FOR_A_WINDOW
