@@ -36,12 +36,6 @@ The first use installs ROS from the system's packages and builds; later uses sta
 TEXT
 }
 
-enter() {
-    set +u
-    . "$ROOT/setup/enter.bash"
-    set -u
-}
-
 # exec_guarded PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
 exec_guarded() {
     # Python would answer Ctrl-C with a traceback while it starts: signals wait until it has begun.
@@ -80,7 +74,9 @@ main() {
         sweep) shift; exec_guarded "$ROOT/launch/scripts/sweep.py" "$@" ;;
         soak) shift; exec_guarded "$ROOT/test/soak/run_soak.py" "$@" ;;
     esac
-    enter
+    set +u
+    . "$ROOT/setup/enter.bash"
+    set -u
     case $1 in
         test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/setup/shell.bash" "$@" ;;

@@ -45,10 +45,7 @@ set_up() {
 }
 
 # asks_for_help COMMAND ARGUMENT...: whether a command of ./ws should only print its usage.
-asks_for_help() {
-    is_own "${1:-}" && [[ " ${*:2} " =~ ' '(-h|--help)' ' ]]
-}
-
+asks_for_help() { is_own "${1:-}" && [[ " ${*:2} " =~ ' '(-h|--help)' ' ]]; }
 is_own() { [[ $1 =~ ^(demo|test|bench|soak|sweep)$ ]]; }
 
 # add_extras COMMAND ARGUMENT...: add to PARTS and EXTRAS what only some commands need.
@@ -87,7 +84,7 @@ is_ready() {
 # make_ready COMMAND ARGUMENT...: install and build what is missing, one call of ./ws at a time.
 make_ready() {
     local extra
-    may_exist "$1" || refuse_unknown "$1"
+    [ $# = 0 ] || may_exist "$1" || refuse_unknown "$1"
     need_write
     python_is_ready || [ ! -x "$PYTHON" ] || has_pybullet || PARTS+=("${COMPILER_PARTS[@]}")
     mkdir -p "$WORKSPACE/src"
@@ -108,12 +105,13 @@ make_ready() {
 
 set_up_python() {
     check_ros
+    local step='installing PyBullet'
     has_pybullet || {
         need_parts "${COMPILER_PARTS[@]}"
-        announce "PyPI has no PyBullet for Python $(python_version) on $(uname -m). Compiling it takes \
-about 5 minutes on two processors, this once: it is kept in $(wheels)"
+        step="compiling PyBullet, which PyPI lacks for Python $(python_version) on $(uname -m), once; \
+it takes about 5 minutes on two processors"
     }
-    run_step 'installing PyBullet' make_python
+    run_step "$step" make_python
 }
 
 # may_exist COMMAND: whether there is such a command, or may be once everything is installed.

@@ -30,7 +30,7 @@ run_step() {
     pid=$!
     trap 'kill $pid 2>/dev/null || true; exit 130' INT TERM HUP
     while [ -t 2 ] && kill -0 $pid 2>/dev/null; do
-        printf '\r\033[K./ws: %s ... %d s' "$text" $((SECONDS - start)) >&2
+        printf '\r./ws: %s ... %d s' "$text" $((SECONDS - start)) >&2
         sleep 0.2
     done
     wait $pid || status=$?

@@ -57,7 +57,7 @@ def test_every_package_says_in_a_paragraph_what_it_is():
 def test_each_test_that_reliability_names_exists():
     """A fault is shown by something."""
     named = set(TEST.findall((ROOT / 'docs' / 'reliability.md').read_text()))
-    there = {path.stem for path in ROOT.glob('test/*/test_*.py')} | {
+    there = {path.stem for path in [*ROOT.glob('test/*/test_*.py'), *ROOT.glob('*/test/test_*.py')]} | {
         path.name for path in ROOT.glob('test/rostests/*.test')}
     assert named and named <= there, sorted(named - there)
 
