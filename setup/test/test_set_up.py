@@ -117,7 +117,7 @@ def test_a_failed_step_shows_its_last_lines(checkout):
 @pytest.mark.parametrize('signum, status', [
     (signal.SIGINT, -signal.SIGINT), (signal.SIGQUIT, 128 + signal.SIGQUIT)])
 def test_a_signal_ends_ws_though_its_command_ends_well(checkout, signum, status):
-    """bash alone would forget it."""
+    """Bash alone would forget it."""
     run = in_checkout(checkout, SIGNAL_IT, SIGNAL=str(int(signum)))
     assert (run.wait(), run.stdout) == (status, ''), run.stderr
 
