@@ -3,7 +3,7 @@
 set -euo pipefail
 
 IFS= read -r system < <(uname)
-if [ "$system" != Linux ]; then  # nor is there what the next lines need
+if [ "$system" != Linux ]; then  # the next lines would fail there
     echo "./ws: this needs Linux. On $system the container runs: docs/container.md" >&2
     exit 1
 fi
@@ -11,7 +11,7 @@ fi
 # Not by $(...): bash may forget a Ctrl-C while it waits for that.
 IFS= read -rd '' CHECKOUT < <(readlink -fz "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}
-. "$CHECKOUT/launch/scripts/set_up.bash"
+. "$CHECKOUT/setup/set_up.bash"
 end_by_signals
 
 usage() {
@@ -30,26 +30,20 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
                            ./ws rostopic echo /odom -n1
 
 ROS listens on this machine only. --host ADDRESS lets other machines in, at this address of this
-machine; ROS 1 has no passwords, so that everybody there can drive the robot.
+machine; ROS 1 has no passwords: everybody there can drive the robot.
 
 The first use installs ROS from the system's packages and builds; later uses start at once.
 TEXT
 }
 
-enter() {
-    set +u
-    . "$ROOT/launch/scripts/enter.bash"
-    set -u
-}
-
-# exec_kept PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
-exec_kept() {
+# exec_guarded PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
+exec_guarded() {
     # Python would answer Ctrl-C with a traceback while it starts: signals wait until it has begun.
     local wait=(env --block-signal=INT,TERM,HUP,QUIT)
     "${wait[@]}" true 2>/dev/null || wait=()  # coreutils before 8.31
-    # So would catkin's, which the keeper has in a session that hears no key of the terminal.
-    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/keeping.py" \
-        bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/launch/scripts/enter.bash" "$@"
+    # So would catkin's, which the guard runs in a session that gets no signals from the terminal.
+    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/process_guard.py" \
+        bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/setup/enter.bash" "$@"
 }
 
 main() {
@@ -69,21 +63,24 @@ main() {
         shift
     done
     $only_set_up || [ $# != 0 ] || { usage; exit 1; }
+    [[ ${1:-} != shell || ${2:-} != -h && ${2:-} != --help ]] || { usage; exit; }
     set_up "$@"
     ! $only_set_up || exit 0
     export ODOMETRY_ROOT=$ROOT
     cd "$CALLED_FROM"
     case $1 in
-        demo) shift; exec_kept "$ROOT/launch/scripts/demo.py" "$@" ;;
-        bench) shift; exec_kept "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
-        sweep) shift; exec_kept "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
-        soak) shift; exec_kept "$ROOT/test/soak/run_soak.py" "$@" ;;
+        demo) shift; exec_guarded "$ROOT/launch/scripts/demo.py" "$@" ;;
+        bench) shift; exec_guarded "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
+        sweep) shift; exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
+        soak) shift; exec_guarded "$ROOT/test/soak/run_soak.py" "$@" ;;
     esac
-    enter
+    set +u
+    . "$ROOT/setup/enter.bash"
+    set -u
     case $1 in
         test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
-        shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
-        *) exec "$@" ;;
+        shell) shift; exec bash --rcfile "$ROOT/setup/shell.bash" "$@" ;;
+        *) type -P -- "$1" >/dev/null || refuse_unknown "$1"; exec "$@" ;;
     esac
 }
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import psutil
 import rospy
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.links import has_listener
 from odometry_tests.pausing import call
 from odometry_tests.tutorial import detector, forget_parameters, mover, simulator
@@ -38,11 +38,12 @@ class Graph:
         """
         forget_parameters()
         self._stack = contextlib.ExitStack()
-        self._processes = [self._stack.enter_context(simulator(*arguments, start=Kept))]
+        self._processes = [self._stack.enter_context(simulator(*arguments, start=GuardedProcess))]
         # Nothing may pass before it is measured.
         call('pause_physics')
         if movers:
-            for node in (detector(start=Kept), mover(f'_distance:={distance}', start=Kept)):
+            for node in (detector(start=GuardedProcess),
+                         mover(f'_distance:={distance}', start=GuardedProcess)):
                 self._processes.append(self._stack.enter_context(node))
             for topic in ('/odom', '/moved_distance', '/cmd_vel'):
                 wait_until(lambda topic=topic: has_listener(topic), TIMEOUT,

@@ -9,7 +9,7 @@ import rospy
 from measuring import Target, compare, in_turns
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector, forget_parameters
@@ -31,7 +31,7 @@ def detector_latency(options):
 def _latency(options, rate):
     forget_parameters()
     count = min(options.messages, rate * options.longest)
-    with detector(start=Kept), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'), \
+    with detector(start=GuardedProcess), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'), \
             closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
             closing(Answers('/relayed/odom', '/relayed/answer', Odometry)) as relay:
         pairs = in_turns(options.runs, lambda: answers.times(rate, count),

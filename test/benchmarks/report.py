@@ -5,8 +5,8 @@ import math
 import os
 import platform
 
-from odometry_launch.drawing import new_figure
 from robots import COUNTS, robots
+from run_plot.drawing import new_figure
 
 WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
 

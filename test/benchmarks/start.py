@@ -9,7 +9,7 @@ from pathlib import Path
 import rospkg
 from measuring import Target, compare, in_turns
 from nav_msgs.msg import Odometry
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector, forget_parameters
 from odometry_tests.waiting import Recorder
@@ -28,7 +28,7 @@ def start(options):
 def end(options):
     """Measure from Ctrl-C to the end of the process; the limit is what rospy needs."""
     pairs = in_turns(
-        options.runs, lambda: _end(detector(start=Kept), 'waiting for odometry'),
+        options.runs, lambda: _end(detector(start=GuardedProcess), 'waiting for odometry'),
         lambda: _end(Process('python3', HERE / 'relay.py', '/question', '/answer'), 'ready'))
     yield compare('end of a node', 's', pairs, Target('<=', 1.25))
 

@@ -8,7 +8,7 @@ import sys
 import time
 from collections import Counter
 
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.processes import ATTEMPTS, GAVE_UP
 
 JOBS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
@@ -33,13 +33,13 @@ class Running:
         job.results.mkdir(parents=True)
         with open(log, 'wb') as file:
             # In a session of its own: Ctrl-C is passed on by interrupt(), and then once.
-            self._kept = Kept(*job.command, cwd=job.results, stdout=file,
+            self._process = GuardedProcess(*job.command, cwd=job.results, stdout=file,
                               stderr=subprocess.STDOUT)
 
     @property
     def status(self):
         """Its exit status, None while it runs."""
-        return self._kept.poll()
+        return self._process.poll()
 
     @property
     def seconds(self):
@@ -58,15 +58,15 @@ class Running:
 
     def interrupt(self):
         """Press Ctrl-C."""
-        self._kept.send_signal(signal.SIGINT)
+        self._process.send_signal(signal.SIGINT)
 
     def end(self):
         """Wait until it has ended, and kill what does not."""
         try:
-            self._kept.wait(END_TIMEOUT)
+            self._process.wait(END_TIMEOUT)
         except subprocess.TimeoutExpired:
-            self._kept.let_go()
-            self._kept.wait()
+            self._process.terminate()
+            self._process.wait()
 
 
 def run(jobs, processors, logs, on_tick):

@@ -11,7 +11,7 @@ from course import RATE
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.links import HEARS, links
 from odometry_tests.pausing import call
 from odometry_tests.processes import Master, rosrun
@@ -132,7 +132,7 @@ class Nodes:
     def _start_simulator(self):
         """Start the simulator, paused, and return once it hears and is heard."""
         self._simulator = simulator_in_step(f'_odom_rate:={RATE}', '_real_time_factor:=0',
-                                            '_paused:=true', start=Kept)
+                                            '_paused:=true', start=GuardedProcess)
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT * PATIENCE)
         wait_for_subscribers(self._velocity, timeout=START_TIMEOUT)
@@ -141,7 +141,7 @@ class Nodes:
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""
         stale = links(SIMULATOR)
-        self._detector = detector(f'__name:={DETECTOR[1:]}', start=Kept)
+        self._detector = detector(f'__name:={DETECTOR[1:]}', start=GuardedProcess)
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
         self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale)
 

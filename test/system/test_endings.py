@@ -11,7 +11,7 @@ import pytest
 import rosgraph
 import rosnode
 from geometry_msgs.msg import Twist
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.scripts import ROOT
@@ -99,7 +99,7 @@ STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
     'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
     'rotate_robot/script/main.py', 'rotate_robot/script/rotate.py',
     'sim_turtlebot/script/sim_turtlebot_node.py', 'robot_view/script/view.py',
-    'sim_turtlebot/script/world_frame.py', 'launch/scripts/plot_run.py',
+    'sim_turtlebot/script/world_frame.py', 'sim_turtlebot/script/plot_run.py',
     'launch/scripts/rosout.py', 'setup/bin/roslaunch'])
 def test_ctrl_c_ends_a_script_at_any_moment_of_its_imports(script):
     """At once and without a word, where Python would end it with a traceback, or go on."""
@@ -125,7 +125,7 @@ def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path):
     (tmp_path / 'world.urdf').write_text(
         '<robot name="r"><link name="a"><collision><geometry><mesh filename="pipe.obj"/></geometry>'
         '</collision></link></robot>')
-    with simulator(f'_world:={tmp_path}/world.urdf', start=Kept) as node:
+    with simulator(f'_world:={tmp_path}/world.urdf', start=GuardedProcess) as node:
         wait_until(psutil.Process(node.pid).children, TIMEOUT, 'the process that tries the world')
         assert node.end(signal.SIGTERM) == 0, node.output
     assert not node.output.strip()
@@ -184,11 +184,11 @@ def truth(master):
 def driver(request, truth):
     """Start a node that moves the robot."""
     if request.param == 'mover':
-        node = mover('__name:=driver', '_distance:=100', start=Kept)
+        node = mover('__name:=driver', '_distance:=100', start=GuardedProcess)
     else:
         # Out of reach within the test: it turns at full speed limit all the time.
         node = rotator('__name:=driver', '_max_angular_speed:=0.2',
-                       f'_target:={170 + heading(truth.last):.0f}', start=Kept)
+                       f'_target:={170 + heading(truth.last):.0f}', start=GuardedProcess)
     with node:
         truth.wait_until_moving()
         yield node
@@ -224,7 +224,7 @@ def test_the_robot_is_at_rest_at_once(driver, truth, ending):
 
 def test_a_node_that_has_arrived_ends_quietly(truth):
     """After arrival the robot stays at rest."""
-    with mover('_distance:=0.02', '_relative:=true', start=Kept) as node:
+    with mover('_distance:=0.02', '_relative:=true', start=GuardedProcess) as node:
         node.wait_for_output('stopped')
         assert node.end() == 0, node.output
     truth.wait_until_resting()

@@ -31,7 +31,7 @@ python_is_ready() { true; }
 set_up true
 export ODOMETRY_ROOT=$ROOT
 set +u
-. "$ROOT/launch/scripts/enter.bash"
+. "$ROOT/setup/enter.bash"
 """
 
 

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 import rosnode
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.tutorial import detector, mover, rotator, simulator
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
@@ -45,7 +45,7 @@ def fill(path):
 def test_the_robot_drives_when_nothing_can_be_logged(master, log_folder):
     """Logs are a convenience: without them the nodes run all the same."""
     moved = Recorder('moved_distance', Float64)
-    options = {'env': {'ROS_LOG_DIR': str(log_folder)}, 'start': Kept}
+    options = {'env': {'ROS_LOG_DIR': str(log_folder)}, 'start': GuardedProcess}
     with simulator(**options) as robot, detector(**options) as counter, \
             mover(**options) as driver:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,
@@ -59,7 +59,7 @@ def test_a_node_runs_without_a_home(master, start, monkeypatch):
     """HOME is unset in many a container and service."""
     monkeypatch.delenv('HOME')
     name = f'homeless_{start.__name__}'
-    with start(f'__name:={name}', start=Kept) as node:
+    with start(f'__name:={name}', start=GuardedProcess) as node:
         wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0,
                    lambda: f'the node; it printed {node.output}', period=0.1)
         assert node.end() == 0, node.output

@@ -12,7 +12,7 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.pausing import call
 from odometry_tests.processes import path_of
 from odometry_tests.stuck import connected, publisher_of, stuck_subscriber
@@ -116,7 +116,7 @@ def test_a_node_whose_master_is_stuck_stops_the_robot_and_ends(master):
 def test_rotate_commands_while_nobody_reads_what_it_prints(master):
     """As behind `| less`, or after Ctrl-S in its terminal."""
     commands = Recorder('cmd_vel', Twist)
-    node = Kept(path_of('rotate_robot', 'rotate.py'), '_rate:=1000', env=os.environ,
+    node = GuardedProcess(path_of('rotate_robot', 'rotate.py'), '_rate:=1000', env=os.environ,
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     try:
         with published('odom', Odometry) as odometry:
@@ -131,4 +131,4 @@ def test_rotate_commands_while_nobody_reads_what_it_prints(master):
         assert node.wait(TIMEOUT * PATIENCE) == 0
         wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
     finally:
-        node.let_go()
+        node.terminate()

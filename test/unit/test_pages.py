@@ -65,7 +65,7 @@ def test_each_test_that_reliability_names_exists():
 
 def test_everything_that_is_installed_is_named_where_it_is_removed():
     """docs/install.md, against the lists in the set-up."""
-    set_up = (ROOT / 'launch' / 'scripts' / 'set_up.bash').read_text()
+    set_up = (ROOT / 'setup' / 'set_up.bash').read_text()
     installed = re.findall(r'^\w+_PARTS=\(([^)]*)\)', set_up, re.MULTILINE)
     removed = re.findall(r'^sudo apt-mark auto (.*)', (ROOT / 'docs' / 'install.md').read_text(),
                          re.MULTILINE)

@@ -14,12 +14,14 @@ from odometry_tests.scripts import ROOT
 BASE = REQUIREMENTS[0]
 PYBULLET = re.search('^pybullet==(.*)', BASE.read_text(), re.MULTILINE)[1]
 NAMED = re.compile(r'^([\w.-]+)==', re.MULTILINE)
-SCRIPTS = shlex.quote(str(ROOT / 'launch' / 'scripts'))
+SET_UP = shlex.quote(str(ROOT / 'setup'))
 HAS_WHEEL = f"""
-. {SCRIPTS}/compile.bash
+. {SET_UP}/python.bash
 python_version() {{ echo "$PYTHON_VERSION"; }}
 uname() {{ echo "$MACHINE"; }}
-has_pybullet_wheel
+pybullet() {{ echo pybullet==0; }}
+wheels() {{ echo /nowhere; }}
+has_pybullet
 """
 
 

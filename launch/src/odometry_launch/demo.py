@@ -1,7 +1,7 @@
 """Run a tutorial with a simulated robot, show its progress, and report the result.
 
-Its parent ends it by SIGTERM, which Python obeys at any moment without a message; the nodes end
-with it.
+Ctrl-C reaches the process guard, which sends this process SIGTERM: Python's default ends it at once
+without a message, and the nodes end with it.
 """
 
 import logging
@@ -10,15 +10,15 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 
-from odometry_launch.graph import DemoError, Graph
-from odometry_launch.logs import place_for_logs
+from odometry_launch.launch import DemoError, Launch
+from odometry_launch.logs import use_writable_logs
 from odometry_launch.options import launch_arguments, nodes_that_end, parse
 from odometry_launch.output import complain, forget_output
-from odometry_launch.page import Page
+from odometry_launch.page import DemoPage
 
 
 def main():
-    """Exit 0 only if the robot did what it was told and stands."""
+    """Exit 0 only if the robot did its task and has stopped."""
     options = parse(sys.argv[1:])
     try:
         status = 0 if _run(options) else 1
@@ -33,20 +33,21 @@ def main():
 
 
 def _run(options):
-    # The user need not know that rospy cannot write to its log, or that matplotlib reads fonts.
+    # Users need not know that rospy cannot write its log, or that matplotlib reads fonts.
     logging.raiseExceptions = False
     logging.getLogger('matplotlib').setLevel(logging.ERROR)
-    page = Page() if options.view else None
-    launch_file, arguments = launch_arguments(options, page.port if page else None)
-    with place_for_logs(), Graph(launch_file, arguments, nodes_that_end(options)) as graph:
-        if graph.unusual_address:
-            print('rostopic in another terminal: '
-                  f'export ROS_MASTER_URI={graph.unusual_address}', flush=True)
-        # roslaunch reads its files while this imports rospy and matplotlib. That may take long to
-        # read its fonts, and the robot does not wait for it.
+    page = DemoPage() if options.view else None
+    launch_file, arguments = launch_arguments(options, page and page.port)
+    use_writable_logs()
+    with Launch(launch_file, arguments, nodes_that_end(options)) as launch:
+        if not launch.is_at_usual_port:
+            print(f'rostopic in another terminal: export ROS_MASTER_URI={launch.master_uri}',
+                  flush=True)
+        # roslaunch reads its files while this imports rospy and matplotlib, which may take long to
+        # read its fonts. The robot does not wait for that.
         picture = ThreadPoolExecutor(1).submit(import_module, 'odometry_launch.picture')
         from odometry_launch.following import follow
-        complaint = follow(options, graph, page, picture)
+        complaint = follow(options, launch, page, picture)
         if page and sys.stdout.isatty():
-            page.stay(graph)
+            page.stay(launch)
     return not complaint

@@ -14,32 +14,33 @@ from odometry_launch.output import REWRITE, complain
 from odometry_launch.recording import Recording
 from odometry_launch.silence import Silence
 
+LOOK_PERIOD = 0.1  # s
 MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
 
 
-def follow(options, graph, page, picture):
+def follow(options, launch, page, picture):
     """Follow the robot to its end, print the result, and return a complaint or None.
 
     :param picture: the Future of the module that draws
     """
-    graph.wait_until_read()
-    graph.wait_for(_join, 'the demo does not become a node')
+    launch.wait_until_read()
+    launch.wait_for(_join, 'the demo does not become a node')
     recording = _record()
     monitor = MONITORS[options.tutorial](options)
-    graph.wait_for(lambda: _all_are_heard(monitor, recording), 'the nodes do not answer')
-    graph.wait_for(unpause, 'the robot stays paused')
-    graph.wait_for(monitor.started, 'the robot does not begin to move')
+    launch.wait_for(lambda: _are_connected(monitor, recording), 'the nodes do not answer')
+    launch.wait_for(unpause, 'the robot stays paused')
+    launch.wait_for(monitor.started, 'the robot does not begin to move')
     wall_start = time.monotonic()
     if page:
-        page.announce(graph)
-    _watch(monitor, graph, Silence(options.real_time_factor))
+        page.announce(launch)
+    _watch(monitor, launch, Silence(options.real_time_factor))
     wall_time = time.monotonic() - wall_start
     summary, complaint = monitor.result()
     print(f'{summary}\ntime            {monitor.duration:.1f} s simulated, {wall_time:.1f} s real',
           flush=True)
     bag = recording and recording.close()
     if not page:
-        graph.let_go()  # the nodes end while the picture is drawn
+        launch.terminate()  # the nodes end while the picture is drawn
     if bag:
         picture.result().leave_picture(bag, monitor.end.to_sec())
     if complaint:
@@ -54,7 +55,7 @@ def _join():
 
 
 def _record():
-    """Start a recording; without a place for it the demo goes on."""
+    """Start a recording; if it cannot be written, the demo goes on without."""
     try:
         return Recording(RUNS)
     except OSError as error:
@@ -62,12 +63,12 @@ def _record():
         return None
 
 
-def _all_are_heard(monitor, recording):
+def _are_connected(monitor, recording):
     return monitor.hears() and (recording is None or recording.hears('odom', 'cmd_vel'))
 
 
 def unpause():
-    """Let time begin; return whether the simulator has answered."""
+    """Start simulated time; return whether the simulator has answered."""
     try:
         rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()
     except rospy.ServiceException:
@@ -75,18 +76,19 @@ def unpause():
     return True
 
 
-def _watch(monitor, graph, silence):
+def _watch(monitor, launch, silence):
+    """Show the robot's progress until it has arrived."""
     line = Line()
     while monitor.end is None:
-        graph.check()
+        launch.check()
         silence.look(monitor.now)
         line.show(monitor.progress(), monitor.now)
-        time.sleep(0.1)
+        time.sleep(LOOK_PERIOD)
     line.finish(monitor.progress())
 
 
 class Line:
-    """One line that is rewritten on a terminal; elsewhere a line every two simulated seconds."""
+    """A line that is rewritten on a terminal; elsewhere a line every two simulated seconds."""
 
     PERIOD = 2.0
 

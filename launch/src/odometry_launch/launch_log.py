@@ -1,4 +1,4 @@
-"""What roslaunch and its nodes print, and what it means."""
+"""What roslaunch and its nodes print, and what it says about them."""
 
 import collections
 import os
@@ -6,38 +6,34 @@ import re
 import signal
 
 COLOUR = re.compile(r'\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07')
-# How a node complains of its parameters, and roslaunch of what it is given.
+# Complaints of a node about its parameters, and of roslaunch about its arguments.
 COMPLAINT = re.compile(r'(sim_turtlebot|test_movement|rotate_robot|movement_detector_node|view'
                        r'|RLException|Resource not found): ')
-ENDED = re.compile(r'\[(\w+)-\d+\] process has (?:died \[pid \d+, exit code (-?\d+)|finished)')
-REQUIRED_ENDED = re.compile(r'=*REQUIRED process \[(\w+)-\d+\] has died!')
+DIED = re.compile(r'\[(\w+)-\d+\] process has (?:died \[pid \d+, exit code (-?\d+)|finished)'
+                  r'|=*REQUIRED process \[(\w+)-\d+\] has died!')
 LAST_LINES = 5
 
 
 class LaunchLog:
-    """A file for roslaunch to print to; in memory, since a disk may be full."""
+    """A file in memory, since a disk may be full, to which roslaunch and its nodes print."""
 
     def __init__(self):
         """Begin empty."""
         self.file = os.fdopen(os.memfd_create('roslaunch'), 'wb')
-        self._place = 0
-        self._rest = b''
+        # Opened once more, it has a position of its own for reading.
+        self._reader = os.fdopen(
+            os.open(f'/proc/self/fd/{self.file.fileno()}', os.O_RDONLY), errors='replace')
         self._last = collections.deque(maxlen=LAST_LINES)
-        self.complaint = None  # what a node or roslaunch has said against its arguments
+        self.complaint = None
         self.ended = {}  # how nodes have ended, by name: '' if well
 
     def read(self):
-        """Note what has been printed since the last time."""
-        # Who prints has the same place in the file.
-        descriptor = self.file.fileno()
-        new = os.pread(descriptor, os.fstat(descriptor).st_size - self._place, self._place)
-        self._place += len(new)
-        *lines, self._rest = (self._rest + new).split(b'\n')
-        for line in lines:
-            self._note(COLOUR.sub('', line.decode(errors='replace')).strip())
+        """Note what has been printed since the last call."""
+        for line in self._reader:
+            self._note(COLOUR.sub('', line).strip())
 
     def reason(self):
-        """Return the complaint, or else the last lines."""
+        """Return the complaint of a node or of roslaunch, or else the last lines."""
         return self.complaint or '\n'.join(['', *self._last])
 
     def _note(self, line):
@@ -45,15 +41,14 @@ class LaunchLog:
             self._last.append(line)
         if COMPLAINT.match(line):
             self.complaint = line
-        found = ENDED.match(line) or REQUIRED_ENDED.match(line)
+        found = DIED.match(line)
         if found:
-            self.ended[found[1]] = _how(*found.groups()[1:])
+            name, status, required = found.groups()
+            self.ended[name or required] = _how(int(status or 0))
 
 
-def _how(status=None):
-    """Return in words how a process has ended; take its exit status as a text."""
-    if status is None or int(status) == 0:
-        return ''
-    if int(status) < 0:
-        return f' by {signal.Signals(-int(status)).name}'
-    return f' with status {status}'
+def _how(status):
+    """Return in words how a process has ended."""
+    if status < 0:
+        return f' by {signal.Signals(-status).name}'
+    return f' with status {status}' if status else ''

@@ -1,46 +1,24 @@
 """Where ROS writes its logs."""
 
-import contextlib
 import os
-import signal
-import sys
 import tempfile
 
 import rospkg
 
 from odometry_launch.output import complain
 
-ENOUGH = bytes(2**16)  # a run's logs are not much larger
+LOG_SIZE = 2**16  # bytes; the logs of a run are not much larger
 
 
-@contextlib.contextmanager
-def place_for_logs():
-    """Provide one for this context: the usual place, or, with a line, a folder that goes with it."""
-    refusal = _refusal()
-    if not refusal:
-        yield
-        return
-    signal.signal(signal.SIGTERM, _end)
-    with tempfile.TemporaryDirectory(prefix='ros-') as place:
-        complain(f'until the end logs are in {place}: {refusal}')
-        for name in ('ROS_HOME', 'ROS_LOG_DIR', 'MPLCONFIGDIR'):
-            os.environ[name] = place
-        yield
-
-
-def _refusal():
-    """Return why logs cannot be written as usual, or None."""
+def use_writable_logs():
+    """Let ROS log to a new temporary folder, and say so, if it cannot write its usual one."""
     try:
         os.makedirs(rospkg.get_log_dir(), exist_ok=True)
         for folder in (rospkg.get_log_dir(), rospkg.get_ros_home()):
             with tempfile.TemporaryFile(dir=folder) as file:
-                file.write(ENOUGH)
+                file.write(bytes(LOG_SIZE))
                 file.flush()
     except OSError as error:
-        return error
-    return None
-
-
-def _end(signum, _frame):
-    signal.signal(signum, signal.SIG_IGN)  # it comes again where the nodes take long to end
-    sys.exit(128 + signum)
+        folder = tempfile.mkdtemp(prefix='ros-')
+        complain(f'logs are in {folder}: {error}')
+        os.environ.update(ROS_HOME=folder, ROS_LOG_DIR=folder, MPLCONFIGDIR=folder)

@@ -2,24 +2,23 @@
 
 import argparse
 import math
-import re
 
 from odometry_common.kobuki import MAX_LINEAR_SPEED
 
 from odometry_launch.ports import PAGE_PORT
 
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
-MIN_SPEED = 0.001  # m/s; nobody would wait for a slower robot
+MIN_SPEED = 0.001  # m/s; a slower robot takes half an hour
 MIN_FACTOR = 0.001  # what the simulator accepts
 # The tutorial of an option, and its default.
-BELONGING = {'distance': ('move', 2.0), 'speed': ('move', 0.1), 'target': ('rotate', 90.0)}
+DEFAULTS = {'distance': ('move', 2.0), 'speed': ('move', 0.1), 'target': ('rotate', 90.0)}
 
 
 def parse(arguments):
-    """Return the options; print help or a complaint and exit if there is nothing to run."""
+    """Return the options; print help or an error and exit if there is nothing to run."""
     parser = make_parser()
-    options = parser.parse_args(_with_numbers_joined(arguments))
-    for name, (tutorial, default) in BELONGING.items():
+    options = parser.parse_args(arguments)
+    for name, (tutorial, default) in DEFAULTS.items():
         if getattr(options, name) is None:
             setattr(options, name, default)
         elif options.tutorial != tutorial:
@@ -35,12 +34,13 @@ def make_parser():
     parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
                         help='drive two metres, or turn to a heading (default: %(default)s)')
     parser.add_argument('--distance', type=_number(0.01, 1000), metavar='M',
-                        help=f'move: where to stop (m; default: {BELONGING["distance"][1]})')
-    parser.add_argument('--speed', type=_speed, metavar='M/S',
+                        help=f'move: where to stop (m; default: {DEFAULTS["distance"][1]})')
+    parser.add_argument('--speed', metavar='M/S',
+                        type=_number(-MAX_LINEAR_SPEED, MAX_LINEAR_SPEED, MIN_SPEED),
                         help='move: how fast (m/s; negative drives backwards; '
-                             f'default: {BELONGING["speed"][1]})')
+                             f'default: {DEFAULTS["speed"][1]})')
     parser.add_argument('--target', type=_number(-1e6, 1e6), metavar='DEGREES',
-                        help=f'rotate: heading to turn to (default: {BELONGING["target"][1]})')
+                        help=f'rotate: heading to turn to (default: {DEFAULTS["target"][1]})')
     parser.add_argument('--real-time-factor', type=_factor, default=1.0, metavar='N',
                         help='simulated seconds per second; 0: as fast as possible. At '
                              'each but 1 the robot waits for its controller, so that it goes '
@@ -53,31 +53,19 @@ def make_parser():
     return parser
 
 
-def _with_numbers_joined(arguments):
-    """Return --speed -1e-1 as --speed=-1e-1: argparse takes its -1e-1 for an option."""
-    joined = []
-    for argument in arguments:
-        if joined and joined[-1].startswith('--') and re.match(r'-[\d.]', argument):
-            joined[-1] += f'={argument}'
-        else:
-            joined.append(argument)
-    return joined
-
-
 def in_lockstep(options):
-    """Return whether the robot waits for its controller: what is not shown in real time does."""
+    """Return whether the robot waits for its controller: at each pace but real time."""
     return options.real_time_factor != 1
 
 
 def nodes_that_end(options):
-    """Return the names of the nodes that end when they have done what they were told."""
-    # Beside a page the tutorial's node does so, or it would go on to command zero, against the
-    # page's pad.
+    """Return the names of the nodes that end once they have done their task."""
+    # Beside a page the tutorial's node does: otherwise its zero commands would fight the pad's.
     return ['test_movement', 'rotate_robot'] if options.view else []
 
 
 def launch_arguments(options, page_port=None):
-    """Return the launch file and its arguments for these options, and for the page if any."""
+    """Return the launch file and a dictionary of its arguments for these options."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor, 'paused': 'true',
                  'lockstep': _flag(in_lockstep(options))}
@@ -95,7 +83,8 @@ def _flag(value):
     return str(value).lower()
 
 
-def _number(lowest, highest):
+def _number(lowest, highest, smallest=0.0):
+    """Return a type for argparse: numbers in a range, whose size is at least `smallest`."""
     def parse_number(text):
         try:
             value = float(text)
@@ -104,19 +93,11 @@ def _number(lowest, highest):
         if not lowest <= value <= highest:
             raise argparse.ArgumentTypeError(
                 f'{text!r} is not a number from {lowest:g} to {highest:g}')
+        if abs(value) < smallest:
+            raise argparse.ArgumentTypeError(f'{text!r} is smaller than {smallest:g}')
         return value
     return parse_number
 
 
 def _factor(text):
-    value = _number(0, 100)(text)
-    if 0 < value < MIN_FACTOR:
-        raise argparse.ArgumentTypeError(f'{text!r} is neither 0 nor {MIN_FACTOR:g} or more')
-    return value
-
-
-def _speed(text):
-    value = _number(-MAX_LINEAR_SPEED, MAX_LINEAR_SPEED)(text)
-    if abs(value) < MIN_SPEED:
-        raise argparse.ArgumentTypeError(f'{text!r} is slower than {MIN_SPEED:g} m/s')
-    return value
+    return _number(0, 100)(text) and _number(0, 100, MIN_FACTOR)(text)

@@ -1,43 +1,40 @@
-"""The browser window beside the demo."""
+"""The browser page beside the demo."""
 
 import signal
 import socket
 import time
 
-from odometry_launch.graph import DemoError
-from odometry_launch.ports import PAGE_PORT, page_port
+from odometry_launch.launch import DemoError
+from odometry_launch.ports import PAGE_PORT, next_port
 
 CHECK_PERIOD = 0.2  # s
 
 
-class Page:
-    """The page's address: the usual port, or the next one that is free."""
+class DemoPage:
+    """The page's address: the usual port, or the next free one."""
 
     def __init__(self):
-        """Hold the port; raise DemoError if there is none."""
+        """Hold the port; raise DemoError if none is free."""
         try:
-            self._held = page_port(PAGE_PORT)
+            self._held = next_port(PAGE_PORT)
         except OSError as error:
             raise DemoError(f'no port is free for the page, from {PAGE_PORT} on: '
                             f'{error.strerror}') from None
         self.port = self._held.number
-        self.url = f'http://localhost:{self.port}'
 
-    def announce(self, graph):
-        """Print where the page is, once it is there."""
-        graph.wait_for(self._answers, 'the page does not answer')
-        print(f'view            {self.url}', flush=True)
+    def announce(self, launch):
+        """Print the address once the page answers there."""
+        launch.wait_for(self._answers, 'the page does not answer')
+        print(f'view            http://localhost:{self.port}', flush=True)
 
-    def stay(self, graph):
-        """Leave the page open until Ctrl-C, which is not a failure then."""
-        ended = []
-        signal.signal(signal.SIGTERM, lambda *_: ended.append(True))
+    def stay(self, launch):
+        """Keep the page open until Ctrl-C, which is no failure then."""
+        received = []
+        signal.signal(signal.SIGTERM, lambda *_: received.append(True))  # it may come twice
         print('The page stays, and its pad drives the robot, until Ctrl-C.', flush=True)
-        while not ended:
-            graph.check()
+        while not received:
+            launch.check()
             time.sleep(CHECK_PERIOD)
-        # SIGTERM may come more than once, which must not spoil the exit status.
-        signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
     def _answers(self):
         with socket.socket() as connection:

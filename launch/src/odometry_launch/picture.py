@@ -3,12 +3,14 @@
 import math
 import os
 
+from run_plot.figure import make_figure
+from run_plot.recorded_run import BagError, read_run
+
 from odometry_launch.output import complain
-from odometry_launch.run_plot import BagError, make_figure, read_run
 
 
 def leave_picture(bag, end=math.inf):
-    """Draw the run in a bag (a Path), and print where the picture is, or why there is none.
+    """Draw the run in a bag (a Path), and print where the picture is, or why it failed.
 
     :param end: of the run (s)
     """

@@ -1,6 +1,5 @@
 """A bag of the run."""
 
-import collections
 import contextlib
 import threading
 
@@ -19,28 +18,23 @@ TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance'
 
 
 class Recording:
-    """Records the robot's topics from its making to its end, or until the disk is full."""
+    """Records the robot's topics until close(), or until the disk is full."""
 
     def __init__(self, runs):
-        """Make a new folder for this moment in the folder `runs`; raise OSError if it cannot."""
+        """Begin, in a new folder for this moment below `runs`; raise OSError if that fails."""
         self.path = new_folder(runs) / 'run.bag'
         self._file = self.path.open('w+b')
         self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()
-        self._counts = collections.Counter()
         self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
                              for topic, kind in TOPICS.items()}
 
     def hears(self, *topics):
-        """Return whether each of these topics has a publisher whose next message is recorded."""
+        """Return whether each of these topics is recorded from its next message on."""
         return all(is_connected(self._subscribers[topic]) for topic in topics)
 
-    def count(self, topic):
-        """Return how many messages of a topic have been recorded."""
-        return self._counts[topic]
-
     def close(self):
-        """Close the bag; return its path, or None if it could not be written to its end."""
+        """Close the bag; return its path, or None if it is incomplete."""
         for subscriber in self._subscribers.values():
             subscriber.unregister()
         with self._lock:
@@ -56,17 +50,15 @@ class Recording:
         with self._lock:
             if self._bag:
                 self._try(lambda: self._bag.write(f'/{topic}', message, now))
-            if self._bag:
-                self._counts[topic] += 1
 
     def _try(self, write):
-        """Write, or record no more."""
+        """Write, or stop recording."""
         try:
             write()
         except OSError as error:
             complain(f'the recording ends: {error}')
             with contextlib.suppress(OSError):
                 self._bag.close()
-            # What waits in its buffer cannot be written. Python 3.13 would complain of that.
+            # Its buffer cannot be written, of which Python 3.13 would complain.
             self._file.raw.close()
             self._bag = None

@@ -1,26 +1,25 @@
-"""A robot that has fallen silent."""
+"""A robot that has stopped sending."""
 
 import time
 
-from odometry_launch.monitors import ODOMETRY_PERIOD
 from odometry_launch.output import complain
 
 PATIENCE = 10.0  # s of wall time
-MESSAGES = 4  # that should have come, before silence is worth a word
+SIMULATED_PATIENCE = 0.2  # s; four odometries
 
 
 class Silence:
-    """Reports it once each time; only the user knows whether the robot is paused."""
+    """Reports it, once each time; only the user knows whether the robot is paused."""
 
     def __init__(self, real_time_factor):
-        """Take the pace, simulated seconds per second; 0: any."""
+        """Take the simulated seconds per second; 0: any."""
         self._patience = PATIENCE
         if real_time_factor:
-            self._patience = max(PATIENCE, MESSAGES * ODOMETRY_PERIOD / real_time_factor)
+            self._patience = max(PATIENCE, SIMULATED_PATIENCE / real_time_factor)
         self._now = self._since = None
 
     def look(self, now):
-        """Take the robot's time."""
+        """Take the robot's time (s)."""
         if now != self._now:
             self._now, self._since = now, time.monotonic()
         elif self._since is not None and time.monotonic() - self._since > self._patience:

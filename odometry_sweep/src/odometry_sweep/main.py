@@ -8,7 +8,7 @@ from datetime import timedelta
 
 from odometry_common.parameters import StartError
 from odometry_launch.folders import RUNS, new_folder
-from odometry_launch.graph import DemoError
+from odometry_launch.launch import DemoError
 from odometry_launch.output import REWRITE, bar, complain, forget_output
 
 from odometry_sweep.options import parse

@@ -12,8 +12,8 @@ from odometry_common.parameters import StartError
 from odometry_common.rospy_fixes import fix_rospy
 from odometry_launch.folders import RUNS
 from odometry_launch.following import unpause
-from odometry_launch.graph import DemoError, Graph
-from odometry_launch.logs import place_for_logs
+from odometry_launch.launch import DemoError, Launch
+from odometry_launch.logs import use_writable_logs
 from odometry_launch.picture import leave_picture
 from odometry_launch.recording import Recording
 from sim_turtlebot.odometry import Motion
@@ -64,13 +64,14 @@ def _record(tutorial, parameters, end):
     _, settings = run_parameters(tutorial, parameters)
     arguments = {'tutorial': tutorial, 'odom_rate': settings.odom_rate,
                  'parameters': json.dumps(parameters)}  # JSON is YAML
-    with place_for_logs(), Graph('replay.launch', arguments, package='odometry_sweep') as graph:
-        graph.wait_until_read()
-        graph.wait_for(_join, 'the sweep does not become a node')
+    use_writable_logs()
+    with Launch('replay.launch', arguments, package='odometry_sweep') as launch:
+        launch.wait_until_read()
+        launch.wait_for(_join, 'the sweep does not become a node')
         recording = Recording(RUNS)
-        graph.wait_for(lambda: recording.hears(*TOPICS[tutorial]), 'the nodes do not answer')
-        graph.wait_for(unpause, 'the robot does not begin')
-        _wait_for_time(end, graph)
+        launch.wait_for(lambda: recording.hears(*TOPICS[tutorial]), 'the nodes do not answer')
+        launch.wait_for(unpause, 'the robot does not begin')
+        _wait_for_time(end, launch)
         recording.close()
     return recording.path
 
@@ -81,11 +82,11 @@ def _join():
     return True
 
 
-def _wait_for_time(end, graph):
+def _wait_for_time(end, launch):
     """Return once `end` (s) is over: in lockstep, all its messages are recorded by then."""
     last, changed = 0.0, time.monotonic()
     while (now := rospy.get_time()) <= end:
-        graph.check()
+        launch.check()
         if now > last:
             last, changed = now, time.monotonic()
         elif time.monotonic() - changed > LONGEST_SILENCE:

@@ -9,7 +9,8 @@ from odometry_tests.scripts import ROOT
 TIMEOUT = 60.0  # s
 START = """
 set -euo pipefail
-. "$CHECKOUT/launch/scripts/set_up.bash"
+CALLED_FROM=/
+. "$CHECKOUT/setup/set_up.bash"
 """
 # The set-up of a few packages, with the virtual environment of this project.
 FASTER = """

@@ -23,7 +23,7 @@ from odometry_tests.scripts import ROOT
 FORKS = multiprocessing.get_context('forkserver')
 FORKS.set_forkserver_preload([
     'odometry_tests.forked', 'sim_turtlebot.node', 'tf.transformations', 'robot_view.address',
-    'odometry_launch.run_plot'])
+    'run_plot.figure'])
 OUTPUTS = 1, 2  # descriptors
 PR_SET_PDEATHSIG = 1  # <linux/prctl.h>
 
@@ -37,7 +37,7 @@ class Ended(NamedTuple):
 
 
 class Forked:
-    """A script in a process and a session of its own; used as odometry_launch.keeping.Kept is."""
+    """A script in a process and a session of its own, with the methods of GuardedProcess."""
 
     def __init__(self, script, *arguments, env, stdout, stderr):
         """Start it; both outputs are subprocess.PIPE."""
@@ -74,7 +74,7 @@ class Forked:
             with suppress(ProcessLookupError):
                 os.kill(self.pid, signum)
 
-    def let_go(self):
+    def terminate(self):
         """Have it ended; return at once."""
         self._process.kill()
 

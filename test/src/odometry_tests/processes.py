@@ -10,7 +10,7 @@ from collections import deque
 
 import rosgraph
 from odometry_common.ports import bind
-from odometry_launch.keeping import Kept
+from odometry_launch.process_guard import GuardedProcess
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
@@ -25,16 +25,16 @@ started = deque(maxlen=20)  # the latest Processes of this test; a soak starts h
 class Process:
     """A command with its output."""
 
-    def __init__(self, *command, env=None, start=Kept, **popen_options):
+    def __init__(self, *command, env=None, start=GuardedProcess, **popen_options):
         """Start it; `env` is added to the environment.
 
-        :param start: Kept, or Forked for a Python script
+        :param start: GuardedProcess, or Forked for a Python script
         """
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
         environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
         # Nothing is left of it when pytest is killed.
-        self._kept = start(*command, env=environment, stdout=subprocess.PIPE,
+        self._process = start(*command, env=environment, stdout=subprocess.PIPE,
                            stderr=subprocess.PIPE, **popen_options)
         self._changed = threading.Condition()
         self._lines = {'stdout': [], 'stderr': []}
@@ -45,7 +45,7 @@ class Process:
     @property
     def pid(self):
         """Process id of the command itself."""
-        return self._kept.pid
+        return self._process.pid
 
     @property
     def stdout(self):
@@ -65,12 +65,12 @@ class Process:
     @property
     def running(self):
         """Whether the command has not ended yet."""
-        return self._kept.poll() is None
+        return self._process.poll() is None
 
     @property
     def state(self):
         """Whether it runs, or how it has ended, in words."""
-        return 'is running' if self.running else f'has ended with status {self._kept.poll()}'
+        return 'is running' if self.running else f'has ended with status {self._process.poll()}'
 
     def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
@@ -83,7 +83,7 @@ class Process:
 
     def send(self, signum):
         """Send a signal to the command itself."""
-        self._kept.send_signal(signum)
+        self._process.send_signal(signum)
 
     def wait(self, timeout=TIMEOUT):
         """Return the exit status once the command has ended and all its output is read.
@@ -91,7 +91,7 @@ class Process:
         No traceback is ever a user's error message: one fails the test.
         """
         try:
-            status = self._kept.wait(timeout * PATIENCE)
+            status = self._process.wait(timeout * PATIENCE)
         except subprocess.TimeoutExpired:
             raise AssertionError(f'{self.command} has not ended within {timeout * PATIENCE:g} s; '
                                  f'it printed:\n{self.output}') from None
@@ -115,14 +115,14 @@ class Process:
         try:
             if self.running:
                 self.send(signal.SIGINT)
-                self._kept.wait(TIMEOUT * PATIENCE)
+                self._process.wait(TIMEOUT * PATIENCE)
         except subprocess.TimeoutExpired:
-            self._kept.let_go()
-            self._kept.wait()
+            self._process.terminate()
+            self._process.wait()
             assert kind, f'{self.command} has not ended on Ctrl-C; it printed:\n{self.output}'
 
     def _read(self, name):
-        stream, lines = getattr(self._kept, name), self._lines[name]
+        stream, lines = getattr(self._process, name), self._lines[name]
 
         def collect():
             with stream:

@@ -1,0 +1,110 @@
+"""Run a launch file with a ROS master of its own, and notice when a node ends."""
+
+import os
+import resource
+import subprocess
+import time
+import uuid
+
+import rosgraph
+import rospkg
+
+from odometry_launch.launch_log import LaunchLog
+from odometry_launch.ports import next_port, usual_master_port
+from odometry_launch.process_guard import GuardedProcess
+
+START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
+LOOK_PERIOD = 0.02  # s
+# With half of it some threads cannot start, and their nodes hang.
+MIN_ADDRESS_SPACE = 2 * 10**9  # bytes
+RESPAWNED = 'rosout'  # roslaunch starts it again
+# roslaunch would give a master of its own 10 s to answer, too few on a busy machine. As its child,
+# this one ends after the nodes.
+COMMAND = ('rosmaster --core -p "$0" __log:="$1/$2/master.log" & '
+           'exec roslaunch --wait --run_id "${@:2}"')
+
+
+class DemoError(RuntimeError):
+    """The demo cannot go on; the message is one line for the user."""
+
+
+class Launch:
+    """A context in which a master and the nodes of a launch file run."""
+
+    def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch'):
+        """Take the name of a launch file, a dictionary of its arguments, and its package.
+
+        :param may_end: names of nodes that end once they have done their task
+        """
+        self._command = [package, launch_file]
+        self._command += [f'{name}:={value}' for name, value in arguments.items()]
+        self._may_end = may_end
+
+    def __enter__(self):
+        """Start everything, and return at once; raise OSError if no port is free."""
+        check_address_space()
+        usual = usual_master_port()
+        self._port = next_port(usual)
+        self.is_at_usual_port = self._port.number == usual
+        self.master_uri = f'http://localhost:{self._port.number}'
+        os.environ['ROS_MASTER_URI'] = self.master_uri
+        self._log = LaunchLog()
+        self._roslaunch = GuardedProcess(
+            'bash', '-c', COMMAND, self._port.number, rospkg.get_log_dir(), uuid.uuid1(),
+            *self._command, stdout=self._log.file, stderr=subprocess.STDOUT,
+            env={**os.environ, 'PYTHONUNBUFFERED': '1'})
+        return self
+
+    def __exit__(self, *_):
+        """Return when everything has ended: until then nodes may write logs."""
+        self.terminate()
+        self._roslaunch.wait()
+        self._port.close()
+
+    def terminate(self):
+        """Begin to end everything; return at once."""
+        self._roslaunch.terminate()
+
+    def wait_until_read(self):
+        """Return once the launch file has been read."""
+        self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
+        # It answers a moment before it says whose clock nodes follow.
+        self.wait_for(lambda: rosgraph.Master('/demo').hasParam('/use_sim_time'),
+                      'the launch file has not been read')
+
+    def check(self):
+        """Raise DemoError if roslaunch has ended, or a node that should go on."""
+        is_over = self._roslaunch.poll() is not None
+        self._log.read()
+        for name, how in self._log.ended.items():
+            if name != RESPAWNED and (how or name not in self._may_end):
+                raise DemoError(self._log.complaint or f'{name} has ended{how}')
+        if is_over:
+            raise DemoError(f'the nodes have ended: {self._log.reason()}')
+
+    def wait_for(self, condition, complaint):
+        """Return once the condition holds; raise DemoError if it fails, or takes too long."""
+        end = time.monotonic() + START_TIMEOUT
+        while not _holds(condition, complaint):
+            self.check()
+            if time.monotonic() > end:
+                raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
+                                f'{self._log.reason()}')
+            time.sleep(LOOK_PERIOD)
+
+
+def _holds(condition, complaint):
+    try:
+        return condition()
+    except (OSError, rosgraph.MasterException):  # no answer yet
+        return False
+    except Exception as error:
+        raise DemoError(f'{complaint}: {type(error).__name__}: {error}') from error
+
+
+def check_address_space():
+    """Raise DemoError if the nodes, which inherit the limit, may have too little."""
+    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
+    if limit != resource.RLIM_INFINITY and limit < MIN_ADDRESS_SPACE:
+        raise DemoError(f'the address space is limited to {limit // 1024} kB (ulimit -v), but must '
+                        f'be at least {MIN_ADDRESS_SPACE // 1024} kB')

@@ -1,0 +1,68 @@
+"""./ws demo, from its first line to the picture it leaves, alone and beside others."""
+
+import os
+import re
+from pathlib import Path
+
+import rosbag
+from odometry_tests.forms import number_after
+from odometry_tests.processes import Process, hold_port
+from odometry_tests.scripts import ROOT
+
+PNG = b'\x89PNG'
+
+
+def start(port, *arguments):
+    """Start a demo that has this port for its master if it is free."""
+    return Process(ROOT / 'ws', 'demo', *arguments,
+                   env={'ROS_MASTER_URI': f'http://localhost:{port}'})
+
+
+def demo(*arguments):
+    """Run a demo to its end and return its process."""
+    with hold_port() as port:
+        process = start(port, *arguments)
+        assert process.wait(90.0) == 0, process.output
+    return process
+
+
+def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
+    """In lockstep the distances are the same at each pace."""
+    run = demo('--real-time-factor', '20')
+    assert number_after('moved distance', run.stdout) == 2.005
+    assert number_after('true distance', run.stdout) == 2.005
+    assert re.search('^.* of 2.00 m', run.stdout, re.MULTILINE), 'no progress in plain lines'
+    picture = re.search(r'picture +(.*)', run.stdout).group(1)
+    assert Path(picture).resolve().parents[1] == Path(os.environ['ODOMETRY_RUNS'])
+    assert Path(picture).read_bytes().startswith(PNG)
+    with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:
+        topics = set(bag.get_type_and_topic_info().topics)
+    assert topics == {'/odom', '/base_pose_ground_truth', '/moved_distance', '/cmd_vel'}
+
+
+def test_two_turns_print_the_same_of_their_arrival():
+    """The last line of progress and the summary, but for the real time that they took."""
+    first, second = (arrival(demo('rotate', '--real-time-factor', '0')) for _ in range(2))
+    assert first == second
+    assert len(first) == 4 and first[0].startswith('[====')
+
+
+def arrival(run):
+    """Return what a demo has printed of its arrival."""
+    lines = re.sub(', .* real$', '', run.stdout, flags=re.MULTILINE).splitlines()
+    return lines[-5:-1]  # then comes the picture
+
+
+def test_demos_that_start_together_all_arrive():
+    """Beside one that has the usual port: each says where its master is, and has its own folder."""
+    with hold_port() as port, start(port, '--distance', '100') as first:
+        first.wait_for_output(' of 100.00 m', 60.0)
+        demos = [start(port, '--distance', '0.3', '--real-time-factor', '0') for _ in range(2)]
+        for demo in demos:
+            assert demo.wait(90.0) == 0, demo.output
+    output = '\n'.join(demo.output for demo in demos)
+    told = re.findall(r'^rostopic in another terminal: export ROS_MASTER_URI=.*:(\d+)$', output,
+                      re.MULTILINE)
+    assert len(told) == len({str(port), *told}) - 1 == 2, output
+    assert len(set(re.findall('^picture +(.*)', output, re.MULTILINE))) == 2, output
+    assert 'export ROS_MASTER_URI' not in first.stdout

@@ -1,0 +1,99 @@
+"""The demo notices what becomes of its nodes, its output and its disk, and says so in one line."""
+
+import os
+import re
+import shutil
+import signal
+
+import pytest
+from odometry_tests.forms import number_after
+from odometry_tests.links import pid_of
+from odometry_tests.processes import Process, hold_port
+from odometry_tests.scripts import ROOT
+
+SHORT = './ws demo --distance 0.3 --real-time-factor 0'
+KILOBYTES = 100  # more than the logs of a run need, and less than its bag
+ROTATE_TIME = 10.0  # s of simulated time; to -135 degrees it takes 14
+
+
+def run(line, **env):
+    """Run a line of bash in this project to its end and return its process."""
+    process = Process('bash', '-o', 'pipefail', '-c', line, cwd=ROOT, env=env)
+    process.wait(90.0)
+    return process
+
+
+@pytest.mark.parametrize('command, node, signum, how', [
+    ('move --distance 100', 'test_movement', signal.SIGKILL, ' by SIGKILL'),
+    ('rotate --target 180', 'sim_turtlebot', signal.SIGTERM, '')])
+def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
+    """With one line that names it, instead of the same progress for ever."""
+    with hold_port() as port, Process(
+            ROOT / 'ws', 'demo', *command.split(), '--real-time-factor', '0.5',
+            env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as demo:
+        demo.wait_for_output(' s\n', 60.0)
+        os.kill(pid_of(f'/{node}', f'http://localhost:{port}'), signum)
+        assert demo.wait(30.0) == 1, demo.output
+    assert demo.stderr == f'demo: {node} has ended{how}', demo.output
+
+
+@pytest.fixture
+def slow_programs(tmp_path):
+    """Return a folder for PATH with programs of a slow machine.
+
+    After 5 s matplotlib would tell the user that it builds its font cache. roslaunch waits 10 s for a
+    master of its own.
+    """
+    for name, line in (('fc-list', 'sleep 6'),
+                       ('rosmaster', f'sleep 11; exec {shutil.which("rosmaster")} "$@"')):
+        program = tmp_path / name
+        program.write_text(f'#!/bin/sh\n{line}\n')
+        program.chmod(0o755)
+    return tmp_path
+
+
+def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs, tmp_path):
+    """Settings that make no sense are not used; logs go where they can be written.
+
+    The demo waits for the ROS master, and follows the robot from its start, whatever matplotlib does.
+    """
+    temporary = tmp_path / 'temporary'
+    temporary.mkdir()
+    demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
+               ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
+               MPLBACKEND='module://matplotlib_inline.backend_inline',
+               TMPDIR=str(temporary), PATH=f'{slow_programs}:{os.environ["PATH"]}')
+    assert demo.wait() == 0, demo.output
+    logs, = temporary.iterdir()
+    assert demo.stderr.startswith(f'demo: logs are in {logs}: ') and any(logs.iterdir())
+    assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
+    assert number_after('time', demo.stdout) > ROTATE_TIME, demo.output
+    assert 'picture' in demo.stdout
+
+
+def test_it_drives_backwards_when_the_disk_is_full():
+    """Without a recording and a picture."""
+    demo = run(f'ulimit -f {KILOBYTES}; ./ws demo --distance 1 --speed -0.2 --real-time-factor 0')
+    assert demo.wait() == 0, demo.output
+    assert re.fullmatch('demo: the recording ends: .*File too large', demo.stderr), demo.output
+    assert number_after('moved distance', demo.stdout) == 1.011
+    assert 'picture' not in demo.stdout
+
+
+@pytest.mark.parametrize('line, message', [
+    ('ulimit -v 500000; ./ws demo',
+     r'demo: the address space is limited to 500000 kB \(ulimit -v\), but must be .*'),
+    ('ulimit -f 0; ./ws demo', r'\./ws: nothing can be written to \S+: .*'),
+    ('DISPLAY= ./ws demo --gui', 'demo: sim_turtlebot: parameter ~gui is True, .*')])
+def test_what_it_cannot_drive_without_is_named_in_one_line(line, message):
+    """Instead of threads that cannot start, or a window that cannot open."""
+    demo = run(line)
+    assert demo.wait() == 1, demo.output
+    assert re.fullmatch(message, demo.stderr), demo.output
+
+
+@pytest.mark.parametrize('output, status', [('>&-', 0), ('| head -n 1', 128 + signal.SIGPIPE)])
+def test_it_is_quiet_when_nobody_reads_its_output(output, status):
+    """No traceback when Python exits, either."""
+    demo = run(f'{SHORT} {output}')
+    assert (demo.wait(), demo.stderr) == (status, ''), demo.output

@@ -1,0 +1,57 @@
+"""What a demo waits for while it starts, what it reads from roslaunch, and where it records."""
+
+import time
+
+import pytest
+from odometry_launch.folders import new_folder
+from odometry_launch.launch import DemoError, Launch
+from odometry_launch.launch_log import LaunchLog
+
+
+@pytest.fixture
+def launch(monkeypatch):
+    """Return a Launch whose nodes run well."""
+    monkeypatch.setattr(Launch, 'check', lambda self: None)
+    return Launch('sim.launch', {})
+
+
+def test_a_wait_ends_once_its_condition_holds(launch):
+    """At first nothing answers."""
+    answers = iter([OSError('no connection'), False, True])
+
+    def condition():
+        answer = next(answers)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    launch.wait_for(condition, 'no answer')
+    assert not list(answers)
+
+
+def test_an_unexpected_error_ends_a_wait_at_once(launch):
+    """With a line that names it, instead of three minutes in which nothing happens."""
+    def condition():
+        raise AttributeError('no such thing')
+
+    with pytest.raises(DemoError, match='^no answer: AttributeError: no such thing$'):
+        launch.wait_for(condition, 'no answer')
+
+
+def test_the_log_tells_how_nodes_ended():
+    """Lines may come in pieces, and in colour."""
+    log = LaunchLog()
+    for piece in ('\x1b[31m[view-4] process has died [pid 7, exit code -9, cmd x]', '\n',
+                  '[rotate_robot-3] process has finished cleanly\nrotate_robot: bad ~kp\n'):
+        log.file.write(piece.encode())
+        log.file.flush()
+        log.read()
+    assert log.ended == {'view': ' by SIGKILL', 'rotate_robot': ''}
+    assert log.reason() == 'rotate_robot: bad ~kp'
+
+
+def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
+    """Two that wrote one bag spoiled it."""
+    monkeypatch.setattr(time, 'strftime', lambda _: 'now')
+    folders = [new_folder(tmp_path / 'runs') for _ in range(3)]
+    assert [folder.name for folder in folders] == ['now', 'now_2', 'now_3']

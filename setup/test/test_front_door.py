@@ -1,0 +1,184 @@
+"""What ./ws answers before anything is set up, and where it cannot go on."""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+from pathlib import Path
+
+import pytest
+from odometry_tests.checkout import START, in_checkout, make_checkout
+from odometry_tests.processes import Process
+from odometry_tests.scripts import ROOT
+from odometry_tests.waiting import wait_until
+
+DEBIAN = """
+OPT=/nowhere
+has_parts() { [[ $1 == *python3-rospy* ]]; }
+run_step() { "${@:2}"; }
+as_root() { true; }
+"""
+NO_SUDO = DEBIAN + """
+id() { echo 1000; }
+sudo() { return 1; }
+has_pybullet() { false; }
+set_up demo --view rviz:=true
+"""
+PACKAGES = DEBIAN + """
+dpkg() { [ "$1" != --audit ] && command dpkg "$@"; }
+apt-cache() { printf 'python3-rospy:\\n  Installed: (none)\\n  Candidate: %s\\n' "$CANDIDATE"; }
+sudo() { true; }
+apt_get() { [ "$1" != install ] || echo installs; }
+set_up_python() { exit; }
+set_up demo
+"""
+# Python 3.13 and its pip, which compiles by a process of its own.
+PYTHON = """#!/bin/bash
+case $* in
+    *version_info*) echo 3.13 ;;
+    *venv*) mkdir -p "$4/bin"; cp "$0" "$4/bin/python3" ;;
+    *--wheel-dir*)
+        while [ "$1" != --wheel-dir ]; do shift; done
+        bash -c "$COMPILER" compiler
+        touch "$2/${3/==/-}-cp313-cp313-linux_$(uname -m).whl" ;;
+esac
+"""
+COMPILE = """
+find_root
+WORKSPACE=$CHECKOUT/.ws LOG=$CHECKOUT/.ws/setup.log VENV=$CHECKOUT/.venv USR=$CHECKOUT/usr
+PYTHON=$CHECKOUT/python3 ROS=$USR
+mkdir -p "$WORKSPACE"
+need_parts() { echo "needs $*"; }
+end_by_signals
+set_up_python
+"""
+WAITS = 'trap "touch $CHECKOUT/ended; exit" TERM; touch $CHECKOUT/begun; sleep 1000 & wait'
+
+
+@pytest.fixture
+def fresh(tmp_path):
+    """Make a checkout in which nothing is set up."""
+    return make_checkout(tmp_path / 'fresh' / 'robot', made=())
+
+
+def in_fresh(folder, *arguments):
+    """Run ./ws there to its end, and return its process; it may not make anything."""
+    before = set(folder.iterdir())
+    environment = {'HOME': str(folder.parent), 'PATH': os.environ['PATH']}
+    run = Process('env', '-i', *(f'{name}={value}' for name, value in environment.items()),
+                  folder / 'ws', *arguments)
+    run.wait()
+    assert set(folder.iterdir()) == before
+    return run
+
+
+@pytest.mark.parametrize('arguments, answer', [
+    (['--foo', 'demo'], '--foo is not one of --host ADDRESS, --set-up, --help'),
+    (['--host', '192.0.2.1', '--view'], '--view is not one of --host ADDRESS, --set-up, --help'),
+    (['foo'], 'there is no command foo'),
+    (['demoo'], 'there is no command demoo; did you mean ./ws demo?')])
+def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
+    """At once, instead of after a set-up."""
+    run = in_fresh(fresh, *arguments)
+    assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
+
+
+@pytest.mark.parametrize('arguments', [
+    ['--help'], ['demo', '--help'], ['test', '-h'], ['shell', '--help']])
+def test_help_installs_nothing(fresh, arguments):
+    """Before anything is set up it says what there is."""
+    run = in_fresh(fresh, *arguments)
+    assert run.wait() == 0 and run.stdout.startswith('usage: ./ws ['), run.output
+    assert not run.stderr
+
+
+def test_extras_are_for_the_commands_that_need_them():
+    """Help needs none; pytest no browser."""
+    show = f'. {ROOT}/setup/set_up.bash\nPARTS=() EXTRAS=()\nadd_extras %s\necho "${{PARTS[@]}} ${{EXTRAS[@]}}"'
+    for command, extras in (('python3 -m pytest', 'tests sweep cluster view'), ('demo', ''),
+                            ('demo --view', 'view'), ('roslaunch x rviz:=true', 'rviz')):
+        run = Process('bash', '-euc', show % command, env={'CHECKOUT': str(ROOT)})
+        assert (run.wait(), run.stdout.strip()) == (0, extras), run.output
+
+
+def last_words(folder, commands, **variables):
+    """Return the one line with which a set-up ends, without its beginning."""
+    run = in_checkout(folder, commands, **variables)
+    assert run.wait() == 1, run.output
+    assert run.stdout == '' and len(run.stderr.splitlines()) == 1, run.output
+    return run.stderr.strip().replace('./ws: ', '', 1)
+
+
+def test_another_kind_of_system(tmp_path):
+    """On macOS there is an older bash and another readlink: nothing else is called there."""
+    (tmp_path / 'bash').symlink_to(shutil.which('bash'))
+    (tmp_path / 'uname').write_text('#!/bin/sh\necho Darwin\n')
+    (tmp_path / 'uname').chmod(0o755)
+    run = subprocess.run(['/usr/bin/env', '-i', f'PATH={tmp_path}', ROOT / 'ws', 'demo'],
+                         check=False, capture_output=True, text=True)
+    assert (run.returncode, run.stdout) == (1, '')
+    assert run.stderr == './ws: this needs Linux. On Darwin the container runs: docs/container.md\n'
+
+
+def test_packages_of_the_system(fresh):
+    """Debian 12 has them; Debian 11 has a ROS that fails on its own Python."""
+    assert 'installs' in in_checkout(fresh, PACKAGES, CANDIDATE='1.16.0+ds-2').stdout
+    assert last_words(fresh, PACKAGES, CANDIDATE='1.15.9+ds1-7+deb11u1') == (
+        'ROS 1 is not among the packages of this system, or too old. Here, as anywhere, the '
+        'container runs: docs/container.md')
+
+
+def test_no_sudo(fresh):
+    """An administrator needs one command only, with what the typed command asks for besides."""
+    start, parts = last_words(fresh, NO_SUDO).split(' --no-install-recommends ')
+    assert start == 'this needs root or sudo, or somebody who has it and types: sudo apt-get install'
+    assert {'catkin', 'python3-venv', 'rviz', 'python3-dev'} <= set(parts.split())
+
+
+def test_a_checkout_of_another_user():
+    """Without `permission denied`."""
+    nobody = ['setpriv', '--reuid', '65534', '--clear-groups'] if os.getuid() == 0 else []
+    with tempfile.TemporaryDirectory(dir='/var/tmp') as name:
+        folder = Path(name)
+        shutil.copytree(ROOT / 'setup', folder / 'setup')
+        shutil.copy(ROOT / 'ws', folder)
+        folder.chmod(0o555)
+        run = subprocess.run([*nobody, folder / 'ws', 'demo'], check=False, capture_output=True,
+                             text=True, env={'PATH': os.environ['PATH'], 'HOME': '/nowhere'})
+        assert (run.returncode, run.stderr) == (1, (
+            f'./ws: you cannot write to {folder}, which belongs to {folder.owner()}: clone the '
+            'project into a folder of your own\n'))
+        folder.chmod(0o755)
+
+
+@pytest.fixture
+def without_wheel(fresh):
+    """Make a checkout for whose Python PyPI has no PyBullet."""
+    (fresh / 'python3').write_text(PYTHON)
+    (fresh / 'python3').chmod(0o755)
+    return fresh
+
+
+def test_pybullet_is_compiled_once(without_wheel):
+    """It says how long it takes; another workspace finds what the first has compiled."""
+    first = in_checkout(without_wheel, COMPILE, COMPILER='true')
+    assert (first.wait(), first.stdout) == (0, 'needs python3-dev'), first.output
+    assert first.stderr.startswith('./ws: compiling PyBullet, which PyPI lacks for Python 3.13 on ')
+    second = in_checkout(without_wheel, f'{COMPILE}ls "$(wheels)"', COMPILER='false')
+    assert (second.wait(), second.stderr) == (0, './ws: installing PyBullet ...'), second.output
+    assert second.stdout.startswith('pybullet')
+
+
+def test_an_interruption_ends_the_compilers(without_wheel):
+    """Nothing goes on in the background, and the next call begins again."""
+    # Not as a Process, which would end what is left of it.
+    variables = {'CHECKOUT': str(without_wheel), 'COMPILER': WAITS,
+                 'XDG_CACHE_HOME': str(without_wheel.parents[1])}
+    with subprocess.Popen(['bash', '-c', START + COMPILE], env={**os.environ, **variables}) as run:
+        wait_until((without_wheel / 'begun').exists, 20.0, 'the compiler')
+        run.send_signal(signal.SIGTERM)
+    assert run.returncode != 0
+    wait_until((without_wheel / 'ended').exists, 20.0, "the compiler's end")
+    again = in_checkout(without_wheel, COMPILE, COMPILER='true')
+    assert again.wait() == 0 and 'compiling PyBullet' in again.stderr, again.output

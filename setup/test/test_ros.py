@@ -1,0 +1,106 @@
+"""Which ROS 1 ./ws uses: a table of systems, faked by folders and PATH."""
+
+import os
+import shlex
+import subprocess
+
+import pytest
+from odometry_tests.scripts import ROOT
+
+SETUP = shlex.quote(str(ROOT / 'setup'))
+FIND = f"""
+. {SETUP}/system.bash
+. {SETUP}/ros.bash
+USR=$SYSTEM/usr
+OPT=$SYSTEM/opt/ros
+VENV=$SYSTEM/venv
+find_ros
+echo "$ROS $PYTHON"
+"""
+CHECK = """
+DEBIAN_PARTS=(python3-venv python3-nav-msgs python3-no-such-thing)
+ROS=$OPT/noetic
+PYTHON=python3
+type() { [ "$2" != make ]; }
+check_ros
+"""
+DEBIAN, NOETIC, ONE, CONDA, MINE = 'usr', 'opt/ros/noetic', 'opt/ros/one', 'conda', 'mine'
+# What is there, which folders' bin are on PATH, what ROS_VERSION says, what the workspace was made
+# with; and the choice.
+SYSTEMS = {
+    'a bare Debian': ('', '', '', '', DEBIAN),
+    'its ROS and a workspace sourced': ('usr mine', 'mine usr', '1', '', DEBIAN),
+    'noetic': ('opt/ros/noetic', '', '', '', NOETIC),
+    'noetic sourced, and a workspace': ('opt/ros/noetic mine', 'mine opt/ros/noetic', '1', '', NOETIC),
+    "noetic and Debian's": ('opt/ros/noetic usr', 'usr', '', '', NOETIC),
+    'ROS One and ROS 2 sourced': ('opt/ros/one', '', '2', '', ONE),
+    'ROS One sourced beside noetic': ('opt/ros/one opt/ros/noetic', 'opt/ros/one', '1', '', ONE),
+    'Debian and ROS 2 sourced': ('', '', '2', '', DEBIAN),
+    'RoboStack activated': ('conda', 'conda', '1', '', CONDA),
+    'RoboStack not activated': ('conda', '', '', '', DEBIAN),
+    'RoboStack not activated any more': ('conda', '', '', CONDA, CONDA),
+    'RoboStack activated too late': ('usr conda', 'conda', '1', DEBIAN, DEBIAN),
+}
+
+
+def run(system, commands, path='', **variables):
+    """Run lines of bash on a faked system."""
+    return subprocess.run(['/bin/bash', '-euo', 'pipefail', '-c', commands], check=False, env={
+        'SYSTEM': str(system), 'PATH': f'{path}{system}/bin', **variables},
+        capture_output=True, text=True)
+
+
+@pytest.fixture
+def system(tmp_path):
+    """Return a Debian with a Python."""
+    make_programs(tmp_path / 'bin', 'dpkg-query')
+    make_programs(tmp_path / 'usr' / 'bin', 'python3')
+    return tmp_path
+
+
+def make_programs(folder, *names):
+    """Make programs that do nothing."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in names:
+        (folder / name).symlink_to('/bin/true')
+
+
+def python_of(ros):
+    """Return the Python that goes with a ROS: conda has its own."""
+    return f'{ros if ros == CONDA else "usr"}/bin/python3'
+
+
+@pytest.mark.parametrize('name', SYSTEMS)
+def test_the_choice(system, name):
+    """A sourced one, else one in /opt/ros, else Debian's; and always the same one again."""
+    there, sourced, version, made_with, chosen = SYSTEMS[name]
+    for folder in there.split():
+        make_programs(system / folder / 'bin', *['catkin_make'] * (folder != MINE),
+                      *['python3'] * (folder == CONDA))
+        (system / folder / 'setup.bash').touch()
+    if made_with:
+        (system / 'venv').mkdir()
+        (system / 'venv' / 'ros').write_text(
+            f'{system}/{made_with}\n{system}/{python_of(made_with)}\n')
+    path = ''.join(f'{system}/{folder}/bin:' for folder in sourced.split())
+    found = run(system, FIND, path, ROS_VERSION=version)
+    assert found.stdout.split() == [f'{system}/{chosen}', f'{system}/{python_of(chosen)}'], found
+
+
+def test_a_system_without_ros_is_told_of_the_container(tmp_path):
+    """Such as Fedora."""
+    found = run(tmp_path, FIND)
+    assert (found.returncode, found.stdout) == (1, '')
+    assert found.stderr == ('./ws: this system has no ROS 1. Here, as anywhere, the container runs: '
+                            'docs/container.md\n')
+
+
+def test_what_an_existing_ros_lacks_is_named(system):
+    """In one line: it is not ours to change."""
+    make_programs(system / NOETIC)
+    (system / NOETIC / 'setup.bash').touch()
+    found = run(system, FIND + CHECK, f'{os.environ["PATH"]}:')
+    assert found.returncode == 1
+    assert found.stderr.startswith(
+        f'./ws: the ROS in {system}/opt/ros/noetic lacks no_such_thing, make: install that')
+    assert len(found.stderr.splitlines()) == 1

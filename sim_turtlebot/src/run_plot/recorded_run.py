@@ -1,0 +1,122 @@
+"""A recorded run, from a bag with odometry in it."""
+
+import math
+from contextlib import suppress
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy
+import rosbag
+from geometry_msgs.msg import Quaternion
+from moved_distance.distance_counter import DistanceCounter
+from odometry_common.geometry import PlanarPose, yaw_from_orientation
+
+ODOMETRY, COMMAND = 'nav_msgs/Odometry', 'geometry_msgs/Twist'
+
+
+class BagError(ValueError):
+    """A bag without a run; the message is one line for the user."""
+
+
+class Track(NamedTuple):
+    """Odometry messages as arrays of the same length."""
+
+    time: numpy.ndarray  # s since the first message of the run
+    x: numpy.ndarray  # m
+    y: numpy.ndarray  # m
+    yaw: numpy.ndarray  # rad, without jumps
+    speed: numpy.ndarray  # m/s, forwards
+    distance: numpy.ndarray  # m, as the detector counts it
+
+    def moved_onto(self, other):
+        """Return the same path, rotated and shifted so that it begins where another one does."""
+        frame = other.start.then(self.start.inverse())
+        x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
+        return self._replace(x=x, y=y, yaw=yaw)
+
+    @property
+    def start(self):
+        """The PlanarPose where it begins."""
+        return PlanarPose(self.x[0], self.y[0], self.yaw[0])
+
+
+class Run(NamedTuple):
+    """What a bag says about a run."""
+
+    name: str  # of the bag, with its folder
+    odometry: Track
+    ground_truth: Track  # in the odometry's frame; None if nobody published it
+    commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
+
+    def summary(self):
+        """Return distance, duration and speeds in words."""
+        track = self.odometry
+        duration = track.time[-1] - track.time[0]
+        mean = track.distance[-1] / duration if duration else 0.0
+        return (f'distance    {track.distance[-1]:.3f} m\n'
+                f'duration    {duration:.1f} s\n'
+                f'mean speed  {mean:.3f} m/s\n'
+                f'top speed   {numpy.abs(track.speed).max():.3f} m/s')
+
+
+def read_run(path, odometry_topic='/odom', end=math.inf):
+    """Return the Run in a bag.
+
+    :param end: of the run (s); what is later is left out
+    :raises BagError: if it is not a bag, has messages of another type on one of the topics, or no
+        odometry with finite numbers
+    """
+    try:
+        with rosbag.Bag(str(path)) as bag:
+            odometry, ground_truth, commands = (
+                _messages(bag, topic, kind, end) for topic, kind in (
+                    (odometry_topic, ODOMETRY), ('/base_pose_ground_truth', ODOMETRY),
+                    ('/cmd_vel', COMMAND)))
+    except (OSError, rosbag.ROSBagException) as error:
+        raise BagError(f'{path} cannot be read: {error}') from None
+    if not odometry:
+        raise BagError(f'{path} has no messages on {odometry_topic}')
+    start = _stamp(odometry[0])
+    rows = [(_stamp(row) - start, row.message.linear.x, row.message.angular.z)
+            for row in commands]
+    track, true_track = _track(odometry, start), _track(ground_truth, start)
+    if track is None:
+        raise BagError(f'{path} has no finite position on {odometry_topic}')
+    return Run('/'.join(Path(path).absolute().parts[-2:]), track,
+               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
+
+
+def _messages(bag, topic, kind, end):
+    """Return the messages of a topic up to a time (s); their type has to be `kind`."""
+    found = bag.get_type_and_topic_info(topic).topics.get(topic)
+    if found and found.msg_type != kind:
+        raise BagError(f'{bag.filename} has {found.msg_type} on {topic}, but must have {kind}')
+    return [row for row in bag.read_messages(topic) if _stamp(row) <= end]
+
+
+def _track(rows, start):
+    """Return the Track of the messages whose numbers are finite; None if there are none."""
+    counter, kept = DistanceCounter(), []
+    for row in rows:
+        pose, speed = row.message.pose.pose, row.message.twist.twist.linear.x
+        x, y = pose.position.x, pose.position.y
+        with suppress(ValueError):  # of a position or an orientation that is not finite
+            counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
+            yaw = _yaw(pose.orientation)
+            if math.isfinite(speed):
+                kept.append((_stamp(row), x, y, yaw, speed, counter.distance))
+    if not kept:
+        return None
+    time, x, y, yaw, *others = numpy.array(kept).T
+    return Track(time - start, x, y, numpy.unwrap(yaw), *others)
+
+
+def _yaw(orientation):
+    """Return the yaw (rad); 0 if the driver leaves the orientation empty."""
+    return 0.0 if orientation == Quaternion() else yaw_from_orientation(orientation)
+
+
+def _stamp(row):
+    """Return when a message was measured, or recorded if it does not say (s)."""
+    measured = row.message.header.stamp.to_sec() if hasattr(row.message, 'header') else 0.0
+    return measured or row.timestamp.to_sec()

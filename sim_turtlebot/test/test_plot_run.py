@@ -1,0 +1,102 @@
+"""The picture of a recorded run, and the figures that are printed with it."""
+
+import math
+
+import pytest
+import rosbag
+import rospy
+from odometry_tests.forms import number_after
+from odometry_tests.messages import odometry
+from odometry_tests.processes import Process
+from run_plot.figure import make_figure
+from run_plot.recorded_run import BagError, read_run
+from std_msgs.msg import Float64
+
+PNG = b'\x89PNG'
+PERIOD = 0.1  # s
+START = 100.0  # s
+
+
+def metre():
+    """Return odometry of a robot that goes a metre in ten seconds."""
+    messages = [odometry(x=0.01 * step, stamp=START + PERIOD * step) for step in range(101)]
+    for message in messages:
+        message.twist.twist.linear.x = 0.1
+    return messages
+
+
+def record(path, messages):
+    """Write a bag as a real robot's: without commands or the robot's true position."""
+    with rosbag.Bag(str(path), 'w') as bag:
+        for number, message in enumerate(messages):
+            bag.write('/odom', message, rospy.Time.from_sec(START + PERIOD * number))
+    return path
+
+
+def plot(*arguments, **options):
+    """Run plot_run to its end."""
+    run = Process('rosrun', 'sim_turtlebot', 'plot_run.py', *arguments, **options)
+    run.wait(30.0)
+    return run
+
+
+def test_it_draws_any_bag_with_odometry(tmp_path):
+    """A real robot's bag has neither truth nor commands. Jupyter and editors set MPLBACKEND.
+
+    A driver's NaN is no position, and no top speed.
+    """
+    messages = metre()
+    messages[0].pose.pose.position.x = math.nan
+    messages[40].twist.twist.linear.x = math.nan
+    messages[50].pose.pose.orientation.w = math.nan
+    picture = tmp_path / 'real.png'
+    run = plot(record(tmp_path / 'real.bag', messages), '-o', picture, env={'MPLBACKEND': 'nonsense'})
+    assert run.wait() == 0, run.output
+    assert number_after('distance', run.stdout) == 0.99
+    assert number_after('duration', run.stdout) == 9.9
+    assert number_after('mean speed', run.stdout) == 0.1
+    assert number_after('top speed', run.stdout) == 0.1
+    assert picture.read_bytes().startswith(PNG)
+
+
+def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path):
+    """The robot is carried 50 m away and back. A recording goes on after the arrival."""
+    messages = metre()
+    for message in messages[20:30]:
+        message.pose.pose.position.y = 50.0
+    run = read_run(record(tmp_path / 'carried.bag', messages), end=START + 5.0)
+    assert run.odometry.time[-1] == pytest.approx(5.0)
+    assert run.odometry.distance[-1] == pytest.approx(0.48)
+
+
+@pytest.mark.parametrize('length, drawn', [(0.5, False), (2.005, True), (100, False)])
+def test_the_picture_names_the_bag_and_what_it_shows(tmp_path, length, drawn):
+    """The line at two metres would lie on the axis of a long run."""
+    messages = [odometry(x=length * step / 400, stamp=START + PERIOD * step) for step in range(401)]
+    figure = make_figure(read_run(record(tmp_path / 'kitchen.bag', messages)))
+    assert figure.get_suptitle() == f'{tmp_path.name}/kitchen.bag'
+    path, distance, *_ = ([text.get_text() for text in axes.get_legend().get_texts()]
+                          for axes in figure.axes)
+    assert path == ['odometry', 'start', 'end']
+    assert ('two metres' in distance) == drawn
+
+
+@pytest.mark.parametrize('make', [
+    lambda path: path.write_bytes(b'no bag at all'),
+    lambda path: record(path, [odometry(x=math.nan, stamp=START)] * 3)])
+def test_a_file_without_a_run_is_refused(tmp_path, make):
+    """With status 2 and one line that names it."""
+    path = tmp_path / 'broken.bag'
+    make(path)
+    run = plot(path, '-o', tmp_path / 'no.png')
+    assert run.wait() == 2
+    assert len(run.stderr.splitlines()) == 1 and str(path) in run.stderr, run.stderr
+
+
+def test_a_topic_of_another_type_is_refused(tmp_path):
+    """With its name and both types."""
+    path = record(tmp_path / 'odd.bag', metre())
+    with rosbag.Bag(str(path), 'a') as bag:
+        bag.write('/cmd_vel', Float64())
+    with pytest.raises(BagError, match='odd.bag has std_msgs/Float64 on /cmd_vel, but must have '):
+        read_run(path)
