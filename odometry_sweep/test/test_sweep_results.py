@@ -8,13 +8,18 @@ import pytest
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.main import with_progress
 from odometry_sweep.picture import make_figure
-from odometry_sweep.results import METRICS, SHOWN, Setting, table
+from odometry_sweep.results import METRICS, SHOWN, Setting, read_rows, table
 from odometry_sweep.running import side_by_side
 
 
 def rows(values, ended='arrived'):
     """Return runs, each with a value for all of its metrics."""
     return [{**dict.fromkeys(METRICS['move'], value), 'ended': ended} for value in values]
+
+
+def test_before_the_first_run_there_are_no_rows(tmp_path):
+    """Ctrl-C may come so early."""
+    assert read_rows(tmp_path) == []
 
 
 def test_a_table_has_a_block_for_each_metric_and_a_line_for_each_setting():
@@ -40,14 +45,14 @@ def test_a_limit_is_for_the_size_of_a_metric(limits, lines):
 
 
 @pytest.mark.parametrize('live, shown', [
-    (True, ['', '1 of 4 runs', '2 of 4 runs, 0.5 a second, 0:00:04 left',
-            '3 of 4 runs, 0.5 a second, 0:00:02 left',
-            '4 of 4 runs, 0.5 a second, 0:00:00 left\n']),
-    (False, ['4 of 4 runs, 0.5 a second, 0:00:00 left\n'])])
+    (True, ['', '1 of 4 runs', '2 of 4 runs, 1.0 a second, 0:00:02 left',
+            '3 of 4 runs, 1.0 a second, 0:00:01 left',
+            '4 of 4 runs, 1.0 a second, 0:00:00 left\n']),
+    (False, ['4 of 4 runs, 1.0 a second, 0:00:00 left\n'])])
 def test_progress_rewrites_a_line_of_a_terminal_or_prints_one_every_few_seconds(
         monkeypatch, live, shown):
-    """A run takes two seconds; without a terminal there are no control characters."""
-    clock, output = iter(range(100, 200, 2)), io.StringIO()
+    """A run takes a second; without a terminal there are no control characters."""
+    clock, output = iter(range(100, 200)), io.StringIO()
     output.isatty = lambda: live
     monkeypatch.setattr('time.monotonic', lambda: next(clock))
     monkeypatch.setattr('sys.stdout', output)

@@ -116,7 +116,7 @@ def _check_values(tutorial, values):
     if tutorial == 'rotate':
         # At other rates the controller and a robot in lockstep would miss each other.
         share = settings.odom_rate / part.rate
-        if round(share) < 1 or abs(share - round(share)) > 1e-9:
+        if abs(share - round(share)) > 1e-9:
             raise ParameterError('~rate', part.rate, f'~odom_rate, {settings.odom_rate:g} Hz, '
                                  'divided by a whole number, in lockstep')
     if settings.world:
