@@ -81,7 +81,7 @@ main() {
     esac
     enter
     case $1 in
-        test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
+        test) shift; cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/launch/scripts/shell.bash" "$@" ;;
         *) exec "$@" ;;
     esac
