@@ -109,13 +109,12 @@ set_up_extras() {
     local word
     for word in "$@"; do
         case "$1 $word" in
-            'test test' | *screenshots.py | 'bench view') need_for_tests ;;
+            'test test' | *screenshots.py) need_for_tests ;;
             'sweep sweep') need_for_sweep ;;
             'bench bench') need_for_sweep; need_for_view ;;
             'sweep --cluster'* | 'dask dask') need_for_cluster ;;
             *' pytest') need_python_for_tests ;;
-            *' ruff' | *' vermin') need_python tests "$ROOT/test/requirements.txt" ;;
-            *' catkin_lint') need_parts catkin-lint ;;
+            *' ruff' | *' vermin' | *' pre-commit') need_parts catkin-lint; need_python tests "$ROOT/test/requirements.txt" ;;
             *' --view' | *' view:='[1Tt]* | *' view.py') need_for_view ;;
             *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) need_parts "${WINDOW_PARTS[@]}" ;;
             *' rviz:='[1Tt]* | *' rviz') need_parts "${RVIZ_PARTS[@]}" ;;
