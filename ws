@@ -78,7 +78,7 @@ main() {
     . "$ROOT/setup/enter.bash"
     set -u
     case $1 in
-        test) shift; exec python3 "$ROOT/test/runner/run_tests.py" "$@" ;;
+        test) shift; cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/setup/shell.bash" "$@" ;;
         *) type -P -- "$1" >/dev/null || refuse_unknown "$1"; exec "$@" ;;
     esac

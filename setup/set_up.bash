@@ -56,15 +56,14 @@ add_extras() {
     local word
     for word in "$@"; do
         case "$1 $word" in
-            'test test' | *screenshots.py | 'bench view')
+            'test test' | *screenshots.py)
                 PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
                 EXTRAS+=(tests sweep cluster view) ;;
             'bench bench') EXTRAS+=(sweep view) ;;
             'sweep sweep') EXTRAS+=(sweep) ;;
             'sweep --cluster'* | 'dask dask') EXTRAS+=(sweep cluster) ;;
             *' pytest') EXTRAS+=(tests sweep cluster view) ;;
-            *' ruff' | *' vermin') EXTRAS+=(tests) ;;
-            *' catkin_lint') PARTS+=(catkin-lint) ;;
+            *' ruff' | *' vermin' | *' pre-commit') PARTS+=(catkin-lint) EXTRAS+=(tests) ;;
             *' --view' | *' view:='[1Tt]* | *' view.py') EXTRAS+=(view) ;;
             *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) PARTS+=("${WINDOW_PARTS[@]}") ;;
             *' rviz:='[1Tt]* | *' rviz') PARTS+=("${RVIZ_PARTS[@]}") ;;
@@ -120,7 +119,7 @@ it takes about 5 minutes on two processors"
 # may_exist COMMAND: whether there is such a command, or may be once everything is installed.
 may_exist() {
     is_own "$1" || [ "$1" = shell ] || (cd "$CALLED_FROM" && type -P -- "$1" >/dev/null) ||
-        [[ $1 =~ ^(ros|rviz|rqt|catkin|tf|py|pip|ruff$|vermin$|dask) ]]
+        [[ $1 =~ ^(ros|rviz|rqt|catkin|tf|py|pip|ruff$|vermin$|pre-commit$|dask) ]]
 }
 
 # refuse_unknown COMMAND: end, and name the command of ./ws that is spelled most alike.

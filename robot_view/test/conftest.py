@@ -10,7 +10,7 @@ SCALE = 0.5
 FRAME_RATE = 2.0  # Hz
 
 
-@pytest.fixture(scope='session')
+@pytest.fixture(scope='module')
 def browser():
     """Start a browser."""
     chromium = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')

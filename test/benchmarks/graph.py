@@ -3,7 +3,6 @@
 import contextlib
 import threading
 import time
-from typing import NamedTuple
 
 import psutil
 import rospy
@@ -14,17 +13,11 @@ from odometry_tests.tutorial import detector, forget_parameters, mover, simulato
 from odometry_tests.waiting import wait_until
 from rosgraph_msgs.msg import Clock
 
+UNPACED = '_real_time_factor:=0',
+LOCKSTEP = *UNPACED, '_lockstep:=true', '_clock_rate:=20'
 FAR = 1e6  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
 MEGABYTE = 2**20
-
-
-class Sample(NamedTuple):
-    """The state of the processes at one moment; all in seconds."""
-
-    wall: float
-    simulated: float
-    cpu: float
 
 
 class Graph:
@@ -64,19 +57,20 @@ class Graph:
         yield
         call('pause_physics')
 
-    def watch(self, window):
-        """Let time pass for `window` s of wall time; return the differences as a Sample.
+    def speed(self, window):
+        """Let time pass for `window` s of wall time; return the simulated seconds per second.
 
         It takes longer if the machine holds the graph up all the while: some simulated time has
-        passed, so that one can divide by it.
+        passed.
         """
         with self.running():
-            start = self._sample()
+            begin, simulated = time.perf_counter(), _now()
             time.sleep(window)
-            end = wait_until(lambda: self._sample_after(start), TIMEOUT, 'simulated time to pass')
-        return Sample(*(after - before for before, after in zip(start, end)))
+            passed = wait_until(lambda: max(0.0, _now() - simulated), TIMEOUT,
+                                'simulated time to pass')
+            return passed / (time.perf_counter() - begin)
 
-    def run_until(self, simulated, look_every):
+    def run_until(self, simulated, look_every=0.01):
         """Let time pass until `simulated` s; look at the clock every so many s of wall time."""
         with self.running():
             while _now() < simulated:
@@ -86,16 +80,6 @@ class Graph:
         """Return the resident memory of all processes (MB)."""
         return sum(psutil.Process(process.pid).memory_info().rss
                    for process in self._processes) / MEGABYTE
-
-    def _sample_after(self, start):
-        """Return a Sample, or nothing if no simulated time has passed since `start`."""
-        sample = self._sample()
-        return sample if sample.simulated > start.simulated else None
-
-    def _sample(self):
-        simulated = _now()
-        return Sample(time.perf_counter(), simulated,
-                      sum(_cpu_time(process.pid) for process in self._processes))
 
 
 def _now():
@@ -113,9 +97,3 @@ def _now():
     finally:
         subscriber.unregister()
     return times[-1]
-
-
-def _cpu_time(pid):
-    """Return the CPU time (s) that a process has used."""
-    times = psutil.Process(pid).cpu_times()
-    return times.user + times.system

@@ -1,87 +1,90 @@
 """Measure speed, delay, memory and start, each beside the limit of this machine.
 
-A figure's limit is measured in turns with the figure itself; their ratio is what tells, since
-absolute values belong to the machine. The exit status is 1 if a target was missed.
+Each figure is a file in the folder test/benchmarks/figures. Its limit is measured in turns with it;
+their ratio is what tells, since absolute values belong to the machine. The exit status is 1 if a
+target was missed.
 """
 
 import argparse
+import csv
 import math
+import os
+import platform
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import rospy
-from control import control_in_lockstep, control_unpaced
-from demos import demo
-from latency import detector_latency
-from lockstep import graph_in_lockstep
-from measuring import Options
-from memory import memory
+from measuring import Figure, Options
 from odometry_launch.folders import RUNS, new_folder
 from odometry_tests.processes import Master
-from report import machine, print_figure, print_heading, write_chart, write_csv
-from robots import many_robots
-from speed import clock_ticks, graph_unpaced, graph_with_scan, robot_without_ros
-from start import end, start
-from sweeps import sweep
-from viewing import viewing
 
-MEASUREMENTS = {
-    'robot': robot_without_ros, 'unpaced': graph_unpaced, 'lockstep': graph_in_lockstep,
-    'scan': graph_with_scan, 'clock': clock_ticks, 'sweep': sweep,
-    'control': control_unpaced, 'control-lockstep': control_in_lockstep,
-    'latency': detector_latency, 'memory': memory, 'start': start, 'end': end, 'demo': demo,
-    'robots': many_robots, 'view': viewing}
+NAMES = sorted(file.stem for file in Path(__file__).parent.glob('figures/*.py'))
+WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
 
 
 def main():
     """Measure, report, and exit 0 if all targets are met."""
     options = parse(sys.argv[1:])
     print(f'on {machine()}; medians of {options.runs} runs')
+    print(WIDTHS.format('name', 'value', 'unit', 'limit', 'ratio', 'target'), flush=True)
     with Master(use_sim_time=True):
         # The clock of the simulators must not become the clock of what measures them.
         rospy.init_node('bench', disable_signals=True, disable_rostime=True)
-        print_heading()
-        figures = list(_measure(options))
-    folder = new_folder(RUNS, 'bench-')
-    write_csv(figures, options.csv or folder / 'figures.csv')
-    print(f'figures  {options.csv or folder / "figures.csv"}')
-    if 'robots' in options.only:
-        write_chart(figures, folder / 'robots.png')
-        print(f'chart    {folder / "robots.png"}')
-    missed = [figure.name for figure in figures if figure.misses]
-    print(f'targets missed: {", ".join(missed) or "none"}')
+        figures = [measure(name, Options(options.runs, options.window)) for name in options.only]
+    path = options.csv or new_folder(RUNS, 'bench-') / 'figures.csv'
+    write_csv(figures, path)
+    missed = [figure.name for figure in figures if figure.is_missed]
+    print(f'figures  {path}\ntargets missed: {", ".join(missed) or "none"}')
     sys.exit(1 if missed else 0)
 
 
-def _measure(options):
-    effort = Options(options.runs, options.window, messages=1000, longest=3, minutes=10)
-    for name in options.only:
-        for figure in MEASUREMENTS[name](effort):
-            print_figure(figure)
-            yield figure
+def measure(name, options):
+    """Measure a figure, print its row, and return it."""
+    figure = Figure.of(import_module(f'figures.{name}'), options)
+    print(WIDTHS.format(
+        figure.name, f'{figure.value:.4g}', figure.unit, f'{figure.limit:.4g}', f'{figure.ratio:.3f}',
+        f'{figure.target}{"  MISSED" if figure.is_missed else ""}'), flush=True)
+    return figure
+
+
+def machine():
+    """Return what this run was measured on, in a line."""
+    with open('/proc/cpuinfo') as file:
+        models = {line.partition(':')[2].strip() for line in file if line.startswith('model name')}
+    return (f'{" and ".join(models) or platform.machine()}, {os.cpu_count()} processors, '
+            f'Linux {platform.release()}, Python {platform.python_version()}')
+
+
+def write_csv(figures, path):
+    """Write the figures with all their digits."""
+    with open(path, 'w', newline='') as file:
+        writer = csv.writer(file)
+        writer.writerow(Figure._fields)
+        writer.writerows(figures)
 
 
 def parse(arguments):
-    """Return the options; without the name of a part all parts are measured."""
+    """Return the options; without the name of a figure all are measured."""
     parser = argparse.ArgumentParser(prog='./ws bench', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('only', nargs='*', metavar='PART', default=list(MEASUREMENTS),
-                        type=_part,
-                        help=f'measure only these: {", ".join(MEASUREMENTS)}')
+    parser.add_argument('only', nargs='*', metavar='FIGURE', type=_name,
+                        help=f'measure only these: {", ".join(NAMES)}')
     parser.add_argument('--runs', type=_positive(int), default=3, metavar='N',
                         help='of which the median is shown (default: %(default)s)')
     parser.add_argument('--window', type=_positive(float), default=1.0, metavar='S',
                         help='wall time of one look at a speed (default: %(default)s)')
     parser.add_argument('--csv', type=Path, metavar='FILE',
                         help='write the figures there instead of into the folder runs')
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    options.only = options.only or NAMES
+    return options
 
 
-def _part(name):
-    if name not in MEASUREMENTS:
-        raise argparse.ArgumentTypeError(
-            f'{name!r} is not one of {", ".join(MEASUREMENTS)}')
-    return name
+def _name(text):
+    if text not in NAMES:
+        raise argparse.ArgumentTypeError(f'{text!r} is not one of {", ".join(NAMES)}')
+    return text
 
 
 def _positive(kind):

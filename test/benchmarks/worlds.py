@@ -10,16 +10,15 @@ SPEED = 0.1  # m/s, as test_movement drives
 
 
 class BareWorld:
-    """Robots that drive, and nothing but physics steps, with a call of PyBullet for each."""
+    """A robot that drives, and nothing but physics steps, with a call of PyBullet for each."""
 
-    def __init__(self, robots=1):
+    def __init__(self):
         """Build the simulator's world and let the wheels turn."""
-        simulation = Simulation(side_by_side(robots), odom_rate=ODOM_RATE)
+        simulation = Simulation(side_by_side(1), odom_rate=ODOM_RATE)
         self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
         self._world.step()  # from here on there is one step in a call
         self._step = self._world.client.stepSimulation
-        for robot in simulation.robots:
-            robot.body.drive(SPEED, 0.0)
+        simulation.robots[0].body.drive(SPEED, 0.0)
 
     def step_to_odometry(self):
         """Step for an odometry period."""
@@ -38,18 +37,17 @@ class BareWorld:
 
 
 class RobotWorld:
-    """Robots that are commanded after each odometry, as controllers in lockstep would."""
+    """A robot that is commanded after each odometry, as a controller in lockstep would."""
 
-    def __init__(self, robots=1):
-        """Put the robots down and let them drive."""
-        self._simulation = Simulation(side_by_side(robots), odom_rate=ODOM_RATE)
-        self.robots = self._simulation.robots
+    def __init__(self):
+        """Put the robot down and let it drive."""
+        self._simulation = Simulation(side_by_side(1), odom_rate=ODOM_RATE)
+        self.robot = self._simulation.robots[0]
         self.command(SPEED)
 
     def command(self, speed):
-        """Command each robot to go at so many m/s."""
-        for index in range(len(self.robots)):
-            self._simulation.command(speed, 0.0, index)
+        """Command the robot to go at so many m/s."""
+        self._simulation.command(speed, 0.0)
 
     def run_to_odometry(self):
         """Step until the next odometry is there."""
@@ -73,15 +71,9 @@ def stop_after(distance):
     :return: metres moved at each odometry, added up as the detector does
     """
     world, moved, position = RobotWorld(), [0.0], (0.0, 0.0, 0.0)
-    robot = world.robots[0]
-    while not robot.resting:
+    while not world.robot.resting:
         world.run_to_odometry()
-        moved.append(moved[-1] + step_between(position, robot.odometry.position))
-        position = robot.odometry.position
+        (x, y, _), position = position, world.robot.odometry.position
+        moved.append(moved[-1] + math.hypot(position[0] - x, position[1] - y))
         world.command(SPEED if moved[-1] < distance else 0.0)
     return moved
-
-
-def step_between(a, b):
-    """Return the distance in the plane (m) between two positions."""
-    return math.hypot(b[0] - a[0], b[1] - a[1])

@@ -5,7 +5,7 @@ from collections import Counter
 
 from checks import DistanceCheck, PoseCheck, Violation
 from course import KILL, PAUSE, PERIOD, RESET_DISTANCE, RESET_ODOMETRY, RESET_SIMULATION, RESTART
-from usage import UsageCheck
+from usage import FEWEST, Usage, growing
 
 USAGE_PERIOD = 200  # steps between two measurements of memory, threads and files
 WARM_UP_SHARE = 0.25  # of the run, before the first of them
@@ -32,7 +32,7 @@ class Driver:
             RESET_SIMULATION: self._nodes.reset_simulation, PAUSE: self._nodes.pause,
             RESTART: lambda: self._restart(signal.SIGINT),
             KILL: lambda: self._restart(signal.SIGKILL)}
-        self.usage = UsageCheck()
+        self.usage = {}  # Usages by the name of the process
         self.events = Counter({name: 0 for name in self._actions})
         self.steps = 0
         self.metres = 0.0
@@ -72,9 +72,18 @@ class Driver:
         self._distance.check(odometry, distance)
         self._pose.check(odometry, truth)
         if self.steps >= self._warm_up and self.steps % USAGE_PERIOD == 0:
-            self.usage.check(self._nodes.pids)
+            self._measure()
         self.steps += 1
         self.metres += abs(truth.twist.twist.linear.x) * PERIOD
+
+    def _measure(self):
+        for name, pid in self._nodes.pids.items():
+            measured = self.usage.setdefault(name, [])
+            measured.append(Usage.of(pid))
+            names = growing(measured) if len(measured) % FEWEST == 0 else []
+            if names:
+                raise Violation(f'the {" and ".join(names)} of {name} grow: {measured[0]}, then '
+                                f'{measured[-1]}')
 
     def _next(self, stream):
         """Return the message of this step."""

@@ -11,13 +11,13 @@ import os
 import signal
 import sys
 import time
+from datetime import timedelta
 
 from course import PERIOD, course
 from driver import Driver
 from nodes import Nodes
-from report import Progress, summary
 
-SECONDS_PER_HOUR = 3600
+STEPS_PER_HOUR = round(3600 / PERIOD)
 EXIT_VIOLATION = 1
 EXIT_INTERRUPTED = 130
 
@@ -41,8 +41,8 @@ def main():
 def _drive(nodes, options):
     """Drive the whole course; return the exit status."""
     start = time.monotonic()
-    steps = round(options.hours * SECONDS_PER_HOUR / PERIOD)
-    driver, progress, violation = Driver(nodes, steps), Progress(), None
+    steps = round(options.hours * STEPS_PER_HOUR)
+    driver, violation = Driver(nodes, steps), None
     # An exception in the middle of a step could be lost: rospy catches all of them in places.
     signals = []
     _on_signals(lambda signum, _frame: signals.append(signum))
@@ -53,18 +53,35 @@ def _drive(nodes, options):
             if signals:
                 raise KeyboardInterrupt
             driver.step(*moment)
-            progress.show(driver)
+            if driver.steps % STEPS_PER_HOUR == 0:
+                print(f'{_clock(driver.seconds)} simulated, {driver.metres:.0f} m', flush=True)
     except AssertionError as found:
         violation = found
     finally:
         # The nodes end within seconds, which a second Ctrl-C must not cut short.
         _on_signals(signal.SIG_IGN)
-        progress.end()
-        print(summary(driver, violation, time.monotonic() - start), flush=True)
+        print(_summary(driver, violation, time.monotonic() - start), flush=True)
     if violation is None:
         return 0
     print(f'replay: ./ws soak --seed {options.seed} --hours {options.hours:g}')
     return EXIT_VIOLATION
+
+
+def _summary(driver, violation, wall):
+    """Return the whole result; `violation`: None or the one that ended it, `wall`: seconds."""
+    rows = [('simulated time', _clock(driver.seconds)), ('driven', f'{driver.metres:.1f} m'),
+            ('steps checked', driver.steps), *driver.events.items(),
+            *((f'usage of {name}', f'{measured[0]} -> {measured[-1]}')
+              for name, measured in driver.usage.items()),
+            ('wall time', _clock(wall)), ('violations', 0 if violation is None else 1)]
+    lines = [f'{name + ":":28}{value}' for name, value in rows]
+    if violation is not None:
+        lines.append(f'violation at step {driver.steps + 1}: {violation}')
+    return '\n'.join(lines)
+
+
+def _clock(seconds):
+    return str(timedelta(seconds=round(seconds)))
 
 
 def _on_signals(handler):

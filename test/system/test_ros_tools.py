@@ -3,10 +3,9 @@
 import contextlib
 import os
 
-import pytest
 import rosgraph
 import rosservice
-from odometry_tests.processes import Process, hold_port, launched
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.tutorial import detector, mover, rotator, simulator
@@ -38,21 +37,6 @@ def test_every_type_of_a_topic_or_service_is_shown(simulated_time):
         services = {rosservice.get_service_type(name) for name in rosservice.get_service_list()}
         assert unknown_to('rosmsg', set(topic_types().values())) == {}
         assert unknown_to('rossrv', services) == {}
-
-
-@pytest.mark.parametrize('name, command', [('/rosversion', 'roslaunch'), ('/rosdistro', '-d')])
-def test_roscore_tells_the_version_that_rosversion_tells(name, command):
-    """Though none of its processes was asked when the master started."""
-    rosversion = Process('rosversion', command)
-    assert rosversion.wait() == 0
-    with hold_port() as port, launched(
-            lambda: Process('roscore', '-p', port,
-                            env={'PYTHONUNBUFFERED': '1', 'ROS_HOSTNAME': 'localhost'}),
-            'started core service'):
-        parameters = rosgraph.Master('/test', f'http://localhost:{port}')
-        wait_until(lambda: parameters.hasParam(name), TIMEOUT, name)
-        told = parameters.getParam(name)
-    assert told.strip() == rosversion.stdout.strip() != ''
 
 
 def test_tab_writes_the_fields_of_a_message(tmp_path):

@@ -8,21 +8,17 @@ import sysconfig
 from xml.etree import ElementTree
 
 import pytest
-from odometry_tests.other_pythons import REQUIREMENTS
 from odometry_tests.scripts import ROOT
 
+REQUIREMENTS = [ROOT / 'requirements.txt', *ROOT.glob('*/requirements*.txt')]
 MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
 # Imported, but under a name that rosdep does not know: the requirements files list them.
 FROM_PYPI = {'distributed', 'hypothesis', 'joblib', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}
-OF_PYBULLET = {'pybullet_utils'}
+UNDER_OTHER_NAMES = {'pybullet_utils', 'xdist'}  # of pybullet, pytest-xdist
 OPTIONAL = {'robot_view'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
-COMMANDS = {'rosbag': 'rosbag', 'roscore': 'roslaunch', 'roslaunch': 'roslaunch',
-            'rosmaster': 'rosmaster', 'rosmsg': 'rosmsg', 'rosnode': 'rosnode',
-            'rosparam': 'rosparam', 'rosrun': 'rosbash', 'rosservice': 'rosservice',
-            'rossrv': 'rosmsg', 'rostest': 'rostest', 'rostopic': 'rostopic'}
 
 
 def name_of(manifest):
@@ -58,23 +54,15 @@ def is_of_python(module):
         origin.startswith(sysconfig.get_path('stdlib')) and 'site-packages' not in origin)
 
 
-def commands(tree):
-    """Return the first words of the strings in a syntax tree."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            yield node.value.partition(' ')[0]
-
-
 def needs(folder):
     """Return the keys of what a package's Python files and launch files use."""
     # setup.py runs in catkin's own Python.
     sources = [path for path in folder.rglob('*.py') if path.name != 'setup.py']
     trees = [ast.parse(source.read_text()) for source in sources]
     modules = {name for tree in trees for name in imports(tree)}
-    # That package tests all others, so that none can depend on it.
-    modules -= {source.stem for source in sources} | FROM_PYPI | OF_PYBULLET | {'odometry_tests'}
+    # odometry_tests tests all others, so that none can depend on it.
+    modules -= {source.stem for source in sources} | FROM_PYPI | UNDER_OTHER_NAMES | {'odometry_tests'}
     keys = {KEYS.get(module, module) for module in modules if not is_of_python(module)}
-    keys |= {COMMANDS[word] for tree in trees for word in commands(tree) if word in COMMANDS}
     for path in [*folder.rglob('*.launch'), *folder.rglob('*.test')]:
         keys |= set(re.findall(r'(?:pkg="|\$\(find )(\w+)', path.read_text()))
     return keys
@@ -82,7 +70,7 @@ def needs(folder):
 
 @pytest.mark.parametrize('manifest', MANIFESTS, ids=lambda path: path.parent.name)
 def test_a_package_depends_on_what_it_uses(manifest):
-    """By import, as a command in a string, or in a launch file."""
+    """By import or in a launch file."""
     assert needs(manifest.parent) - depends(manifest) - {name_of(manifest), *OPTIONAL} == set()
 
 

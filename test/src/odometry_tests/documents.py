@@ -44,12 +44,6 @@ def read_commands(name, text):
     return _Parser(name).read(text.splitlines())
 
 
-def shown_of(beginning):
-    """Return what the documents show of the commands with this beginning."""
-    return [line for path in DOCUMENTS for command in read_commands(path.name, path.read_text())
-            if command.text.startswith(beginning) for line in command.shown]
-
-
 class _Parser:
 
     def __init__(self, document):

@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 from contextlib import suppress
+from multiprocessing import forkserver
 from typing import NamedTuple
 
 import rosgraph
@@ -90,7 +91,9 @@ def run_script(script, *arguments, env=None):
 
 def _run(argv, environment, outputs):
     os.setsid()
-    # Its parent ends when pytest does, however that ends.
+    # The fork server ends when pytest does, however that ends, unless a child holds this pipe; and
+    # its children end with it.
+    os.close(forkserver._forkserver._forkserver_alive_fd)
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
     for descriptor, output in zip(OUTPUTS, outputs):
         os.dup2(output.fileno(), descriptor)

@@ -5,9 +5,6 @@ import ipaddress
 
 import psutil
 
-from odometry_tests.linux import LOOK_PERIOD
-from odometry_tests.waiting import wait_until
-
 
 def listening_addresses(pid):
     """Return the IP addresses on which a process and its descendants listen for TCP connections.
@@ -19,18 +16,6 @@ def listening_addresses(pid):
         family |= {child.pid for child in psutil.Process(pid).children(recursive=True)}
     return {socket.laddr.ip for socket in psutil.net_connections('tcp')
             if socket.status == psutil.CONN_LISTEN and socket.pid in family}
-
-
-def listened_on(process, timeout):
-    """Return the IP addresses on which a Process has listened before its end."""
-    seen = set()
-
-    def has_ended():
-        seen.update(listening_addresses(process.pid))
-        return not process.running
-
-    wait_until(has_ended, timeout, lambda: f'the end; it printed:\n{process.output}', LOOK_PERIOD)
-    return seen
 
 
 def assert_loopback(addresses):

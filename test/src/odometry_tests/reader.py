@@ -17,7 +17,8 @@ LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
-UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found']
+# The last is said of an unknown parameter.
+UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found', 'unknown: ']
 
 
 class Reader:

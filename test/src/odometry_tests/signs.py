@@ -132,8 +132,6 @@ def _ignores_remapping(words, node, graph):
 
 def objection(words, graph):
     """Return what makes a command senseless that would end well all the same, or None."""
-    if words[0] == 'rosrun':
-        return _unknown_parameter(words)
     if words[0] == 'roslaunch':
         return _unknown_argument(words)
     if words[:2] == ['rostopic', 'pub']:
@@ -145,19 +143,6 @@ def objection(words, graph):
     if words[:2] == ['rosparam', 'set'] and not graph.has_parameter(words[2]):
         return f'there is no parameter {words[2]}'
     return None
-
-
-def _unknown_parameter(words):
-    text = _python_of(words[1])
-    for word in words:
-        found = re.match(r'_(\w+):=', word)
-        if found and not re.search(rf'\b{found[1]}\b', text):
-            return f'{words[1]} knows no parameter ~{found[1]}'
-    return None
-
-
-def _python_of(package):
-    return '\n'.join(path.read_text() for path in (ROOT / package).rglob('*.py'))
 
 
 def _unknown_argument(words):

@@ -1,32 +1,29 @@
-"""How fast the graph is in lockstep, beside a ring of bare nodes that step and pass messages on."""
+"""Robot, detector and mover in lockstep, beside a ring of bare nodes that pass the same messages on.
+
+The nodes of the ring step PyBullet, publish and answer, and do nothing else.
+"""
 
 import contextlib
 from pathlib import Path
 
-from graph import Graph
-from measuring import Target, compare, in_slices
+from graph import LOCKSTEP, TIMEOUT, Graph
+from measuring import SPEED_UNIT, Target, in_slices
 from odometry_common.publishing import advertise
 from odometry_tests.links import has_listener
 from odometry_tests.processes import Process
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
-from speed import CPU_UNIT, SPEED_UNIT, UNDER_WAY, UNPACED
 from std_msgs.msg import Float64
 
-LOCKSTEP = [*UNPACED, '_lockstep:=true', '_clock_rate:=20']
-RING = Path(__file__).with_name('ring.py')
-TIMEOUT = 30.0  # s
+NAME, UNIT, TARGET = 'graph in lockstep', SPEED_UNIT, Target('>=', 0.9)
+RING = Path(__file__).parents[1] / 'ring.py'
+UNDER_WAY = 1.0  # s of simulated time; lockstep begins with a pause of wall time
 
 
-def graph_in_lockstep(options):
-    """Measure robot, detector and mover, where the robot waits for each command."""
+def measure(options):
+    """Return pairs of a speed and the ring's."""
     with Graph(*LOCKSTEP) as graph, _ring() as ring_speed:
-        graph.run_until(UNDER_WAY, 0.01)
-        pairs = in_slices(options, graph.watch, ring_speed)
-    yield compare('graph in lockstep', SPEED_UNIT,
-                  [(sample.simulated / sample.wall, limit) for sample, limit in pairs],
-                  Target('>=', 0.9))
-    yield compare('graph in lockstep, CPU time', CPU_UNIT,
-                  [(1e3 * sample.cpu / sample.simulated, 1e3 / limit) for sample, limit in pairs])
+        graph.run_until(UNDER_WAY)
+        return in_slices(options, graph.speed, ring_speed)
 
 
 @contextlib.contextmanager

@@ -1,0 +1,19 @@
+"""Memory of all processes after ten simulated minutes, beside that after one."""
+
+from graph import UNPACED, Graph
+from measuring import Target
+
+NAME, UNIT, TARGET = 'memory after 10 simulated minutes', 'MB', Target('<=', 1.01)
+
+
+def measure(options):
+    """Return pairs of the memory late and early."""
+    return [_late_and_early() for _ in range(options.runs)]
+
+
+def _late_and_early():
+    with Graph(*UNPACED) as graph:
+        graph.run_until(60.0)
+        early = graph.memory()
+        graph.run_until(600.0, look_every=0.2)
+        return graph.memory(), early

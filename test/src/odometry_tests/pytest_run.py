@@ -1,0 +1,63 @@
+"""A pytest plugin: how ./ws test spreads the files over workers, and the line that it closes with."""
+
+import os
+from pathlib import Path
+
+import pytest
+from xdist.scheduler import LoadFileScheduling
+
+WORKERS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
+OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['skipped']}
+
+
+def pytest_configure(config):
+    """Keep the order of pytest.ini, and take a file by its name alone: test_drive, detector.test."""
+    config.option.loadscopereorder = False  # those that take longest come first already
+    config.args = [_path_of(argument, config.rootpath) for argument in config.args]
+
+
+def _path_of(argument, root):
+    name, *case = argument.split('::')
+    found = [] if Path(name).exists() else [
+        path for pattern in (f'{name}.py', name) for folder in ('test', '*/test')
+        for path in root.glob(f'{folder}/**/{pattern}')]
+    return '::'.join([str(found[0]) if found else name, *case])
+
+
+def pytest_xdist_auto_num_workers(config):
+    """Start so many workers for `-n auto`, and no more than there are files to run."""
+    workers = WORKERS_PER_PROCESSOR * len(os.sched_getaffinity(0))
+    has_folder = any(Path(argument).is_dir() for argument in config.args)
+    return workers if has_folder else min(workers, len(config.args))
+
+
+def pytest_xdist_make_scheduler(config, log):
+    """Keep the tests of a file in one worker, and all that draw in a browser in another."""
+    return FilesAndBrowser(config, log)
+
+
+class FilesAndBrowser(LoadFileScheduling):
+    """Files to workers; a browser without a graphics card keeps a processor busy."""
+
+    def _split_scope(self, nodeid):
+        file = super()._split_scope(nodeid)
+        return 'browser' if 'test_browser' in file else file
+
+    def remove_node(self, node):
+        """Give what a crashed worker has left to others, but not the test in which it crashed."""
+        left = [(unit, nodeid) for unit in self.assigned_work[node].values()
+                for nodeid, completed in unit.items() if not completed]
+        for unit, nodeid in left[:1]:
+            unit[nodeid] = True
+        super().remove_node(node)
+        return left[0][1] if left else None
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config):
+    """Print the counts, alone on the last line."""
+    reporter = config.pluginmanager.get_plugin('terminalreporter')
+    if reporter and not hasattr(config, 'workerinput') and not config.option.collectonly:
+        counts = [f'{sum(len(reporter.stats.get(key, [])) for key in keys)} {word}'
+                  for word, keys in OUTCOMES.items()]
+        reporter.write_line(', '.join(counts))

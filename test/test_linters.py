@@ -1,0 +1,20 @@
+"""The linters in .pre-commit-config.yaml find nothing."""
+
+import subprocess
+
+import pytest
+import yaml
+from odometry_tests.scripts import ROOT
+
+CONFIG = yaml.safe_load((ROOT / '.pre-commit-config.yaml').read_text())
+HOOKS = [hook['id'] for repository in CONFIG['repos'] for hook in repository['hooks']]
+
+
+@pytest.mark.skipif(not (ROOT / '.git').exists(), reason='pre-commit needs a clone')
+@pytest.mark.parametrize('hook', HOOKS)
+def test_a_linter_finds_nothing(hook, tmp_path, monkeypatch):
+    """In any file that git knows."""
+    monkeypatch.setenv('PRE_COMMIT_HOME', str(tmp_path))
+    run = subprocess.run(['pre-commit', 'run', '--all-files', '--color=never', hook], cwd=ROOT,
+                         check=False, capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr
