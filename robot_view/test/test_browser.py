@@ -1,9 +1,6 @@
-"""What the page shows in a real browser: robots, numbers, plots, and nothing to a stranger's page."""
+"""What the page shows in a real browser: robots, numbers, plots."""
 
-import contextlib
-import http.server
 import math
-import threading
 
 import numpy
 import pytest
@@ -17,19 +14,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import TIMEOUT, wait_until
 from viewer import ROBOT_PIXELS, Motion, View, wait_for_robot
 
-viser = pytest.importorskip('viser', reason='viser is not installed')
-
 SCAN_PIXELS = 100
-# The element is what a Browser waits for when it opens a page.
-HOSTILE_PAGE = '''<!DOCTYPE html><title>Win a robot</title><p id="readings"></p><script>
-const note = (word) => { document.getElementById('readings').textContent += word + ' '; };
-for (const name of ['localhost', '127.0.0.1']) {
-  const socket = new WebSocket(`ws://${name}:PORT`, ['viser-vVERSION']);
-  let isOpen = false;
-  socket.onopen = () => { isOpen = true; note('connected'); };
-  socket.onclose = () => { if (!isOpen) note('refused'); };
-}
-</script>'''
 
 
 def viewers(topic='/odom'):
@@ -42,27 +27,6 @@ def count_pixels(page, more, less):
     """Return how many pixels have clearly more of one colour (0 to 2) than of another."""
     colours = numpy.moveaxis(page.scene(), 2, 0)
     return (colours[more] - colours[less] > 50).sum()
-
-
-@contextlib.contextmanager
-def hostile_page(view):
-    """Serve a page that connects to a viewer's websocket; yield its URL."""
-    text = HOSTILE_PAGE.replace('PORT', str(view.port)).replace('VERSION', viser.__version__)
-
-    class Handler(http.server.BaseHTTPRequestHandler):
-        def do_GET(self):
-            self.send_response(200)
-            self.send_header('Content-Type', 'text/html')
-            self.end_headers()
-            self.wfile.write(text.encode())
-
-        def log_message(self, *_):
-            pass
-
-    with http.server.ThreadingHTTPServer(('localhost', 0), Handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f'http://localhost:{server.server_address[1]}'
-        server.shutdown()
 
 
 def test_a_page_without_a_robot_says_what_it_waits_for(page):
@@ -125,16 +89,6 @@ def test_stop_commands_zero(robot, page):
     publisher.unregister()
     page.click('stop')
     robot.wait_until_resting()
-
-
-def test_a_page_of_another_origin_gets_no_connection(browser, robot, view, page):
-    """While the page itself is open in the same browser, and stays so."""
-    with hostile_page(view) as url, browser.open(url) as hostile:
-        hostile.wait_for_text('refused refused')
-        assert 'connected' not in hostile.text
-        view.process.wait_for_output(f'Origin header "{url}"')
-    shown = page.reading('simulated_time')
-    page.wait_for_reading('simulated_time', lambda seconds: seconds > shown)
 
 
 def test_the_viewer_subscribes_only_while_a_page_is_open(robot, page):

@@ -44,13 +44,6 @@ def test_an_environment_variable_sets_the_default_of_host(master, arguments, add
             pass
 
 
-def test_nonsense_in_the_environment_is_refused(master):
-    """As in the parameter."""
-    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',
-                                     env={'ODOMETRY_VIEW_HOST': 'not a host'}) as viewer:
-        assert_refused(viewer, "parameter ~host is 'not a host'")
-
-
 def test_a_port_that_is_taken_is_refused(master):
     """It does not choose another one, where nobody would look for the page."""
     pytest.importorskip('viser', reason='viser is not installed')

@@ -114,10 +114,11 @@ class PathTrace:
 
 
 def _is_reset(last, stamp, pose):
+    """Return whether time goes back or the robot jumps from the last stamp and pose."""
     if last is None:
         return False
     passed = stamp - last[0]
-    return passed < 0 or _distance(last[1], pose) > TOP_SPEED * (passed + STAMP_JITTER)
+    return _distance(last[1], pose) > TOP_SPEED * (passed + STAMP_JITTER)
 
 
 def _distance(one, other):
