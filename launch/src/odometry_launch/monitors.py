@@ -70,7 +70,7 @@ class MoveMonitor(ProgressMonitor):
         """Listen to the detector too."""
         self._wanted = options.distance
         self._moved = 0.0
-        self._settled = None  # the distance, once it grows no more
+        self._has_settled = False  # the distance no longer grows
         self._has_moved = False
         self._rest = None  # the first message of a robot that stands again
         super().__init__()
@@ -109,16 +109,12 @@ class MoveMonitor(ProgressMonitor):
 
     def _on_moved(self, message):
         before, self._moved = self._moved, message.data
-        if self._moved < self._wanted or self._moved - before >= REST_STEP:
-            self._settled = None
-        elif self._settled is None:
-            self._settled = self._moved
+        self._has_settled = self._moved >= self._wanted and self._moved - before < REST_STEP
         self._look()
 
     def _look(self):
         """Have arrived if the distance is reached, and the robot stands by both accounts."""
-        if self._rest is not None and self._settled is not None:
-            self._moved = self._settled
+        if self._rest is not None and self._has_settled:
             self._arrive(self._rest)
 
 
