@@ -64,7 +64,7 @@ def _record():
 
 
 def _are_connected(monitor, recording):
-    return monitor.hears() and (recording is None or recording.hears('odom', 'cmd_vel'))
+    return monitor.is_connected() and (recording is None or recording.is_connected('odom', 'cmd_vel'))
 
 
 def unpause():

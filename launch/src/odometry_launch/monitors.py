@@ -31,7 +31,7 @@ class ProgressMonitor:
         self._subscribers = []
         self._lock = threading.Lock()
 
-    def hears(self):
+    def is_connected(self):
         """Return whether it hears the next message of everything that it listens to."""
         return all(map(is_connected, self._subscribers))
 

@@ -29,7 +29,7 @@ class Recording:
         self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
                              for topic, kind in TOPICS.items()}
 
-    def hears(self, *topics):
+    def is_connected(self, *topics):
         """Return whether each of these topics is recorded from its next message on."""
         return all(is_connected(self._subscribers[topic]) for topic in topics)
 

@@ -69,7 +69,7 @@ def _record(tutorial, parameters, end):
         launch.wait_until_read()
         launch.wait_for(_join, 'the sweep does not become a node')
         recording = Recording(RUNS)
-        launch.wait_for(lambda: recording.hears(*TOPICS[tutorial]), 'the nodes do not answer')
+        launch.wait_for(lambda: recording.is_connected(*TOPICS[tutorial]), 'the nodes do not answer')
         launch.wait_for(unpause, 'the robot does not begin')
         _wait_for_time(end, launch)
         recording.close()
