@@ -53,7 +53,7 @@ def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, 
     run = in_checkout(checkout, RUN + TEST.replace(f'{CLONE}/ws ', ''))
     assert (run.wait() == 0) == passes, run.output
     assert f'RESULT: {"SUCCESS" if passes else "FAIL"}' in run.stdout, run.output
-    assert passes or '!= 1.01 within 0.01 delta' in run.output, run.output
+    assert passes or '!= 1.015 within 0.015 delta' in run.output, run.output
 
 
 def node_beside(truth, name):
@@ -65,13 +65,12 @@ def node_beside(truth, name):
     return Process(sys.executable, EXAMPLE / 'src' / name)
 
 
-@pytest.mark.parametrize('name', ['one_metre.py', 'stop_before_wall.py'])
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
-def test_its_robot_stops_when_the_node_ends(simulated_time, signum, name):
-    """Without a watchdog of the base: whoever copies it may have none."""
+def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
+    """Also without a watchdog of the base."""
     truth, commands = Truth(), Recorder('cmd_vel', Twist)
     with simulator('_cmd_vel_timeout:=0', '_scan:=true', CORRIDOR, '_real_time_factor:=0.5'), \
-            node_beside(truth, name) as node:
+            node_beside(truth, 'stop_before_wall.py') as node:
         truth.wait_until_moving()
         commands.wait_for()
 

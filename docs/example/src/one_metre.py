@@ -2,24 +2,39 @@
 """Drive one metre ahead, and stop."""
 
 import rospy
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_common.velocity import VelocityPublisher
 
 DISTANCE = 1.0  # m
 SPEED = 0.2  # m/s
 
 
-def main():
-    """Answer each odometry message with a command."""
-    rospy.init_node('one_metre')
-    velocity = VelocityPublisher()  # whose last word is zero
+class OneMetre:
+    """Looks at the odometry ten times a second, and commands the robot."""
 
-    def on_odometry(message):
-        velocity.publish(SPEED if message.pose.pose.position.x < DISTANCE else 0.0)
+    def __init__(self):
+        """Publish and subscribe."""
+        self.x = 0.0
+        self.publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+        rospy.Subscriber('odom', Odometry, self.on_odometry)
 
-    rospy.Subscriber('odom', Odometry, on_odometry, tcp_nodelay=True)
-    rospy.spin()
+    def on_odometry(self, message):
+        """Keep the latest position."""
+        self.x = message.pose.pose.position.x
+
+    def run(self):
+        """Drive until shutdown."""
+        rate = rospy.Rate(10)
+        while not rospy.is_shutdown():
+            command = Twist()
+            command.linear.x = SPEED if self.x < DISTANCE else 0.0
+            self.publisher.publish(command)
+            rate.sleep()
 
 
 if __name__ == '__main__':
-    main()
+    rospy.init_node('one_metre')
+    try:
+        OneMetre().run()
+    except rospy.ROSInterruptException:  # shutdown
+        pass

@@ -14,7 +14,8 @@ from sim_turtlebot.rest import PATIENCE, Rest
 
 REFRESH_PERIOD = 0.5  # s of wall time between two looks for nodes that have come or gone
 NAP_PERIOD = 4.0  # s of wall time between two looks for nodes that sleep by it
-SPIN_RATE, SPIN_TOLERANCE = 2.0, 0.6  # Hz; rospy.spin() sleeps by wall time, too, to no harm
+# Hz; threads that watch something sleep by wall time to no harm, as rospy.spin() does at 2 Hz
+LEAST_SPINNING, MOST_WATCHING = 1.5, 2.5
 SLEEPS = 'sleeps by wall time, as by time.sleep(): use rospy.sleep()'
 REFRESH_SHARE = 0.1  # of the wall time, at most, for these looks
 MOMENT = 0.5  # s of wall time in which nobody comes or goes before time begins
@@ -70,7 +71,7 @@ class Lockstep:
             self._look_for_naps(end)
 
     def _look_for_naps(self, now):
-        """Name the nodes that command or publish and, since the last call, slept by wall time."""
+        """Name the nodes that publish and, since the last call, slept by wall time."""
         before, self._naps = self._naps, {}
         for process in self._rest.processes.values():
             # roscpp sleeps by wall time wherever it waits.
@@ -79,12 +80,13 @@ class Lockstep:
             for thread in process.threads.values():
                 with contextlib.suppress(OSError):  # it has ended
                     _, _, runs = thread.usage
-                    if thread.naps and thread.takes_long_naps(runs, now):
+                    if thread.sleeps_by_wall_time and thread.takes_long_naps(runs, now):
                         self._naps[thread] = now, runs
                 if thread in before and thread in self._naps:
                     earlier, runs_then = before[thread]
                     rate = (runs - runs_then) / (now - earlier)
-                    if abs(rate - SPIN_RATE) > SPIN_TOLERANCE:
+                    is_main = thread.tid == process.pid
+                    if rate > MOST_WATCHING or is_main and rate < LEAST_SPINNING:
                         self._report(process.name, SLEEPS)
 
     def _report_restless(self, process, thread):

@@ -7,8 +7,8 @@ import time
 # Naps in seconds: rospy.wait_for_message() polls every 10 ms, roscpp every millisecond. Main threads of
 # roscpp nap for 50 ms, those of rospy for 500 ms, only to look for shutdown.
 LONGEST_POLL, SHUTDOWN_POLL = 0.025, 0.04
-# Functions of the kernel in which time.sleep() sleeps, the second that of Python to 3.10
-NAPS = b'hrtimer_nanosleep', b'do_select'
+# Functions of the kernel in which time.sleep() sleeps; Python to 3.10 selects, as servers do, too
+SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
 SLEEPING, STOPPED = b'S', (b't', b'T', b'Z', b'X')  # states in /proc/PID/task/TID/stat
 NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
 CPP_LIBRARY = 'libroscpp.so'
@@ -52,8 +52,13 @@ class Thread:
 
     @property
     def naps(self):
-        """Whether it slept by wall time when is_asleep was asked for."""
-        return self._wait in NAPS
+        """Whether it slept by wall time, or selected, when is_asleep was asked for."""
+        return self._wait in (SLEEP, SELECT)
+
+    @property
+    def sleeps_by_wall_time(self):
+        """Whether it certainly did."""
+        return self._wait == SLEEP
 
     @property
     def usage(self):

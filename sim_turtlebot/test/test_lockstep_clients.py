@@ -1,0 +1,120 @@
+"""Lockstep waits for nodes as others write them, whatever they wait for themselves."""
+
+import contextlib
+import subprocess
+import sys
+from functools import partial
+from pathlib import Path
+
+import pytest
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from odometry_tests.lockstep_runs import (
+    NOT_AWAITED,
+    RUN_TIME,
+    UNPACED,
+    assert_same_bytes,
+    record,
+)
+from odometry_tests.pausing import call
+from odometry_tests.processes import Process
+from odometry_tests.tutorial import Truth, simulator, simulator_in_step
+from odometry_tests.waiting import Recorder
+from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
+
+HERE = Path(__file__).parent
+# The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
+CLIENTS = {
+    'rospy.Rate(10)': ['rate 10'], 'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
+    'rospy.sleep': ['sleep'], 'rospy.wait_for_message': ['wait_for_message'],
+    'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
+    'service': ['service'], 'latched topic': ['latched', 'latching'],
+    'actionlib': ['action', 'action_server'], 'dynamic_reconfigure': ['reconfigure', 'tuner'],
+    'rosbag record': ['rate 20', 'bag'],
+    'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
+    'ros::MultiThreadedSpinner': ['C++ spinners']}
+CLIENT_TIME = 5  # s of simulated time
+LEAST_COMMANDS = 10
+
+
+@pytest.fixture(autouse=True)
+def clock_of_the_robot(simulated_time):
+    """Let the nodes follow the simulator's clock."""
+
+
+@pytest.fixture(scope='module')
+def start_client(tmp_path_factory):
+    """Return a function that starts a node of a kind, with a name; C++ is compiled at its first use."""
+    folder = tmp_path_factory.mktemp('clients')
+
+    def start(kind, name):
+        language, _, argument = kind.partition(' ')
+        if kind == 'bag':
+            command = 'rosbag', 'record', '-O', folder / 'run', '/odom'
+        elif language == 'C++':
+            command = compile_client(folder / 'client'), argument
+        else:
+            command = sys.executable, HERE / 'clients.py', kind
+        return Process(*command, f'__name:={name}')
+
+    return start
+
+
+def compile_client(path):
+    """Compile the client in C++, unless it is there, and return its path."""
+    if not path.exists():
+        flags = subprocess.run(['pkg-config', '--cflags', '--libs', 'roscpp'], check=True, text=True,
+                               stdout=subprocess.PIPE).stdout.split()
+        subprocess.run(['g++', '-o', path, HERE / 'client.cpp', *flags], check=True)
+    return path
+
+
+@pytest.mark.parametrize('client', CLIENTS)
+def test_two_runs_with_any_node_are_the_same_bytes(client, start_client):
+    """Whatever it waits for: the clock, a message, a service, a transform; with the default clock."""
+    kinds = CLIENTS[client]
+    names = ['client', *kinds[1:]]
+    starts = [partial(start_client, *pair) for pair in zip(kinds, names)]
+    topics = {'/odom': (Odometry, 20 * CLIENT_TIME), '/tf': (TFMessage, 20 * CLIENT_TIME),
+              '/cmd_vel': (Twist, LEAST_COMMANDS)}
+    assert_same_bytes(*(record(starts, topics, ['_clock_rate:=100']) for _ in range(2)))
+
+
+@pytest.mark.parametrize('rate', [5, 10, 20, 30, 50, 100])
+def test_a_loop_keeps_its_rate(rate, start_client):
+    """In simulated time, with the default clock: so many commands in ten seconds."""
+    with simulator('_lockstep:=true', UNPACED, '_paused:=true'), \
+            start_client(f'rate {rate}', 'client'), \
+            contextlib.closing(Recorder('/cmd_vel', Twist)) as commands, \
+            contextlib.closing(Recorder('/clock', Clock)) as clock:
+        commands.wait_for_publisher()
+        clock.wait_for_publisher()
+        call('unpause_physics')
+        counts = []
+        for second in 2, 12:
+            clock.wait_for(lambda m, second=second: m.clock.to_sec() >= second, RUN_TIME)
+            counts.append(len(commands.messages))
+    # A command of either moment may have come before or after this thread looked.
+    assert abs(counts[1] - counts[0] - 10 * rate) <= 1 + rate / 10, counts
+
+
+@pytest.mark.parametrize('kind, reason', [
+    ('busy', 'it has not rested for 2 s'), ('wall', 'it sleeps by wall time')])
+def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason, start_client):
+    """With what to do."""
+    with simulator_in_step('_real_time_factor:=5') as simulation, \
+            start_client(kind, 'culprit'):
+        simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so that two runs may differ: {reason}',
+                                   60.0)
+        truth = Truth()
+        truth.wait_seconds(10.0)
+        assert simulation.output.count(f'{NOT_AWAITED} /culprit') == 1
+
+
+def test_time_is_the_same_for_who_sleeps_on_the_clock_before_it_commands(start_client):
+    """Nobody has to speak first."""
+    with simulator_in_step(UNPACED), start_client('sleeper', 'sleeper') as sleeper:
+        sleeper.wait_for_output('awake')
+
+

@@ -1,0 +1,64 @@
+"""Runs in lockstep, recorded and compared to the byte."""
+
+import contextlib
+import io
+
+from sim_turtlebot.lockstep import Lockstep
+
+from odometry_tests.pausing import call
+from odometry_tests.tutorial import simulator_in_step
+from odometry_tests.waiting import Recorder, wait_until
+
+RUN_TIME = 60.0  # s
+NOT_AWAITED = 'lockstep does not wait for'
+UNPACED = '_real_time_factor:=0'
+
+
+def record(starts, topics, arguments=(), prepare=lambda: None):
+    """Run nodes in lockstep; return the messages on each topic, from time zero on.
+
+    :param starts: functions that start the nodes beside the simulator
+    :param topics: message class and number of messages by topic
+    :param arguments: for the simulator
+    :param prepare: function that is called before time begins
+    """
+    with contextlib.ExitStack() as stack:
+        simulation = stack.enter_context(simulator_in_step(UNPACED, '_paused:=true', *arguments))
+        for start in starts:
+            stack.enter_context(start())
+        # Closed, so that the next run's do not hear what comes late.
+        recorders = {topic: stack.enter_context(contextlib.closing(Recorder(topic, kind)))
+                     for topic, (kind, _) in topics.items()}
+        for recorder in recorders.values():
+            recorder.wait_for_publisher()
+        prepare()
+        wait_until_settled()
+        for recorder in recorders.values():
+            recorder.clear()
+        call('unpause_physics')
+        for topic, (_, count) in topics.items():
+            recorders[topic].wait_for_count(count, RUN_TIME)
+        assert NOT_AWAITED not in simulation.output, simulation.output
+        return {topic: recorders[topic].messages[:count] for topic, (_, count) in topics.items()}
+
+
+def wait_until_settled():
+    """Return when all nodes have done what they do before time begins."""
+    graph = Lockstep(lambda: False)
+    wait_until(graph.has_settled, RUN_TIME, 'nodes at rest')
+
+
+def bytes_of(message):
+    """Return a message as it is sent."""
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
+
+
+def assert_same_bytes(first, second):
+    """Assert that two runs have the same messages, each to the byte."""
+    for topic, messages in first.items():
+        different = [index for index, pair in enumerate(zip(messages, second[topic]))
+                     if bytes_of(pair[0]) != bytes_of(pair[1])]
+        assert not different, (f'{topic}: message {different[0]} is the first that differs:\n'
+                               f'{messages[different[0]]}\n\n{second[topic][different[0]]}')
