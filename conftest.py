@@ -1,4 +1,4 @@
-"""A ROS master for each run of pytest, and for each of its workers: rospy joins one only once."""
+"""A ROS master for each file of tests, at one address: rospy learns that only once."""
 
 import itertools
 import os
@@ -11,11 +11,10 @@ try:
     from odometry_tests.rostests import join
 except ImportError:
     sys.exit('the tests need ROS and the built packages: type ./ws test, or ./ws shell first')
-import rosgraph
 import rospy
 from odometry_tests.forked import Forked
 from odometry_tests.fuzzing import load_profile
-from odometry_tests.processes import Master, started
+from odometry_tests.processes import Master, hold_port, own_address, started
 from odometry_tests.tutorial import forget_parameters
 from odometry_tests.waiting import open_recorders
 from rospy.impl.registration import Registration
@@ -29,15 +28,10 @@ load_profile()
 
 
 @pytest.fixture(scope='session')
-def joined_master():
-    """Start a ROS master, join it as a node, and yield both it and how to reach it."""
-    before = dict(os.environ)
-    with Master(start=Forked) as process:
-        if not rospy.core.is_initialized():
-            join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
-        variables = {name: os.environ[name] for name in ('ROS_MASTER_URI', 'ROS_HOSTNAME')}
-        restore(before)
-        yield process, variables
+def master_port():
+    """Hold the port of all masters of this run: rospy knows only one."""
+    with hold_port(own_address()) as port:
+        yield port
 
 
 @pytest.fixture(scope='module', autouse=True)
@@ -45,30 +39,22 @@ def own_variables():
     """Give each file the environment that pytest was started with."""
     before = dict(os.environ)
     yield
-    restore(before)
-
-
-def restore(environment):
-    """Make this the environment again."""
     os.environ.clear()
-    os.environ.update(environment)
+    os.environ.update(before)
 
 
 @pytest.fixture(scope='module')
-def master(joined_master):
-    """Give each file a master without parameters, in wall time, to which only this node is known."""
-    process, variables = joined_master
-    os.environ.update(variables)
-    parameters = rosgraph.Master('/test')
-    for name in parameters.getParamNames():
-        parameters.deleteParam(name)
-    parameters.setParam('/use_sim_time', False)
-    yield process
-    leave_topics()
+def master(master_port, own_variables):
+    """Start a master for each file, with the clock of the wall, and join it as a node."""
+    with Master(port=master_port, start=Forked) as process:
+        if not rospy.core.is_initialized():
+            join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
+        yield process
+        leave_topics()
 
 
 def leave_topics():
-    """Publish and receive nothing more: the next file's robot would have a stranger about it."""
+    """Publish and receive nothing more, as the next master would not know of it."""
     topics = rospy.topics.get_topic_manager()
     for kind, known in (Registration.PUB, topics.pubs), (Registration.SUB, topics.subs):
         for name in {*known} - {'/rosout'}:

@@ -3,9 +3,9 @@
 import math
 import threading
 
-from odometry_common.shutdown import LONGEST_WAIT
 from odometry_common.geometry import PlanarPose
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
+from odometry_common.shutdown import LONGEST_WAIT
 
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import PlacingInputs, Readings, SimulationButtons

@@ -149,14 +149,15 @@ class Master(Process):
     roscore would give up after 10 s in which its master has not answered, as on a busy machine.
     """
 
-    def __init__(self, use_sim_time=False, **options):
-        """Start it on a port of its own and return once it answers.
+    def __init__(self, use_sim_time=False, port=None, **options):
+        """Start it and return once it answers.
 
+        :param port: of own_address(); None: a free one
         :param options: those of a Process
         """
         self._port = contextlib.ExitStack()
-        address = _own_address()
-        port = self._port.enter_context(hold_port(address))
+        address = own_address()
+        port = port or self._port.enter_context(hold_port(address))
         os.environ.update(ROS_MASTER_URI=f'http://{address}:{port}', ROS_HOSTNAME=address)
         super().__init__(shutil.which('rosmaster'), '--core', '-p', port, **options)
         try:
@@ -191,7 +192,7 @@ def launched(start, text):
     raise AssertionError(f'{process.command} has given up {ATTEMPTS} times:\n{process.output}')
 
 
-def _own_address():
+def own_address():
     """Return an address of loopback (127.64.0.0 to 127.127.255.255) that no other process returns."""
     return f'127.{64 + (os.getpid() >> 16)}.{os.getpid() >> 8 & 255}.{os.getpid() & 255}'
 
