@@ -85,6 +85,9 @@ def test_the_latest_distance_decides_on_one_command(talk):
     # After a reset of the distance it drives on: it does not remember that it has arrived.
     assert talk.tell(2.1, 0.0) == commands(0.0, 0.1)
     assert len(talk.answers.messages) == 2
+    for _ in range(8):  # it goes on commanding zero, however long the robot rests
+        talk.clock.advance(0.4)
+        assert talk.tell(2.0) == commands(0.0)
 
 
 def test_a_distance_that_is_not_finite_stops_it_with_a_warning(talk, node):
