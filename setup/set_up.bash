@@ -16,7 +16,8 @@ DEBIAN_PARTS=(python3-venv catkin g++ make python3-geometry-msgs python3-nav-msg
     ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs ros-std-msgs
     ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
 COMPILER_PARTS=(python3-dev)
-TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 x11-utils xvfb)
+TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 python3-actionlib python3-dynamic-reconfigure
+    python3-message-filters x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(rviz)
 # Python packages that only some commands need.
