@@ -45,14 +45,14 @@ for line in sys.stdin:
 
 @pytest.fixture
 def restless():
-    """Return a list for the names of the processes that did not rest."""
+    """Return a list for the Processes that did not rest."""
     return []
 
 
 @pytest.fixture
 def resting(restless):
     """Return a Rest without processes."""
-    resting = Rest(lambda: False, lambda process, thread: restless.append((process.name, thread)))
+    resting = Rest(lambda: False, lambda process: restless.append(process))
     yield resting
     for pid in list(resting.processes):
         resting.remove(pid)
@@ -99,13 +99,13 @@ def test_who_rests_has_answered(resting, start, restless, code):
 
 
 def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start, restless):
-    """After two seconds in which it had a processor."""
+    """After two seconds of computing."""
     start(BUSY)
     begin = time.monotonic()
     resting.wait()
     assert time.monotonic() - begin >= rest.PATIENCE
-    (name, thread), = restless
-    assert name == BUSY and thread.name.startswith('python')
+    process, = restless
+    assert process.name == BUSY and process.awake_thread().name.startswith('python')
     begin = time.monotonic()
     resting.wait()
     assert time.monotonic() - begin < rest.PATIENCE
@@ -117,7 +117,7 @@ def test_who_never_rests_is_named_and_not_who_wakes_now_and_then(resting, start,
     for code in SLOW_POLLER, BUSY, SLOW_POLLER:
         start(code)
     resting.wait()
-    assert [name for name, _ in restless] == [BUSY]
+    assert [process.name for process in restless] == [BUSY]
 
 
 def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting, start):

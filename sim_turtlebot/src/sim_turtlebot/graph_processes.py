@@ -8,10 +8,11 @@ from odometry_common.connections import node_at
 from rosgraph.names import ns_join
 from rosgraph.network import is_local_address
 
-from sim_turtlebot.rest import PATIENCE
+from sim_turtlebot.rest import LONGEST_POLL, PATIENCE
 
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
+MASTER_POLL = 0.2  # s; twice the period in which rosmaster looks for updates to send to subscribers
 LOG = '/rosout'  # a node, and its topic; it only writes down what others say
 ROSLAUNCHED = '__name:='  # is in the command line of a node that roslaunch has started
 STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
@@ -30,21 +31,55 @@ class GraphProcesses:
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
-        self.names = set()  # of all nodes
-        self.publishers = set()  # the names of those that publish more than their log
+        self._state = None, None, None  # what the master said last: publishers, subscribers, services
+        self._cpu_time = None  # of the master, when it was asked last
         self._find({MASTER: self._master_uri})
+        self._process = rest.processes.get(self._pids[MASTER])  # of the master, if it can be seen
 
-    def refresh(self):
-        """Take the nodes that have come, and forget those that have gone; OSError: no master."""
-        state = self._master.getSystemState(self._own_name)[ANSWER]
-        self.publishers = {name for topic, nodes in state[0] if topic != LOG for name in nodes}
-        self.names = {name for topics in state for _, nodes in topics for name in nodes} - {LOG}
+    @property
+    def names(self):
+        """The names of all nodes."""
+        return _names(*self._state)
+
+    @property
+    def publishers(self):
+        """The names of those that publish more than their log."""
+        return _names(self._state[0])
+
+    def wait(self):
+        """Return when all rest; OSError: no master.
+
+        If the master was asked for something, wait for new nodes, and until it has told everybody of
+        new publishers: it looks for such work by wall time.
+        """
+        self._rest.wait()
+        if self._was_asked():
+            while self._refresh():
+                self._let_master_tell()
+            self._rest.wait()
+            self._was_asked()
+
+    def _was_asked(self):
+        """Return whether the master has computed since the last call, or cannot be seen."""
+        before, self._cpu_time = self._cpu_time, self._rest.cpu_times.get(self._process)
+        return self._cpu_time is None or self._cpu_time != before
+
+    def _let_master_tell(self):
+        if self._process:
+            self._process.longest_poll = MASTER_POLL
+            self._rest.wait()
+            self._process.longest_poll = 0.0
+
+    def _refresh(self):
+        """Take the nodes that have come, and forget those that have gone; return whether any has."""
+        before, self._state = self._state, self._master.getSystemState(self._own_name)[ANSWER]
         for name in self._addresses.keys() - self.names:
             del self._addresses[name]
         addresses = {name: self._master.lookupNode(self._own_name, name)[ANSWER]
                      for name in self.names if self._pids.get(name) not in self._rest.processes}
         self._find({name: address for name, address in addresses.items()
                     if address and self._addresses.get(name) != address})
+        return self._state != before
 
     def add_starting(self):
         """Take the processes that roslaunch has started and that are no nodes yet."""
@@ -78,8 +113,15 @@ class GraphProcesses:
 
     def _add(self, name, pid, patience):
         try:
-            self._rest.add(name, pid, name != MASTER, patience)
+            computes = name in (MASTER, self._own_name)
+            self._rest.add(name, pid, 0.0 if computes else LONGEST_POLL, patience)
         except PermissionError:
             self._on_unseen(name)
         except OSError:  # it has ended
             pass
+
+
+def _names(*states):
+    """Return the names of the nodes in parts of the master's state, but for rosout and what all log."""
+    return {name for state in states for topic, nodes in state or () if topic != LOG
+            for name in nodes} - {LOG}

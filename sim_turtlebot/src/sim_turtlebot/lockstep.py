@@ -12,12 +12,10 @@ from odometry_common.parameters import ParameterError
 from sim_turtlebot.graph_processes import GraphProcesses
 from sim_turtlebot.rest import PATIENCE, Rest
 
-REFRESH_PERIOD = 0.5  # s of wall time between two looks for nodes that have come or gone
 NAP_PERIOD = 4.0  # s of wall time between two looks for nodes that sleep by it
 # Hz; threads that watch something sleep by wall time to no harm, as rospy.spin() does at 2 Hz
 LEAST_SPINNING, MOST_WATCHING = 1.5, 2.5
 SLEEPS = 'sleeps by wall time, as by time.sleep(): use rospy.sleep()'
-REFRESH_SHARE = 0.1  # of the wall time, at most, for these looks
 MOMENT = 0.5  # s of wall time in which nobody comes or goes before time begins
 DIFFER = 'two runs may differ'
 
@@ -34,16 +32,20 @@ class Lockstep:
         _check_proc()
         self._rest = Rest(is_over, self._report_restless)
         self._graph = GraphProcesses(self._rest, rospy.get_name(), self._report_unseen)
-        self._next_refresh = self._changed = self._next_naps = 0.0
+        self._changed = self._next_naps = 0.0
         self._naps = {}  # when threads were seen in long naps, and how often they had run
         self._known = set()
         self._reported = set()
 
     def wait(self):
         """Return when every node rests, or has been waited for long enough."""
-        self._rest.wait()
-        if time.monotonic() > self._next_refresh:
-            self._refresh()
+        try:
+            self._graph.wait()
+        except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
+            rospy.logdebug(f'lockstep: the master does not answer: {error}')
+        if time.monotonic() > self._next_naps:
+            self._next_naps = time.monotonic() + NAP_PERIOD
+            self._look_for_naps(time.monotonic())
 
     def has_settled(self):
         """Look for nodes; return whether nobody has come or gone for a moment, and all rest.
@@ -51,24 +53,11 @@ class Lockstep:
         Without a node beside this one and rosout there is nobody to begin for.
         """
         self._graph.add_starting()
-        self._refresh()
-        self._rest.wait()
+        self.wait()
         now, known = time.monotonic(), self._graph.names | self._rest.processes.keys()
         if known != self._known or not self._graph.names - {rospy.get_name()}:
             self._known, self._changed = known, now
         return now - self._changed > MOMENT
-
-    def _refresh(self):
-        begin = time.monotonic()
-        try:
-            self._graph.refresh()
-        except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
-            rospy.logdebug(f'lockstep: the master does not answer: {error}')
-        end = time.monotonic()
-        self._next_refresh = end + max(REFRESH_PERIOD, (end - begin) / REFRESH_SHARE)
-        if end > self._next_naps:
-            self._next_naps = end + NAP_PERIOD
-            self._look_for_naps(end)
 
     def _look_for_naps(self, now):
         """Name the nodes that publish and, since the last call, slept by wall time."""
@@ -80,7 +69,7 @@ class Lockstep:
             for thread in process.threads.values():
                 with contextlib.suppress(OSError):  # it has ended
                     _, _, runs = thread.usage
-                    if thread.sleeps_by_wall_time and thread.takes_long_naps(runs, now):
+                    if thread.sleeps_by_wall_time and thread.naps_longer_than(process.longest_poll, runs, now):
                         self._naps[thread] = now, runs
                 if thread in before and thread in self._naps:
                     earlier, runs_then = before[thread]
@@ -89,9 +78,10 @@ class Lockstep:
                     if rate > MOST_WATCHING or is_main and rate < LEAST_SPINNING:
                         self._report(process.name, SLEEPS)
 
-    def _report_restless(self, process, thread):
-        self._report(process.name, f'has not rested for {PATIENCE:g} s (process {process.pid}, '
-                     f'thread {thread.name}): give its loop a rospy.sleep()')
+    def _report_restless(self, process):
+        thread = process.awake_thread()
+        self._report(process.name, f'has not rested for {PATIENCE:g} s (process {process.pid}, thread '
+                     f'{thread.name if thread else "unknown"}): give its loop a rospy.sleep()')
 
     def _report_unseen(self, name):
         self._report(name, 'is on another machine, in another container or another user\'s, where '

@@ -4,9 +4,6 @@ import os
 import threading
 import time
 
-# Naps in seconds: rospy.wait_for_message() polls every 10 ms, roscpp every millisecond. Main threads of
-# roscpp nap for 50 ms, those of rospy for 500 ms, only to look for shutdown.
-LONGEST_POLL, SHUTDOWN_POLL = 0.025, 0.04
 # Functions of the kernel in which time.sleep() sleeps; Python to 3.10 selects, as servers do, too
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
 SLEEPING, STOPPED = b'S', (b't', b'T', b'Z', b'X')  # states in /proc/PID/task/TID/stat
@@ -65,18 +62,18 @@ class Thread:
         """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
         return tuple(map(int, self._read('schedstat').split()))
 
-    def takes_long_naps(self, runs, asleep_at):
-        """Return whether its nap takes longer than LONGEST_POLL.
+    def naps_longer_than(self, limit, runs, asleep_at):
+        """Return whether its nap takes longer than `limit` (s).
 
         :param runs: how often it has run
         :param asleep_at: a time at which it slept (monotonic, s)
         """
         if runs != self._nap:
             # If it did no more than look, this nap takes as long as the one before.
-            self._nap_is_long = runs - 1 == self._nap and self._nap_time > SHUTDOWN_POLL
+            self._nap_is_long = runs - 1 == self._nap and self._nap_time > 1.5 * limit
             self._nap, self._nap_begin = runs, time.monotonic()
         self._nap_time = asleep_at - self._nap_begin
-        self._nap_is_long |= self._nap_time > LONGEST_POLL
+        self._nap_is_long |= self._nap_time > limit
         return self._nap_is_long
 
     def _read(self, name):
@@ -91,14 +88,15 @@ class Process:
     Whatever asks for its state raises OSError if it, or a thread of it, has ended.
     """
 
-    def __init__(self, name, pid, may_poll, patience):
+    def __init__(self, name, pid, longest_poll, patience):
         """Open its folder; OSError: it has ended, or may not be seen.
 
         :param name: for the user
-        :param may_poll: whether work may wait until a nap of its threads is over
+        :param longest_poll: how long the naps are (s) after which its threads may find work; 0: none
         :param patience: how much CPU time it may use before it rests (s)
         """
-        self.name, self.pid, self.may_poll, self.patience = name, pid, may_poll, patience
+        self.name, self.pid = name, pid
+        self.longest_poll, self.patience = longest_poll, patience
         self._looker = threading.get_native_id() if pid == os.getpid() else None
         with open(f'/proc/{pid}/maps', encoding='utf-8', errors='replace') as maps:
             self.is_cpp = any(CPP_LIBRARY in line for line in maps)

@@ -13,6 +13,7 @@ import time
 
 from sim_turtlebot.processes import Process
 
+LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
 PATIENCE = 2.0  # s of CPU time that a process may use before it rests
 STALL_TIMEOUT = 60.0  # s of wall time, for what neither computes nor sleeps
 SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
@@ -28,17 +29,18 @@ class Rest:
         """Begin with no process.
 
         :param is_over: function that returns whether to wait no longer
-        :param on_restless: function of a Process that does not come to rest and is not awaited any
-            more, and of one of its threads that is awake, or None
+        :param on_restless: function of a Process that does not come to rest, and is not awaited any
+            more
         """
         self._is_over, self._on_restless = is_over, on_restless
         self.processes = {}  # by id
+        self.cpu_times = {}  # by Process, when all rested last; without naps
         self._awaited = []
         self._surveyed = set()  # threads of which it is known whether they poll
 
-    def add(self, name, pid, may_poll=True, patience=PATIENCE):
+    def add(self, name, pid, longest_poll=LONGEST_POLL, patience=PATIENCE):
         """Wait for one more process; parameters and errors are those of Process."""
-        self.processes[pid] = Process(name, pid, may_poll, patience)
+        self.processes[pid] = Process(name, pid, longest_poll, patience)
         self._awaited.append(self.processes[pid])
 
     def wait(self):
@@ -47,14 +49,10 @@ class Rest:
         while not self._is_over():
             try:
                 look_begin = time.monotonic()
-                process, thread, cpu_times = self._look()
+                process, cpu_times = self._look()
+                first_cpu_times = {**cpu_times, **first_cpu_times}
                 if process:
-                    passed = time.monotonic() - begin
-                    spent = process.cpu_time() - first_cpu_times.setdefault(process, process.cpu_time())
-                    if spent > process.patience * 1e9 or passed > STALL_TIMEOUT:
-                        self._awaited.remove(process)
-                        self._on_restless(process, thread)
-                        begin = time.monotonic()
+                    self._lose_patience(process, first_cpu_times, look_begin - begin)
                 else:
                     before = others, polling
                     others, polling = self._split(cpu_times, look_begin)
@@ -62,12 +60,13 @@ class Rest:
                         polling = {thread: runs for thread, runs in polling.items()
                                    if before[1].get(thread) == runs}
                     if not polling:
+                        self.cpu_times = others
                         return
             except OSError:
                 self._forget_ended()
                 continue
             # These looks may take the processor from those that have something to do.
-            if time.monotonic() - begin < SPIN_TIME:
+            if look_begin - begin < SPIN_TIME:
                 os.sched_yield()
             else:
                 time.sleep(LOOK_PERIOD)
@@ -80,38 +79,51 @@ class Rest:
             self._awaited.remove(process)
 
     def _look(self):
-        """Return a Process that does not rest, a Thread of it that is awake, if any, and CPU times.
-
-        The former two are None if all rest.
-        """
+        """Return a Process that does not rest, or None, and the CPU times (ns) before the look."""
         cpu_times = {process: process.cpu_time() for process in self._awaited}
         for process in self._awaited:
-            if thread := process.awake_thread():
+            if process.awake_thread():
                 # The next look begins with it, and is short while it is awake.
                 self._awaited.remove(process)
                 self._awaited.insert(0, process)
-                return process, thread, cpu_times
-        for process, cpu_time in cpu_times.items():
-            if process.cpu_time() != cpu_time:
-                return process, None, cpu_times
-        return None, None, cpu_times
+                return process, cpu_times
+        return next((process for process, cpu_time in cpu_times.items()
+                     if process.cpu_time() != cpu_time), None), cpu_times
+
+    def _lose_patience(self, process, first_cpu_times, passed):
+        """Give up waiting for the process that computes most if one has not rested for too long.
+
+        :param process: does not rest
+        :param first_cpu_times: when all began to wait
+        :param passed: s of wall time since then
+        """
+        def spent(process):
+            return (process.cpu_time() - first_cpu_times.get(process, 0)) / 1e9
+
+        nodes = [process for process in self._awaited if process.longest_poll]
+        if nodes and (spent(process) > process.patience or passed > STALL_TIMEOUT):
+            # The master computes because a node keeps asking it.
+            culprit = process if process in nodes else max(nodes, key=spent)
+            self._awaited.remove(culprit)
+            self._on_restless(culprit)
 
     def _split(self, cpu_times, look_begin):
-        """Return the CPU times (ns) without those of naps, and how often the polling have run."""
+        """Return the CPU times (ns) without those of naps, and how often those that poll have run."""
         self._survey()
         others, polling = dict(cpu_times), {}
         for process in self._awaited:
-            for thread in process.threads.values() if process.may_poll else ():
+            for thread in process.threads.values():
                 if thread.naps or thread.polls:
                     cpu_time, _, runs = thread.usage
                     others[process] -= cpu_time
-                    if not thread.takes_long_naps(runs, look_begin):
+                    limit = process.longest_poll
+                    if limit and not thread.naps_longer_than(limit, runs, look_begin):
                         polling[thread] = runs
         return others, polling
 
     def _survey(self):
         """Find out which threads of C++ poll: those that run while all others rest."""
-        threads = {thread for process in self._awaited if process.is_cpp and process.may_poll
+        threads = {thread for process in self._awaited if process.is_cpp
                    for thread in process.threads.values()}
         for thread in threads - self._surveyed:
             thread.polls = _runs_often(thread)

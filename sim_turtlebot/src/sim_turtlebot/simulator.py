@@ -65,7 +65,7 @@ class Simulator:
 
     def _serve(self, timeout):
         """Wait (s of wall time) for a request and serve it, in lockstep all that come with it."""
-        if not self._lockstep:
+        if self._paused or not self._lockstep:
             self._requests.serve(timeout)
         elif self._requests.wait(timeout):
             self._lockstep.wait()
