@@ -50,6 +50,16 @@ def test_it_ends_as_the_command_ended(command, status, error, capfd):
     assert capfd.readouterr().err == error
 
 
+def test_it_outlasts_a_timeout_for_new_sockets():
+    """rospy sets one."""
+    before = socket.getdefaulttimeout()
+    socket.setdefaulttimeout(60.0)
+    try:
+        assert GuardedProcess('sh', '-c', 'sleep 0.1; exit 7').wait() == 7
+    finally:
+        socket.setdefaulttimeout(before)
+
+
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGPIPE, signal.SIGHUP])
 def test_signals_reach_the_command(signum):
     """It does not inherit that its starter ignores them."""
