@@ -51,7 +51,7 @@ def test_it_ends_as_the_command_ended(command, status, error, capfd):
 
 
 def test_it_outlasts_a_timeout_for_new_sockets():
-    """rospy sets one."""
+    """As rospy sets it."""
     before = socket.getdefaulttimeout()
     socket.setdefaulttimeout(60.0)
     try:

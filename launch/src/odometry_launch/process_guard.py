@@ -26,9 +26,7 @@ class GuardedProcess:
     def __init__(self, *command, **popen_options):
         """Start it in a session of its own, with an empty standard input."""
         self._lifeline, theirs = socket.socketpair()
-        # rospy gives new sockets a timeout, with which the reaper's read would fail at once.
-        for end in (self._lifeline, theirs):
-            end.settimeout(None)
+        self._lifeline.settimeout(None)  # rospy sets another default
         with theirs:
             self._popen = subprocess.Popen(
                 [sys.executable, '-I', '-S', REAPER, *map(str, command)], stdin=theirs,

@@ -54,6 +54,7 @@ def main(command):
 def _watch_starter(pid):
     """Send this process SIGTERM once the starter has closed the socket, or died."""
     with suppress(OSError):
+        os.set_blocking(LIFELINE, True)  # where rospy has run, new sockets have a timeout
         os.write(LIFELINE, b'%d\n' % pid)
         os.read(LIFELINE, 1)
     os.kill(os.getpid(), signal.SIGTERM)

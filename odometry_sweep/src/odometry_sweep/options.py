@@ -31,8 +31,8 @@ def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
         prog='./ws sweep', description='Run a tutorial many times, over a grid of parameter values '
-        'and seeds, without ROS, on all processors. Print statistics, and leave the metrics of '
-        'each run in the folder runs.')
+        'and seeds, without ROS. It uses all processors, prints statistics, and leaves the metrics '
+        'of each run in the folder runs.')
     source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
     parser.add_argument('tutorial', nargs='?', choices=TUTORIALS,
                         help='drive two metres, or turn to a heading')
