@@ -6,6 +6,7 @@ All but the last three command the robot, with an angular velocity that shows wh
 """
 
 import sys
+import threading
 import time
 from types import SimpleNamespace
 
@@ -37,12 +38,13 @@ class Robot:
 
     def __init__(self):
         """Subscribe to its odometry."""
-        self.x = 0.0  # m
+        self.x, self.moved = 0.0, threading.Event()  # m, and whether that is new
         self._publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10)
         rospy.Subscriber('odom', Odometry, self._on_odometry)
 
     def _on_odometry(self, message):
         self.x = message.pose.pose.position.x
+        self.moved.set()
 
     def drive(self, turn=None):
         """Command a velocity."""
@@ -118,10 +120,15 @@ def service(robot):
 
 
 def action(robot):
-    """Have the action server answer one goal after the other."""
+    """Send goals to the action server, each when there is new odometry.
+
+    One that the clock has this node send may arrive before that clock, and end a tick earlier.
+    """
     client = actionlib.SimpleActionClient('wait', TestAction)
     client.wait_for_server()
     while not rospy.is_shutdown():
+        robot.moved.clear()
+        robot.moved.wait(1.0)
         client.send_goal_and_wait(TestGoal(3))
         robot.drive(robot.x + client.get_result().result)
 
