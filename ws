@@ -36,6 +36,13 @@ The first use installs ROS from the system's packages and builds; later uses sta
 TEXT
 }
 
+# enter: in a function without arguments, since catkin would take those of the command for its own.
+enter() {
+    set +u
+    . "$ROOT/setup/enter.bash"
+    set -u
+}
+
 # exec_guarded PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
 exec_guarded() {
     # Python would answer Ctrl-C with a traceback while it starts: signals wait until it has begun.
@@ -74,9 +81,7 @@ main() {
         sweep) shift; exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
         soak) shift; exec_guarded "$ROOT/test/soak/run_soak.py" "$@" ;;
     esac
-    set +u
-    . "$ROOT/setup/enter.bash"
-    set -u
+    enter
     case $1 in
         test) shift; cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "$@" ;;
         shell) shift; exec bash --rcfile "$ROOT/setup/shell.bash" "$@" ;;
