@@ -12,9 +12,9 @@ from odometry_common.parameters import ParameterError
 from sim_turtlebot.graph_processes import GraphProcesses
 from sim_turtlebot.rest import PATIENCE, Rest
 
-NAP_PERIOD = 4.0  # s of wall time between two looks for nodes that sleep by it
+NAP_PERIOD = 2.0  # s of wall time between two looks for nodes that sleep by it
 # Hz; threads that watch something sleep by wall time to no harm, as rospy.spin() does at 2 Hz
-LEAST_SPINNING, MOST_WATCHING = 1.5, 2.5
+LEAST_SPINNING, MOST_WATCHING = 1.2, 2.8
 SLEEPS = 'sleeps by wall time, as by time.sleep(): use rospy.sleep()'
 MOMENT = 0.5  # s of wall time in which nobody comes or goes before time begins
 DIFFER = 'two runs may differ'
@@ -69,7 +69,8 @@ class Lockstep:
             for thread in process.threads.values():
                 with contextlib.suppress(OSError):  # it has ended
                     _, _, runs = thread.usage
-                    if thread.sleeps_by_wall_time and thread.naps_longer_than(process.longest_poll, runs, now):
+                    if (thread.sleeps_by_wall_time
+                            and thread.naps_longer_than(process.longest_poll, runs, now)):
                         self._naps[thread] = now, runs
                 if thread in before and thread in self._naps:
                     earlier, runs_then = before[thread]

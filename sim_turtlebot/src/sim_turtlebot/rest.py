@@ -49,16 +49,17 @@ class Rest:
         while not self._is_over():
             try:
                 look_begin = time.monotonic()
+                # Before the look: a run that has only begun has not found its work yet.
+                ran = {thread for thread, runs in polling.items() if thread.usage[2] != runs}
                 process, cpu_times = self._look()
                 first_cpu_times = {**cpu_times, **first_cpu_times}
-                if process:
-                    self._lose_patience(process, first_cpu_times, look_begin - begin)
-                else:
-                    before = others, polling
+                if process and self._gives_up(process, first_cpu_times, look_begin - begin):
+                    begin, first_cpu_times = time.monotonic(), {}
+                elif not process:
+                    before, waiting = others, polling.keys() - ran
                     others, polling = self._split(cpu_times, look_begin)
-                    if others == before[0]:
-                        polling = {thread: runs for thread, runs in polling.items()
-                                   if before[1].get(thread) == runs}
+                    if others == before:
+                        polling = {thread: polling[thread] for thread in waiting & polling.keys()}
                     if not polling:
                         self.cpu_times = others
                         return
@@ -90,8 +91,8 @@ class Rest:
         return next((process for process, cpu_time in cpu_times.items()
                      if process.cpu_time() != cpu_time), None), cpu_times
 
-    def _lose_patience(self, process, first_cpu_times, passed):
-        """Give up waiting for the process that computes most if one has not rested for too long.
+    def _gives_up(self, process, first_cpu_times, passed):
+        """Await the process that computes most no longer, and return True, if one takes too long.
 
         :param process: does not rest
         :param first_cpu_times: when all began to wait
@@ -101,11 +102,13 @@ class Rest:
             return (process.cpu_time() - first_cpu_times.get(process, 0)) / 1e9
 
         nodes = [process for process in self._awaited if process.longest_poll]
-        if nodes and (spent(process) > process.patience or passed > STALL_TIMEOUT):
-            # The master computes because a node keeps asking it.
-            culprit = process if process in nodes else max(nodes, key=spent)
-            self._awaited.remove(culprit)
-            self._on_restless(culprit)
+        if not nodes or spent(process) <= process.patience and passed <= STALL_TIMEOUT:
+            return False
+        # The master computes because a node keeps asking it.
+        culprit = process if process in nodes else max(nodes, key=spent)
+        self._awaited.remove(culprit)
+        self._on_restless(culprit)
+        return True
 
     def _split(self, cpu_times, look_begin):
         """Return the CPU times (ns) without those of naps, and how often those that poll have run."""
