@@ -33,7 +33,7 @@ class Lockstep:
         self._rest = Rest(is_over, self._report_restless)
         self._graph = GraphProcesses(self._rest, rospy.get_name(), self._report_unseen)
         self._changed = self._next_naps = 0.0
-        self._naps = {}  # when threads were seen in long naps, and how often they had run
+        self._naps = {}  # of threads in long naps: when, and how often they had run and napped
         self._known = set()
         self._reported = set()
 
@@ -68,15 +68,16 @@ class Lockstep:
                 continue
             for thread in process.threads.values():
                 with contextlib.suppress(OSError):  # it has ended
-                    _, _, runs = thread.usage
+                    runs = thread.usage[2]
                     if (thread.sleeps_by_wall_time
                             and thread.naps_longer_than(process.longest_poll, runs, now)):
-                        self._naps[thread] = now, runs
+                        self._naps[thread] = now, runs, thread.naps_seen
                 if thread in before and thread in self._naps:
-                    earlier, runs_then = before[thread]
-                    rate = (runs - runs_then) / (now - earlier)
+                    earlier, runs_then, naps_then = before[thread]
+                    naps, runs = thread.naps_seen - naps_then, runs - runs_then
                     is_main = thread.tid == process.pid
-                    if rate > MOST_WATCHING or is_main and rate < LEAST_SPINNING:
+                    if (naps > MOST_WATCHING * (now - earlier)
+                            or is_main and runs < LEAST_SPINNING * (now - earlier)):
                         self._report(process.name, SLEEPS)
 
     def _report_restless(self, process):

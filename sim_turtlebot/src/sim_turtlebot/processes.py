@@ -22,6 +22,7 @@ class Thread:
         """Open its files when they are needed."""
         self.tid = tid
         self.polls = False  # although it does not nap, as the timers of roscpp
+        self.naps_seen = 0
         self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
         self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False
 
@@ -72,6 +73,7 @@ class Thread:
             # If it did no more than look, this nap takes as long as the one before.
             self._nap_is_long = runs - 1 == self._nap and self._nap_time > 1.5 * limit
             self._nap, self._nap_begin = runs, time.monotonic()
+            self.naps_seen += 1
         self._nap_time = asleep_at - self._nap_begin
         self._nap_is_long |= self._nap_time > limit
         return self._nap_is_long
