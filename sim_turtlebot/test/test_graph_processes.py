@@ -1,0 +1,68 @@
+"""Which processes lockstep finds behind the nodes that the master knows."""
+
+import os
+import socket
+
+import pytest
+import rosgraph
+from odometry_tests.tutorial import detector
+from odometry_tests.waiting import wait_until
+from sim_turtlebot.graph_processes import MASTER, GraphProcesses
+from sim_turtlebot.rest import Rest
+
+TEST_NET = '192.0.2.1'  # an address of no machine: RFC 5737
+
+
+@pytest.fixture
+def unseen():
+    """Return a list for the names of nodes whose processes cannot be seen."""
+    return []
+
+
+@pytest.fixture
+def graph(master, unseen):
+    """Return the Rest of a graph with this test's node, and its GraphProcesses."""
+    rest = Rest(lambda: False, lambda process: pytest.fail(f'{process.name} does not rest'))
+    return rest, GraphProcesses(rest, '/graph', unseen.append)
+
+
+def names(rest):
+    """Return the names of the nodes that are waited for."""
+    return {process.name for process in rest.processes.values()}
+
+
+def test_nodes_that_come_and_go_are_waited_for_meanwhile(graph, unseen):
+    """From when the master knows them."""
+    rest, processes = graph
+    processes.wait()
+    before = names(rest)
+    assert MASTER in before and os.getpid() in rest.processes
+
+    def new():
+        processes.wait()
+        return names(rest) - before
+
+    with detector():
+        name, = wait_until(new, 20.0, 'a new node')
+        assert name.startswith('/movement_detector_node')
+    assert not new()
+    assert not unseen
+
+
+def test_a_node_on_another_machine_is_named_once(graph, unseen):
+    """Nobody there can be looked at; one at a free port of this machine has ended."""
+    _, processes = graph
+    with socket.socket() as free:
+        free.bind(('localhost', 0))
+        port = free.getsockname()[1]
+    addresses = {'/far': f'http://{TEST_NET}:1', '/dead': f'http://localhost:{port}'}
+    masters = {name: rosgraph.Master(name) for name in addresses}
+    for name, master in masters.items():
+        master.registerPublisher('/elsewhere', 'std_msgs/Empty', addresses[name])
+    try:
+        processes.wait()
+        processes.wait()
+        assert unseen == ['/far']
+    finally:
+        for name, master in masters.items():
+            master.unregisterPublisher('/elsewhere', addresses[name])
