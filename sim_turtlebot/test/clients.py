@@ -197,8 +197,9 @@ def latching(_robot):
 
 
 def tuner(_robot):
-    """Change the gain of `reconfigure`, again and again."""
+    """Change the gain of `reconfigure`, never in the moment in which that looks at it."""
     client = dynamic_reconfigure.client.Client('/client', timeout=30)
+    rospy.sleep(0.03)
     loop, gain = rospy.Rate(2), 0
     while not rospy.is_shutdown():
         gain = (gain + 1) % 7
