@@ -1,19 +1,19 @@
 """Lockstep waits for nodes as others write them, whatever they wait for themselves."""
 
 import contextlib
-import subprocess
 import sys
 from functools import partial
-from pathlib import Path
 
 import pytest
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.lockstep_runs import (
+    CLIENTS_FOLDER,
     NOT_AWAITED,
     RUN_TIME,
     UNPACED,
     assert_same_bytes,
+    compile_client,
     record,
 )
 from odometry_tests.pausing import call
@@ -23,7 +23,6 @@ from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-HERE = Path(__file__).parent
 # The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
 CLIENTS = {
     'rospy.Rate(10)': ['rate 10'], 'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
@@ -55,19 +54,10 @@ def start_client(tmp_path_factory):
         elif language == 'C++':
             command = compile_client(folder / 'client'), argument
         else:
-            command = sys.executable, HERE / 'clients.py', kind
+            command = sys.executable, CLIENTS_FOLDER / 'clients.py', kind
         return Process(*command, f'__name:={name}')
 
     return start
-
-
-def compile_client(path):
-    """Compile the client in C++, unless it is there, and return its path."""
-    if not path.exists():
-        flags = subprocess.run(['pkg-config', '--cflags', '--libs', 'roscpp'], check=True, text=True,
-                               stdout=subprocess.PIPE).stdout.split()
-        subprocess.run(['g++', '-o', path, HERE / 'client.cpp', *flags], check=True)
-    return path
 
 
 @pytest.mark.parametrize('client', CLIENTS)

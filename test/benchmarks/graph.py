@@ -14,7 +14,9 @@ from odometry_tests.waiting import wait_until
 from rosgraph_msgs.msg import Clock
 
 UNPACED = '_real_time_factor:=0',
-LOCKSTEP = *UNPACED, '_lockstep:=true', '_clock_rate:=20'
+FINE_LOCKSTEP = *UNPACED, '_lockstep:=true'  # its clock ticks at 100 Hz
+LOCKSTEP = *FINE_LOCKSTEP, '_clock_rate:=20'
+UNDER_WAY = 1.0  # s of simulated time; lockstep begins with a pause of wall time
 FAR = 1e6  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
 MEGABYTE = 2**20

@@ -2,13 +2,16 @@
 
 import contextlib
 import io
+import subprocess
 
 from sim_turtlebot.lockstep import Lockstep
 
 from odometry_tests.pausing import call
+from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 
+CLIENTS_FOLDER = ROOT / 'sim_turtlebot' / 'test'
 RUN_TIME = 60.0  # s
 NOT_AWAITED = 'lockstep does not wait for'
 UNPACED = '_real_time_factor:=0'
@@ -62,3 +65,12 @@ def assert_same_bytes(first, second):
                      if bytes_of(pair[0]) != bytes_of(pair[1])]
         assert not different, (f'{topic}: message {different[0]} is the first that differs:\n'
                                f'{messages[different[0]]}\n\n{second[topic][different[0]]}')
+
+
+def compile_client(path):
+    """Compile the client in C++, unless it is there, and return its path."""
+    if not path.exists():
+        flags = subprocess.run(['pkg-config', '--cflags', '--libs', 'roscpp'], check=True, text=True,
+                               stdout=subprocess.PIPE).stdout.split()
+        subprocess.run(['g++', '-o', path, CLIENTS_FOLDER / 'client.cpp', *flags], check=True)
+    return path
