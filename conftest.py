@@ -20,8 +20,9 @@ from odometry_tests.waiting import open_recorders
 from rospy.impl.registration import Registration
 
 NAMESPACES = (f'case_{number}' for number in itertools.count(1))
-# A run that a script starts in the background ignores Ctrl-C, which the tests press.
+# A run that a script starts in the background, or by nohup, ignores signals that the tests send.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 pytest_plugins = ['odometry_tests.pytest_run', 'odometry_tests.rostest_items']
 
 load_profile()
