@@ -42,7 +42,7 @@ class RandomNode:
         rate = self._rng.choice(RATES)
         kind = self._rng.choice(['rate', 'timer', 'sleep'])
         if kind == 'timer':
-            rospy.Timer(rospy.Duration(1 / rate), lambda event: self._act(event.current_expected))
+            rospy.Timer(rospy.Duration(1 / rate), lambda _: self._act(rospy.get_rostime()))
             rospy.spin()
         loop = rospy.Rate(rate)
         while not rospy.is_shutdown():

@@ -17,7 +17,7 @@ LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp ev
 PATIENCE = 2.0  # s of CPU time that a process may use before it rests
 STALL_TIMEOUT = 60.0  # s of wall time, for what neither computes nor sleeps
 SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
-SURVEY_RUNS = 5  # in that time, of a thread that polls
+SURVEY_RUNS = 20  # in that time, of a thread that polls every millisecond; servers of roscpp run 5 times
 SPIN_TIME = 0.001  # s of wall time
 LOOK_PERIOD = 2e-5  # s of wall time, after that
 
