@@ -21,7 +21,8 @@ class Thread:
     def __init__(self, pid, tid):
         """Open its files when they are needed."""
         self.tid = tid
-        self.polls = False  # although it does not nap, as the timers of roscpp
+        # Whether it runs again and again without work, and looks for work then, as timers of roscpp do.
+        self.is_idle = self.polls = False
         self.naps_seen = 0
         self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
         self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False

@@ -17,7 +17,8 @@ LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp ev
 PATIENCE = 2.0  # s of CPU time that a process may use before it rests
 STALL_TIMEOUT = 60.0  # s of wall time, for what neither computes nor sleeps
 SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
-SURVEY_RUNS = 20  # in that time, of a thread that polls every millisecond; servers of roscpp run 5 times
+# How often threads of roscpp run in that time without work: its server every 10 ms, its timers every 1 ms
+IDLE_RUNS, POLL_RUNS = 3, 20
 SPIN_TIME = 0.001  # s of wall time
 LOOK_PERIOD = 2e-5  # s of wall time, after that
 
@@ -116,11 +117,12 @@ class Rest:
         others, polling = dict(cpu_times), {}
         for process in self._awaited:
             for thread in process.threads.values():
-                if thread.naps or thread.polls:
+                if thread.naps or thread.is_idle:
                     cpu_time, _, runs = thread.usage
                     others[process] -= cpu_time
                     limit = process.longest_poll
-                    if limit and not thread.naps_longer_than(limit, runs, look_begin):
+                    if (limit and (thread.naps or thread.polls)
+                            and not thread.naps_longer_than(limit, runs, look_begin)):
                         polling[thread] = runs
         return others, polling
 
@@ -129,7 +131,8 @@ class Rest:
         threads = {thread for process in self._awaited if process.is_cpp
                    for thread in process.threads.values()}
         for thread in threads - self._surveyed:
-            thread.polls = _runs_often(thread)
+            runs = _idle_runs(thread)
+            thread.is_idle, thread.polls = runs >= IDLE_RUNS, runs >= POLL_RUNS
         self._surveyed = threads
 
     def _forget_ended(self):
@@ -141,13 +144,12 @@ class Rest:
                 self.remove(pid)
 
 
-def _runs_often(thread):
-    """Return whether a thread runs again and again."""
+def _idle_runs(thread):
+    """Return how often a thread runs in SURVEY_TIME while all others rest."""
     begin, (_, waited, runs) = time.monotonic(), thread.usage
     while True:
         time.sleep(SURVEY_TIME)
         _, waited_now, runs_now = thread.usage
-        if runs_now - runs >= SURVEY_RUNS:
-            return True
-        if time.monotonic() - begin - (waited_now - waited) / 1e9 > SURVEY_TIME:
-            return False
+        if (runs_now - runs >= POLL_RUNS
+                or time.monotonic() - begin - (waited_now - waited) / 1e9 > SURVEY_TIME):
+            return runs_now - runs
