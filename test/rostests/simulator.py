@@ -20,8 +20,8 @@ class SimulatorTest(unittest.TestCase):
     def setUpClass(cls):
         """Hear everything from the start on."""
         cls.log = NodeLog()
-        cls.in_step, cls.corner = Robot('in_step/'), Robot('corner/')
-        for robot in (cls.in_step, cls.corner):
+        cls.alone, cls.corner = Robot('alone/'), Robot('corner/')
+        for robot in (cls.alone, cls.corner):
             robot.wait_until_ready()
 
     def setUp(self):
@@ -64,11 +64,11 @@ class SimulatorTest(unittest.TestCase):
     def test_it_stops_when_commands_cease(self):
         """After 0.6 s by its own clock, unless that is turned off."""
         self.corner.drive(0.3)
-        self.in_step.stop()
-        self.in_step.truth.clear()
-        self.in_step.drive(0.3)
-        moving = self.in_step.truth.wait_for(lambda m: speed(m) > 0.01).header.stamp
-        resting = self.in_step.truth.wait_for(
+        self.alone.stop()
+        self.alone.truth.clear()
+        self.alone.drive(0.3)
+        moving = self.alone.truth.wait_for(lambda m: speed(m) > 0.01).header.stamp
+        resting = self.alone.truth.wait_for(
             lambda m: m.header.stamp > moving and speed(m) < REST_SPEED, what='rest').header.stamp
         # From the first message of a moving robot to that of one at rest: 0.6 s, 0.1 s to brake,
         # and a period in which the command may have come.

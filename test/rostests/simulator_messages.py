@@ -27,17 +27,17 @@ class SimulatorMessagesTest(unittest.TestCase):
     def setUpClass(cls):
         """Hear everything from the start on."""
         cls.clock, cls.tf = Recorder('/clock', Clock), Recorder('/tf', TFMessage)
-        cls.in_step, cls.corner = Robot('in_step/'), Robot('corner/')
+        cls.alone, cls.corner = Robot('alone/'), Robot('corner/')
         cls.pair = Robot('shared/robot_1/'), Robot('shared/robot_2/')
-        for robot in (cls.in_step, cls.corner, *cls.pair):
+        for robot in (cls.alone, cls.corner, *cls.pair):
             robot.wait_until_ready()
 
     def step(self, count, *speeds):
         """Command the robot in lockstep for so many periods; return the odometry of each."""
-        seen = [self.in_step.odometry.last]
+        seen = [self.alone.odometry.last]
         for _ in range(count):
-            self.in_step.drive(*speeds)
-            seen.append(self.in_step.odometry.wait_for(
+            self.alone.drive(*speeds)
+            seen.append(self.alone.odometry.wait_for(
                 lambda m: m.header.seq > seen[-1].header.seq))
         return seen[1:]
 
@@ -76,7 +76,7 @@ class SimulatorMessagesTest(unittest.TestCase):
     def test_tf_repeats_the_odometry(self):
         """From odom to base_footprint, with the same stamp; the wheels are behind it."""
         message = self.step(3, 0.2, 0.5)[-1]
-        found = self.tf.wait_for(lambda m: sender(m) == '/in_step/sim_turtlebot' and
+        found = self.tf.wait_for(lambda m: sender(m) == '/alone/sim_turtlebot' and
                                  m.transforms[0].header.stamp == message.header.stamp)
         transform, pose = found.transforms[0], message.pose.pose
         self.assertEqual(transform.header.frame_id, 'odom')
@@ -97,7 +97,7 @@ class SimulatorMessagesTest(unittest.TestCase):
 
     def test_the_clock_runs_with_the_odometry(self):
         """At least as fine, and it never goes back."""
-        node = '/in_step/sim_turtlebot'
+        node = '/alone/sim_turtlebot'
         start = self.step(1, 0.0)[-1].header.stamp
         stamps = {message.header.stamp for message in self.step(20, 0.0)}
         self.clock.wait_for(lambda m: sender(m) == node and m.clock >= max(stamps))
