@@ -33,7 +33,7 @@ class SimulatorMessagesTest(unittest.TestCase):
             robot.wait_until_ready()
 
     def step(self, count, *speeds):
-        """Command the robot in lockstep for so many periods; return the odometry of each."""
+        """Command the robot so many times; return the odometry that follows each command."""
         seen = [self.alone.odometry.last]
         for _ in range(count):
             self.alone.drive(*speeds)
