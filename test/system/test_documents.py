@@ -55,7 +55,7 @@ PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
                 'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
 # Of the figures of the bench, in its order; test_bench measures two others.
 PRINTED = 'control demo end start unpaced'
-NOT_PRINTED = re.compile('latency at |robot without ROS|graph in lockstep|1000 drives|memory '
+NOT_PRINTED = re.compile('latency at |robot without ROS|client in lockstep|graph in lockstep|1000 drives|memory '
                          '|graph unpaced, |cost per')
 OUR_PACKAGES = shlex.quote(str(ROOT)) + '/.venv/lib/*/site-packages'
 # What takes too long here, or would be in the way of others: what is typed in its place.
@@ -66,7 +66,7 @@ IN_PLACE = [
     (r'^git clone .* && cd .*', rf'cd ~ && \g<0> && cd {shlex.quote(str(ROOT))}',
      'is set up already'),
     (r'^ROS_MASTER_URI=\S+ ', '', 'the robot is played here'),
-    (r'^\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
+    (r'^(\w+=\w+ )?\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^(\./ws bench) --runs 3$', rf'\1 {PRINTED} --runs 1 --window 0.1', 'takes ten minutes'),
     (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
     (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
