@@ -33,8 +33,8 @@ CLIENTS = {
     'rosbag record': ['rate 20', 'bag'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
     'ros::MultiThreadedSpinner': ['C++ spinners']}
-CLIENT_TIME = 5  # s of simulated time
-LEAST_COMMANDS = 10
+CLIENT_TIME = 3  # s of simulated time
+LEAST_COMMANDS = 5
 
 
 @pytest.fixture(autouse=True)

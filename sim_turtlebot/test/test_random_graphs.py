@@ -14,7 +14,7 @@ from odometry_tests.processes import Process
 
 CLIENT = Path(__file__).with_name('random_client.py')
 GRAPHS = 200 if os.environ.get('HYPOTHESIS_PROFILE') == 'nightly' else 2
-TIME = 4  # s of simulated time
+TIME = 3  # s of simulated time
 MOST_NODES = 8
 
 
