@@ -1,5 +1,6 @@
 """Which processes lockstep finds behind the nodes that the master knows."""
 
+import contextlib
 import os
 import socket
 
@@ -23,7 +24,8 @@ def unseen():
 def graph(master, unseen):
     """Return the Rest of a graph with this test's node, and its GraphProcesses."""
     rest = Rest(lambda: False, lambda process: pytest.fail(f'{process.name} does not rest'))
-    return rest, GraphProcesses(rest, '/graph', unseen.append)
+    with contextlib.closing(rest):
+        yield rest, GraphProcesses(rest, '/graph', unseen.append)
 
 
 def names(rest):

@@ -1,5 +1,6 @@
 """When all threads of some processes sleep, and nobody is left to wake them."""
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -52,10 +53,8 @@ def restless():
 @pytest.fixture
 def resting(restless):
     """Return a Rest without processes."""
-    resting = Rest(lambda: False, lambda process: restless.append(process))
-    yield resting
-    for pid in list(resting.processes):
-        resting.remove(pid)
+    with contextlib.closing(Rest(lambda: False, restless.append)) as resting:
+        yield resting
 
 
 @pytest.fixture

@@ -117,7 +117,7 @@ class GraphProcesses:
             self._rest.add(name, pid, 0.0 if computes else LONGEST_POLL, patience)
         except PermissionError:
             self._on_unseen(name)
-        except OSError:  # it has ended
+        except (FileNotFoundError, ProcessLookupError):  # it has ended
             pass
 
 

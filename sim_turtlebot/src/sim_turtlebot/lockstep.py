@@ -47,6 +47,10 @@ class Lockstep:
             self._next_naps = time.monotonic() + NAP_PERIOD
             self._look_for_naps(time.monotonic())
 
+    def close(self):
+        """Wait for nobody any more."""
+        self._rest.close()
+
     def has_settled(self):
         """Look for nodes; return whether nobody has come or gone for a moment, and all rest.
 

@@ -8,6 +8,7 @@ Only a thread that polls may still have something to do: rospy.wait_for_message(
 ros::Timer nap by wall time, and then look. It has to have looked since all others rest.
 """
 
+import errno
 import os
 import time
 
@@ -64,7 +65,9 @@ class Rest:
                     if not polling:
                         self.cpu_times = others
                         return
-            except OSError:
+            except OSError as error:
+                if error.errno == errno.EMFILE:
+                    raise
                 self._forget_ended()
                 continue
             # These looks may take the processor from those that have something to do.
@@ -79,6 +82,11 @@ class Rest:
         process.close()
         if process in self._awaited:
             self._awaited.remove(process)
+
+    def close(self):
+        """Wait for nobody any more."""
+        for pid in list(self.processes):
+            self.remove(pid)
 
     def _look(self):
         """Return a Process that does not rest, or None, and the CPU times (ns) before the look."""

@@ -47,8 +47,8 @@ def record(starts, topics, arguments=(), prepare=lambda: None):
 
 def wait_until_settled():
     """Return when all nodes have done what they do before time begins."""
-    graph = Lockstep(lambda: False)
-    wait_until(graph.has_settled, RUN_TIME, 'nodes at rest')
+    with contextlib.closing(Lockstep(lambda: False)) as graph:
+        wait_until(graph.has_settled, RUN_TIME, 'nodes at rest')
 
 
 def bytes_of(message):
