@@ -29,8 +29,8 @@ class Thread:
 
     def close(self):
         """Close its files."""
-        for file in self._files.values():
-            os.close(file)
+        while self._files:
+            os.close(self._files.popitem()[1])
 
     @property
     def name(self):

@@ -69,6 +69,7 @@ class Rest:
                 if error.errno == errno.EMFILE:
                     raise
                 self._forget_ended()
+                others, polling = None, {}
                 continue
             # These looks may take the processor from those that have something to do.
             if look_begin - begin < SPIN_TIME:
