@@ -1,7 +1,6 @@
 """Which processes lockstep finds behind the nodes that the master knows."""
 
 import contextlib
-import os
 import socket
 
 import pytest
@@ -38,7 +37,7 @@ def test_nodes_that_come_and_go_are_waited_for_meanwhile(graph, unseen):
     rest, processes = graph
     processes.wait()
     before = names(rest)
-    assert MASTER in before and os.getpid() in rest.processes
+    assert MASTER in before
 
     def new():
         processes.wait()

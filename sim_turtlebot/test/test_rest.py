@@ -42,6 +42,7 @@ for line in sys.stdin:
     thread = threading.Thread(target=lambda: print(int(line) + 1, flush=True))
     thread.start()
 '''
+NAPPING_THREADS = MANY_THREADS.replace('print', 'time.sleep(0.01) or print').replace('sys,', 'sys, time,')
 
 
 @pytest.fixture
@@ -88,8 +89,8 @@ def answers_after_rest(resting, process):
         yield list(answers)
 
 
-@pytest.mark.parametrize('code', [READER, HAND_OVER, POLLER, MANY_THREADS],
-                         ids=['reader', 'hand over', 'poller', 'many threads'])
+@pytest.mark.parametrize('code', [READER, HAND_OVER, POLLER, MANY_THREADS, NAPPING_THREADS],
+                         ids=['reader', 'hand over', 'poller', 'many threads', 'napping threads'])
 def test_who_rests_has_answered(resting, start, restless, code):
     """Whatever threads the work goes through, in that process and in this one."""
     for number, answers in enumerate(answers_after_rest(resting, start(code))):
@@ -134,7 +135,8 @@ def test_a_process_that_ends_is_forgotten(resting, start):
     """Also while it is waited for."""
     ending, staying = start(BUSY), start(READER)
     threading.Timer(0.3, ending.kill).start()
-    threading.Timer(0.3, ending.wait).start()
+    resting.wait()
+    ending.wait()
     resting.wait()
     assert list(resting.processes) == [staying.pid]
 

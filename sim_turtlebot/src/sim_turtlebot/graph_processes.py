@@ -12,7 +12,6 @@ from sim_turtlebot.rest import LONGEST_POLL, PATIENCE
 
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
-MASTER_POLL = 0.2  # s; twice the period in which rosmaster looks for updates to send to subscribers
 LOG = '/rosout'  # a node, and its topic; it only writes down what others say
 ROSLAUNCHED = '__name:='  # is in the command line of a node that roslaunch has started
 STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
@@ -55,7 +54,7 @@ class GraphProcesses:
         self._rest.wait()
         if self._was_asked():
             while self._refresh():
-                self._let_master_tell()
+                self._rest.wait_for_naps(self._pids[MASTER])
             self._rest.wait()
             self._was_asked()
 
@@ -63,12 +62,6 @@ class GraphProcesses:
         """Return whether the master has computed since the last call, or cannot be seen."""
         before, self._cpu_time = self._cpu_time, self._rest.cpu_times.get(self._process)
         return self._cpu_time is None or self._cpu_time != before
-
-    def _let_master_tell(self):
-        if self._process:
-            self._process.longest_poll = MASTER_POLL
-            self._rest.wait()
-            self._process.longest_poll = 0.0
 
     def _refresh(self):
         """Take the nodes that have come, and forget those that have gone; return whether any has."""

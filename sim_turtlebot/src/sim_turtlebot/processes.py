@@ -8,6 +8,7 @@ import time
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
 SLEEPING, STOPPED = b'S', (b't', b'T', b'Z', b'X')  # states in /proc/PID/task/TID/stat
 NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
+SLEEPS = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 CPP_LIBRARY = 'libroscpp.so'
 # Kinds of CPU clocks: CPUCLOCK_SCHED and CPUCLOCK_PERTHREAD_MASK in linux/posix-timers_types.h
 OF_PROCESS, OF_THREAD = 2, 6
@@ -20,9 +21,10 @@ class Thread:
 
     def __init__(self, pid, tid):
         """Open its files when they are needed."""
-        self.tid = tid
+        self.pid, self.tid = pid, tid
         # Whether it runs again and again without work, and looks for work then, as timers of roscpp do.
         self.is_idle = self.polls = False
+        self.is_asleep = False  # when it was looked at last
         self.naps_seen = 0
         self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
         self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False
@@ -37,21 +39,22 @@ class Thread:
         """The name that its process gave it."""
         return self._read('comm').decode(errors='replace').strip()
 
-    @property
-    def is_asleep(self):
-        """Whether it sleeps."""
+    def look(self):
+        """Return whether it sleeps."""
         self._wait = self._read('wchan')
-        if self._wait in _waits:
-            return True
+        self.is_asleep = self._wait in _waits or self._is_asleep_in(self._wait)
+        return self.is_asleep
+
+    def _is_asleep_in(self, wait):
         state = self._read('stat').rpartition(b')')[2][1:2]
-        if state == SLEEPING and self._wait != NOT_TOLD:
-            _waits.add(self._wait)
+        if state == SLEEPING and wait != NOT_TOLD:
+            _waits.add(wait)
         # One that has begun to sleep since the first question will be asked once more.
-        return state in STOPPED or state == SLEEPING and (self._wait != NOT_TOLD or not _waits)
+        return state in STOPPED or state == SLEEPING and (wait != NOT_TOLD or not _waits)
 
     @property
     def naps(self):
-        """Whether it slept by wall time, or selected, when is_asleep was asked for."""
+        """Whether it slept by wall time, or selected, when it was looked at last."""
         return self._wait in (SLEEP, SELECT)
 
     @property
@@ -63,6 +66,11 @@ class Thread:
     def usage(self):
         """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
         return tuple(map(int, self._read('schedstat').split()))
+
+    @property
+    def sleeps(self):
+        """How often it has begun to sleep."""
+        return int(self._read('status').partition(SLEEPS)[2].split(maxsplit=1)[0])
 
     def naps_longer_than(self, limit, runs, asleep_at):
         """Return whether its nap takes longer than `limit` (s).
@@ -82,7 +90,7 @@ class Thread:
     def _read(self, name):
         if name not in self._files:
             self._files[name] = os.open(f'{self._path}/{name}', os.O_RDONLY)
-        return os.pread(self._files[name], 512, 0)
+        return os.pread(self._files[name], 4096, 0)
 
 
 class Process:
@@ -118,12 +126,18 @@ class Process:
             return sum(time.clock_gettime_ns(~tid << 3 | OF_THREAD) for tid in self.threads)
         return time.clock_gettime_ns(~self.pid << 3 | OF_PROCESS)
 
+    def work_time(self):
+        """Return its CPU time (ns) without that of threads that run again and again without work."""
+        return self.cpu_time() - sum(thread.usage[0] for thread in self.threads.values()
+                                     if thread.is_idle)
+
     def awake_thread(self):
-        """Return a thread that does not sleep, or None."""
+        """Return a thread that does not sleep, or None; those that poll may be awake."""
         links = os.fstat(self._folder).st_nlink  # two more than there are threads
         if links - 2 != len(self.threads) + bool(self._looker):
             self.list_threads()
-        return next((thread for thread in self.threads.values() if not thread.is_asleep), None)
+        return next((thread for thread in self.threads.values()
+                     if not thread.look() and not thread.polls), None)
 
     def list_threads(self):
         """Take the threads that have begun, and forget those that have ended."""

@@ -8,6 +8,7 @@ Only a thread that polls may still have something to do: rospy.wait_for_message(
 ros::Timer nap by wall time, and then look. It has to have looked since all others rest.
 """
 
+import contextlib
 import errno
 import os
 import time
@@ -47,35 +48,46 @@ class Rest:
 
     def wait(self):
         """Return when all rest at once, but for those that have been waited for long enough."""
-        begin, first_cpu_times, others, polling = time.monotonic(), {}, None, {}
+        begin, first_cpu_times, rested, polls = time.monotonic(), {}, None, {}
         while not self._is_over():
+            look_begin = time.monotonic()
             try:
-                look_begin = time.monotonic()
-                # Before the look: a run that has only begun has not found its work yet.
-                ran = {thread for thread, runs in polling.items() if thread.usage[2] != runs}
-                process, cpu_times = self._look()
-                first_cpu_times = {**cpu_times, **first_cpu_times}
-                if process and self._gives_up(process, first_cpu_times, look_begin - begin):
-                    begin, first_cpu_times = time.monotonic(), {}
-                elif not process:
-                    before, waiting = others, polling.keys() - ran
-                    others, polling = self._split(cpu_times, look_begin)
-                    if others == before:
-                        polling = {thread: polling[thread] for thread in waiting & polling.keys()}
-                    if not polling:
-                        self.cpu_times = others
+                first_cpu_times = first_cpu_times or self._measure(Process.cpu_time)
+                # Before the look: whoever sleeps later may have heard of work in between.
+                polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
+                restless, work_times = self._look()
+                if not restless:
+                    before, (rested, polling) = rested, self._split(work_times, look_begin)
+                    polls = ({thread: polls[thread] for thread in polls.keys() & polling.keys()}
+                             if rested == before else polling)
+                    if not polls:
+                        self.cpu_times = rested
                         return
+                    restless = self.processes[next(iter(polls)).pid]
+                if self._gives_up(restless, first_cpu_times, look_begin - begin):
+                    begin, first_cpu_times = look_begin, {}
             except OSError as error:
                 if error.errno == errno.EMFILE:
                     raise
                 self._forget_ended()
-                others, polling = None, {}
+                rested, polls = None, {}
                 continue
             # These looks may take the processor from those that have something to do.
             if look_begin - begin < SPIN_TIME:
                 os.sched_yield()
             else:
                 time.sleep(LOOK_PERIOD)
+
+    def wait_for_naps(self, pid):
+        """Return when each thread of a process that naps by wall time has looked for work once more."""
+        begin, napping = time.monotonic(), {}
+        with contextlib.suppress(OSError, KeyError):  # it has ended
+            napping = {thread: thread.sleeps for thread in self.processes[pid].threads.values()
+                       if thread.naps}
+            while napping and not self._is_over() and time.monotonic() - begin < STALL_TIMEOUT:
+                time.sleep(LONGEST_POLL)
+                napping = {thread: sleeps for thread, sleeps in napping.items()
+                           if thread.sleeps == sleeps}
 
     def remove(self, pid):
         """Do not wait for a process any more."""
@@ -89,17 +101,21 @@ class Rest:
         for pid in list(self.processes):
             self.remove(pid)
 
+    def _measure(self, measure):
+        """Return what a function says of each Process that is awaited."""
+        return {process: measure(process) for process in self._awaited}
+
     def _look(self):
-        """Return a Process that does not rest, or None, and the CPU times (ns) before the look."""
-        cpu_times = {process: process.cpu_time() for process in self._awaited}
+        """Return a Process that does not rest, or None, and the work times (ns) before the look."""
+        before = self._measure(Process.work_time)
         for process in self._awaited:
             if process.awake_thread():
                 # The next look begins with it, and is short while it is awake.
                 self._awaited.remove(process)
                 self._awaited.insert(0, process)
-                return process, cpu_times
-        return next((process for process, cpu_time in cpu_times.items()
-                     if process.cpu_time() != cpu_time), None), cpu_times
+                return process, before
+        after = self._measure(Process.work_time)
+        return next((process for process in before if after[process] != before[process]), None), before
 
     def _gives_up(self, process, first_cpu_times, passed):
         """Await the process that computes most no longer, and return True, if one takes too long.
@@ -109,7 +125,7 @@ class Rest:
         :param passed: s of wall time since then
         """
         def spent(process):
-            return (process.cpu_time() - first_cpu_times.get(process, 0)) / 1e9
+            return (process.cpu_time() - first_cpu_times[process]) / 1e9
 
         nodes = [process for process in self._awaited if process.longest_poll]
         if not nodes or spent(process) <= process.patience and passed <= STALL_TIMEOUT:
@@ -120,19 +136,27 @@ class Rest:
         self._on_restless(culprit)
         return True
 
-    def _split(self, cpu_times, look_begin):
-        """Return the CPU times (ns) without those of naps, and how often those that poll have run."""
+    def _split(self, work_times, look_begin):
+        """Tell apart what works and what only polls.
+
+        :param work_times: before the look (ns)
+        :param look_begin: when that was (monotonic, s)
+        :returns: the work times without those of naps; and, by thread that polls, how often it has
+            slept when it has looked for work once more
+        """
         self._survey()
-        others, polling = dict(cpu_times), {}
+        others, polling = dict(work_times), {}
         for process in self._awaited:
             for thread in process.threads.values():
-                if thread.naps or thread.is_idle:
-                    cpu_time, _, runs = thread.usage
+                if not thread.naps and not thread.polls:
+                    continue
+                cpu_time, _, runs = thread.usage
+                if not thread.is_idle:
                     others[process] -= cpu_time
-                    limit = process.longest_poll
-                    if (limit and (thread.naps or thread.polls)
-                            and not thread.naps_longer_than(limit, runs, look_begin)):
-                        polling[thread] = runs
+                limit = process.longest_poll
+                if limit and not (thread.is_asleep
+                                  and thread.naps_longer_than(limit, runs, look_begin)):
+                    polling[thread] = thread.sleeps + (1 if thread.is_asleep else 2)
         return others, polling
 
     def _survey(self):
