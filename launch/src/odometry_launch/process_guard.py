@@ -1,8 +1,8 @@
-"""Child processes that never outlive the process that started them, however that ends.
+"""Child processes that end with the process that started them, even if it is killed.
 
 usage: python3 -I -S process_guard.py COMMAND [ARGUMENT...]
 
-As a program it runs a command in its place.
+As a program it runs a command in place of itself.
 """
 
 import os
@@ -24,7 +24,7 @@ class GuardedProcess:
     """A command that ends, with everything it has started, when it or this process ends."""
 
     def __init__(self, *command, **popen_options):
-        """Start it in a session of its own, with an empty standard input."""
+        """Start it in a new session, with an empty standard input."""
         self._lifeline, theirs = socket.socketpair()
         self._lifeline.settimeout(None)  # rospy sets another default
         with theirs:
@@ -65,7 +65,7 @@ class GuardedProcess:
                 os.kill(self.pid, signum)
 
     def terminate(self):
-        """Begin to end everything; return at once."""
+        """Start to end everything, and return at once."""
         with suppress(OSError):
             self._lifeline.shutdown(socket.SHUT_WR)
 
@@ -98,12 +98,12 @@ def run_in_place(*command):
         return status if status >= 0 else 128 - status
     if os.isatty(STANDARD_OUTPUT):
         with suppress(OSError):
-            os.write(STANDARD_OUTPUT, b'\n')  # the shell's prompt gets a line of its own
+            os.write(STANDARD_OUTPUT, b'\n')  # so that the shell's prompt starts a new line
     return status and 128 + received[0]
 
 
 def _open_standard_files():
-    """Open those that are closed, or a socket would be taken for one of them."""
+    """Open closed standard files, or a socket would get their descriptors."""
     for descriptor in STANDARD_FILES:
         try:
             os.fstat(descriptor)
