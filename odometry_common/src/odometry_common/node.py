@@ -13,9 +13,13 @@ import rosgraph
 import rospkg
 import rospy
 
-from odometry_common.command_line import check_command_line, forget_argument
 from odometry_common.file_descriptors import raise_limit, shortage
-from odometry_common.node_help import show_help_if_asked, warn_of_unknown
+from odometry_common.node_help import (
+    check_command_line,
+    forget_argument,
+    show_help_if_asked,
+    warn_of_unknown,
+)
 from odometry_common.output import LineOutput
 from odometry_common.parameters import ParameterError, Parameters, StartError
 from odometry_common.rospy_fixes import fix_rospy
@@ -26,7 +30,7 @@ MASTER_RETRY_PERIOD = 0.5  # s
 FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
 NO_PARAMETERS = Parameters()
 
-_failures = []  # why this process cannot go on: exit status and text
+_failures = []  # exit status and text
 _hooks_have_run = threading.Event()  # so that the last command is out
 _unregistered = threading.Event()
 _exit_lock = threading.Lock()
@@ -91,10 +95,10 @@ def _exit(name):
 
 
 def _report_thread(failure):
-    """Report what has ended a thread, unless the node is ending anyway.
+    """Report the exception that ended a thread, unless the node is shutting down.
 
     At shutdown rospy's threads fail on sockets that it has closed. The thread that accepts
-    connections ends when it runs out of file descriptors: then nobody reaches the node any more.
+    connections ends when the node runs out of file descriptors; without it no peer can connect.
     """
     if not rospy.core.is_shutdown_requested() and not _report(failure.exc_value):
         _pythons_excepthook(failure)
@@ -164,10 +168,10 @@ def _on_signals(handler):
 
 
 def _shut_down(reason):
-    """Shut the node down from a thread of its own.
+    """Shut the node down on a new thread.
 
     rospy would run the shutdown hooks right here, inside a signal handler or a line of the log,
-    on top of whatever this thread is doing: a hook that publishes could then wait for a lock
-    that its own thread holds, or cut in front of a message that is half written.
+    where this thread may hold the lock that a hook needs to publish, or may have written half of
+    a message.
     """
     threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()
