@@ -1,19 +1,18 @@
-"""Run a command, and end everything that it has started when the command or its starter ends.
+"""Run a command; when it or its starter ends, end everything that it has started.
 
 usage: python3 -I -S reaper.py COMMAND [ARGUMENT...]
 
 Standard input is a socket to the starter, which receives the process id of the command. When the
-starter closes it or dies, or on SIGTERM, the reaper asks the command to end, then the orphans that
-it leaves, then all descendants at once, and finally kills them. It names a process that it cannot
-kill, such as another user's, and leaves it. It ends as the command did: with the same exit status,
-or by the same signal; with 1 if it had to leave the command.
+starter closes it or dies, or on SIGTERM, the reaper sends SIGTERM to the command, then to its orphans,
+then to all descendants at once, and finally kills them. It reports a process that it cannot kill,
+such as another user's, and leaves it running. It exits with the command's exit status, or by the same
+signal; with 1 if the command is still running.
 
-It imports little, so that it starts in a few hundredths of a second.
+It imports little, to start in a few hundredths of a second.
 """
 
 import ctypes
 import os
-import resource
 import signal
 import sys
 import threading
@@ -92,7 +91,7 @@ def _reap(statuses):
 
 
 def _end_all(statuses):
-    """Return once no descendant is left, or none that can be ended."""
+    """Return once all descendants have ended, except those that cannot be killed."""
     start, asked = time.monotonic(), set()
     while _reap(statuses):
         age = time.monotonic() - start
@@ -137,7 +136,6 @@ def _end_as(status):
     """Exit as a process with this status of os.wait() has exited."""
     if os.WIFSIGNALED(status):
         signum = os.WTERMSIG(status)
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         if signum != signal.SIGKILL:
             signal.signal(signum, signal.SIG_DFL)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [signum])

@@ -13,13 +13,8 @@ import rosgraph
 import rospkg
 import rospy
 
+from odometry_common import node_help
 from odometry_common.file_descriptors import raise_limit, shortage
-from odometry_common.node_help import (
-    check_command_line,
-    forget_argument,
-    show_help_if_asked,
-    warn_of_unknown,
-)
 from odometry_common.output import LineOutput
 from odometry_common.parameters import ParameterError, Parameters, StartError
 from odometry_common.rospy_fixes import fix_rospy
@@ -56,17 +51,17 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
-        show_help_if_asked(documentation, parameters)
-        check_command_line()
+        node_help.show_help_if_asked(documentation, parameters)
+        node_help.check_command_line()
         raise_limit()
         _go_without_logs_if_necessary()
         _start(name, init_node_options)
-        warn_of_unknown(parameters)
+        node_help.warn_of_unknown(parameters)
         main()
     except StartError as error:
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
         if isinstance(error, ParameterError):
-            forget_argument(error.name)
+            node_help.forget_argument(error.name)
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
     except Exception as error:  # noqa: BLE001

@@ -15,8 +15,8 @@ class Metronome:
     def is_due(self, now):
         """Return whether `now` (s) begins a new period.
 
-        The same time again is due again: a simulator that waits for an answer repeats its
-        message. When time goes backwards, or leaps, a new row of periods begins.
+        A repeated time is due again: a simulator that waits for an answer repeats its message. When
+        time goes backwards or leaps, the periods start again.
         """
         if now == self._due_at:
             return True

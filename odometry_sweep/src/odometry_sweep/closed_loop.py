@@ -1,4 +1,4 @@
-"""A tutorial's loop in one process: what the nodes do in lockstep, to the last bit."""
+"""A tutorial's loop in one process, bit-identical to the nodes in lockstep."""
 
 import functools
 import math
@@ -81,7 +81,7 @@ class Rotate:
         self.longest = PATIENCE * (turning + slowing) + MORE_PATIENCE  # s
 
     def answer(self, stamp, odometry, ground_truth):
-        """Do as Move's; the command is None if none is due."""
+        """Return what Move.answer() returns; the command is None if none is due."""
         self._yaw = _yaw(odometry)
         self._error = self._turn.error_at(self._yaw)
         if self._direction is None:
@@ -123,7 +123,7 @@ def run(tutorial, parameters):
 
 
 def follow(part, ticks, command):
-    """Have a tutorial's part answer each odometry until it ends; return its metrics.
+    """Feed each odometry to a tutorial's loop until the run ends; return the metrics.
 
     :param ticks: yields the stamp of each odometry (s, as rospy has it), and two Motions: that of
         the odometry and the true one
