@@ -88,11 +88,3 @@ class SteppedClock:
         for duration in durations:
             self.now += rospy.Duration.from_sec(duration)
             self._publisher.publish(Clock(self.now))
-
-
-def differences(seen, expected):
-    """Return (index, seen, expected) wherever two lists of the same length differ.
-
-    With lists as long as these, unittest would take minutes to word it.
-    """
-    return [(index, *pair) for index, pair in enumerate(zip(seen, expected)) if pair[0] != pair[1]]
