@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 import rospy
-from odometry_tests.listening import assert_loopback_only
+from odometry_tests.linux import assert_loopback_only
 from odometry_tests.processes import hold_port, rosrun
 from viewer import View
 

@@ -93,15 +93,6 @@ def test_help_installs_nothing(fresh, arguments):
     assert not run.stderr
 
 
-def test_extras_are_for_the_commands_that_need_them():
-    """Help needs none; pytest no browser."""
-    show = f'. {ROOT}/setup/set_up.bash\nPARTS=() EXTRAS=()\nadd_extras %s\necho "${{PARTS[@]}} ${{EXTRAS[@]}}"'
-    for command, extras in (('python3 -m pytest', 'tests sweep cluster view'), ('demo', ''),
-                            ('demo --view', 'view'), ('roslaunch x rviz:=true', 'rviz')):
-        run = Process('bash', '-euc', show % command, env={'CHECKOUT': str(ROOT)})
-        assert (run.wait(), run.stdout.strip()) == (0, extras), run.output
-
-
 def last_words(folder, commands, **variables):
     """Return the one line with which a set-up ends, without its beginning."""
     run = in_checkout(folder, commands, **variables)

@@ -4,8 +4,7 @@ import os
 import re
 import subprocess
 
-from odometry_tests.linux import marked, new_mark, wait_until_none
-from odometry_tests.listening import assert_loopback_only
+from odometry_tests.linux import assert_loopback_only, marked, new_mark, wait_until_none
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 
