@@ -31,7 +31,7 @@ class Robot:
 
     def wait_until_ready(self):
         """Return once it listens and is heard."""
-        for publisher in self._velocity, self._base_velocity, *self._inputs.values():
+        for publisher in (self._velocity, self._base_velocity, *self._inputs.values()):
             wait_for_subscribers(publisher, timeout=20.0)
         for recorder in self.odometry, self.truth, self.joints:
             recorder.wait_for()
