@@ -76,8 +76,8 @@ def run_script(script, *arguments, env=None):
 
     :param env: is added to the environment
     """
-    process = Process(ROOT / script, *arguments, env=env, start=Forked)
-    process.wait()
+    with Process(ROOT / script, *arguments, env=env, start=Forked) as process:
+        process.wait()
     return process
 
 
