@@ -67,6 +67,14 @@ def test_the_help_says_everything_about_each_parameter():
     assert Parameters().help == ''
 
 
+def test_afterwards_parameters_come_from_the_master_again(monkeypatch):
+    """Also after a bad one."""
+    monkeypatch.setattr('rospy.get_param', lambda name, default: 0.3 if name == '~speed' else default)
+    with pytest.raises(ParameterError), read_from({'speed': 'fast'}):
+        TABLE.read()
+    assert TABLE.read().speed == 0.3
+
+
 @given(st.text())
 def test_the_line_is_one_line_whatever_the_value(value):
     """A line break in the value does not break it."""
