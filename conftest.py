@@ -14,6 +14,7 @@ except ImportError:
 import rospy
 from odometry_tests.forked import Forked
 from odometry_tests.fuzzing import load_profile
+from odometry_tests.partners import SteppedClock
 from odometry_tests.processes import Master, hold_port, own_address, started
 from odometry_tests.tutorial import forget_parameters
 from odometry_tests.waiting import open_recorders
@@ -103,3 +104,20 @@ def ns(master, monkeypatch):
     name = next(NAMESPACES)
     monkeypatch.setenv('ROS_NAMESPACE', name)
     return f'/{name}/'
+
+
+@pytest.fixture
+def node(request, ns):
+    """Start the file's node, START, in simulated time, with the arguments that a test gives."""
+    rospy.set_param('/use_sim_time', True)
+    with request.module.START(*getattr(request, 'param', [])) as process:
+        yield process
+    rospy.set_param('/use_sim_time', False)
+
+
+@pytest.fixture
+def clock(node):
+    """Be the clock of that node."""
+    made = SteppedClock(1)
+    yield made
+    made.close()

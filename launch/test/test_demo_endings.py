@@ -8,8 +8,7 @@ import subprocess
 import time
 
 import pytest
-from odometry_tests.linux import marked, new_mark, wait_until_none
-from odometry_tests.listening import assert_loopback_only
+from odometry_tests.linux import assert_loopback_only, marked, new_mark, wait_until_none
 from odometry_tests.processes import hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal

@@ -16,20 +16,6 @@ def launch(monkeypatch):
     return Launch('sim.launch', {})
 
 
-def test_a_wait_ends_once_its_condition_holds(launch):
-    """At first nothing answers."""
-    answers = iter([OSError('no connection'), False, True])
-
-    def condition():
-        answer = next(answers)
-        if isinstance(answer, Exception):
-            raise answer
-        return answer
-
-    launch.wait_for(condition, 'no answer')
-    assert not list(answers)
-
-
 def test_an_unexpected_error_ends_a_wait_at_once(launch):
     """With a line that names it, instead of three minutes in which nothing happens."""
     def condition():

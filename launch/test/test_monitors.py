@@ -1,6 +1,5 @@
 """What the demo shows during a run and how it judges it, from scripted messages and clocks."""
 
-import io
 import math
 import re
 from types import SimpleNamespace
@@ -9,27 +8,8 @@ import pytest
 from odometry_launch.following import Silence
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.options import parse
-from odometry_launch.output import Line
 from odometry_tests.messages import odometry
 from std_msgs.msg import Float64
-
-REWRITE = '\r\x1b[K'
-
-
-@pytest.mark.parametrize('live, shown', [
-    (True, ''.join(f'{REWRITE}{0.5 * look:.1f} s' for look in range(11)) + '\n'),
-    (False, '0.0 s\n2.0 s\n4.0 s\n5.0 s\n')])
-def test_progress_is_one_line_on_a_terminal_and_a_line_every_two_seconds_elsewhere(
-        monkeypatch, live, shown):
-    """Simulated seconds; the last line stays."""
-    output = io.StringIO()
-    output.isatty = lambda: live
-    monkeypatch.setattr('sys.stdout', output)
-    line = Line(2.0)
-    for look in range(10):
-        line.show(f'{0.5 * look:.1f} s', 0.5 * look)
-    line.finish('5.0 s')
-    assert output.getvalue() == shown
 
 
 @pytest.mark.parametrize('factor, patience', [(1.0, 10.0), (0.0, 10.0), (0.001, 200.0)])

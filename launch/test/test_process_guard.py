@@ -89,15 +89,6 @@ def test_orphans_end_with_the_command(mark):
     assert not marked(mark)
 
 
-def test_a_stopped_process_ends_too(mark):
-    """It does not handle SIGTERM before SIGCONT."""
-    process = GuardedProcess('sleep', '1000')
-    process.send_signal(signal.SIGSTOP)
-    process.terminate()
-    assert process.wait(10.0 * PATIENCE) == -signal.SIGTERM
-    assert not marked(mark)
-
-
 def reaper(program, *command, **popen_options):
     """Start a reaper; return its process and our end of its lifeline."""
     ours, theirs = socket.socketpair()

@@ -2,12 +2,10 @@
 
 import math
 
-import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from moved_distance.distance_counter import DistanceCounter
 
-PERIOD = 0.05  # s between two messages at 20 Hz
 NO_STAMP = 0.0
 
 points = st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4))
@@ -25,15 +23,6 @@ def drives(draw):
         stamp += duration
         rows.append((x, y, stamp))
     return rows
-
-
-def count(counter, positions):
-    """Add positions at 20 Hz; return the distances after each, and what was not counted."""
-    distances, jumps = [], []
-    for number, (x, y) in enumerate(positions):
-        jumps.append(counter.add(x, y, number * PERIOD, number * PERIOD))
-        distances.append(counter.distance)
-    return distances, [jump for jump in jumps if jump]
 
 
 def length(positions):
@@ -55,23 +44,6 @@ def test_the_distance_is_the_sum_of_the_tutorial_to_the_last_bit(rows):
         assert counter.add(x, y, stamp, arrival=0.0) is None
         total = length([row[:2] for row in rows[:number]])
         assert counter.distance == (total if total >= 1e-6 else 0.0)
-
-
-def test_slow_motion_adds_up_past_min_step():
-    """One metre in steps of a millimetre is one metre, but for what is not yet counted."""
-    path = [(number / 1000, 0) for number in range(1001)]
-    distances, _ = count(DistanceCounter(min_step=0.0105), path)
-    assert 1 - 0.0105 < distances[-1] <= 1
-    assert sorted(set(distances)) == pytest.approx([n * 0.011 for n in range(91)])
-
-
-@pytest.mark.parametrize('max_speed, counted', [(5.0, False), (100.0, False), (401.0, True),
-                                                (0.0, True)])
-def test_a_teleport_is_not_counted_unless_the_speed_is_allowed(max_speed, counted):
-    """20 m in a 20th of a second is 400 m/s; the drive goes on from where the robot now is."""
-    distances, jumps = count(DistanceCounter(max_speed=max_speed), [(0, 0), (20, 0), (20.1, 0)])
-    assert distances == pytest.approx([0, 20, 20.1] if counted else [0, 0, 0.1])
-    assert len(jumps) == (0 if counted else 1)
 
 
 def test_exactly_the_largest_speed_is_counted():

@@ -1,27 +1,47 @@
-"""Angles, orientations and poses in the plane."""
+"""Angles, orientations, rotations and poses, against tf's."""
 
 import math
 
 import pytest
 from geometry_msgs.msg import Point, Pose, Quaternion
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from odometry_common.geometry import (
     PlanarPose,
+    about,
+    about_z,
+    compose,
     euler_from_orientation,
+    from_rpy,
+    height_of_z,
+    inverse,
+    is_upright,
+    mean_twist,
     planar_pose,
+    rotate,
     wrap_to_pi,
     yaw_from_orientation,
+    yaw_of,
 )
-from tf.transformations import euler_from_quaternion, quaternion_from_euler
+from tf import transformations as tf
 
-angles = st.floats(-1e6, 1e6)
-yaws = st.floats(-math.pi, math.pi)
+angles = st.floats(-math.pi, math.pi)
 coordinates = st.floats(-1e3, 1e3)
-poses = st.builds(PlanarPose, coordinates, coordinates, yaws)
+poses = st.builds(PlanarPose, coordinates, coordinates, angles)
+rotations = st.builds(lambda roll, pitch, yaw: tuple(tf.quaternion_from_euler(roll, pitch, yaw)),
+                      angles, st.floats(-1.5, 1.5), angles)
+vectors = st.tuples(*[st.floats(-1e4, 1e4)] * 3)
 
 
-@given(angles)
+def close(values, scale=1.0):
+    """Return what equals the values but for the last bits of numbers of that scale."""
+    return pytest.approx(tuple(values), rel=0, abs=scale * 1e-14)
+
+
+@given(st.floats(-1e6, 1e6))
+@example(math.pi)
+@example(-math.pi)
+@example(3 * math.pi)
 def test_a_wrapped_angle_is_the_same_direction_within_half_a_turn(angle):
     """No turn is longer than half a circle, and it ends where the long way would."""
     wrapped = wrap_to_pi(angle)
@@ -30,37 +50,21 @@ def test_a_wrapped_angle_is_the_same_direction_within_half_a_turn(angle):
     assert math.sin(wrapped) == pytest.approx(math.sin(angle), abs=1e-6)
 
 
-@pytest.mark.parametrize('degrees, expected', [
-    (180, 180), (-180, 180), (270, -90), (720, 0), (540, 180), (-270, 90), (181, -179)])
-def test_the_wrapped_error_takes_the_shorter_way(degrees, expected):
-    """Targets of the contract from a heading of zero."""
-    assert math.degrees(wrap_to_pi(math.radians(degrees))) == pytest.approx(expected)
-
-
-@given(yaws, yaws, yaws, st.floats(0.99, 1.01))
+@given(angles, angles, angles, st.floats(0.99, 1.01))
 def test_the_angles_are_those_of_the_tutorial_to_the_last_bit(roll, pitch, yaw, length):
     """The original gives tf what is in the message."""
-    parts = [length * part for part in quaternion_from_euler(roll, pitch, yaw)]
-    assert euler_from_orientation(Quaternion(*parts)) == euler_from_quaternion(parts)
+    parts = [length * part for part in tf.quaternion_from_euler(roll, pitch, yaw)]
+    assert euler_from_orientation(Quaternion(*parts)) == tf.euler_from_quaternion(parts)
 
 
-@given(yaws, st.floats(1e-3, 1e3))
-def test_a_quaternion_of_any_length_has_its_yaw(yaw, length):
-    """A driver need not normalise."""
-    x, y, z, w = (length * part for part in quaternion_from_euler(0, 0, yaw))
-    found = yaw_from_orientation(Quaternion(x, y, z, w))
-    assert wrap_to_pi(found - yaw) == pytest.approx(0, abs=1e-9)
-
-
-@pytest.mark.parametrize('length', [1e-320, 1e-200, 1e-9, 1e9, 1e200])
-def test_no_length_is_too_short_or_too_long_for_a_quaternion(length):
-    """Where its square would be zero or infinite, too."""
+@pytest.mark.parametrize('length', [1e-320, 1e-200, 1e-9, 0.5, 2.0, 1e9, 1e200])
+def test_a_quaternion_of_any_length_has_its_yaw(length):
+    """A driver need not normalise; the length's square may be zero or infinite."""
     yaw = yaw_from_orientation(Quaternion(0, 0, length, length))
     assert yaw == pytest.approx(math.pi / 2)
 
 
-@pytest.mark.parametrize('parts', [
-    (0, 0, 0, 0), (math.nan, 0, 0, 1), (0, math.inf, 0, 1), (0, 0, 0, -math.inf)])
+@pytest.mark.parametrize('parts', [(0, 0, 0, 0), (math.nan, 0, 0, 1), (0, 0, 0, -math.inf)])
 def test_a_quaternion_that_is_no_rotation_is_refused(parts):
     """The message names the numbers."""
     with pytest.raises(ValueError, match='is no rotation'):
@@ -70,18 +74,62 @@ def test_a_quaternion_that_is_no_rotation_is_refused(parts):
 @given(coordinates, coordinates, st.floats(-3, 3))
 def test_a_planar_pose_is_where_the_robot_is_and_looks(x, y, yaw):
     """Its height does not matter."""
-    orientation = Quaternion(*quaternion_from_euler(0, 0, yaw))
+    orientation = Quaternion(*tf.quaternion_from_euler(0, 0, yaw))
     assert planar_pose(Pose(Point(x, y, 5.0), orientation)) == pytest.approx((x, y, yaw))
 
 
-def test_a_pose_is_ahead_and_to_the_left_of_the_one_before():
-    """From a robot that looks to the left, ahead is to the left."""
-    pose = PlanarPose(1.0, 2.0, math.pi / 2).then(PlanarPose(3.0, 0.5, 0.25))
-    assert pose == pytest.approx((0.5, 5.0, math.pi / 2 + 0.25))
-
-
 @given(poses)
-def test_a_pose_and_its_inverse_lead_back_to_the_origin(pose):
-    """In either order."""
+def test_a_pose_is_seen_from_the_one_before(pose):
+    """From a robot that looks to the left, ahead is to the left; the inverse leads back."""
+    one, two = PlanarPose(1.0, 2.0, math.pi / 2), PlanarPose(3.0, 0.5, 0.25)
+    assert one.then(two) == pytest.approx((0.5, 5.0, math.pi / 2 + 0.25))
     assert pose.then(pose.inverse()) == pytest.approx((0, 0, 0), abs=1e-9)
-    assert pose.inverse().then(pose) == pytest.approx((0, 0, 0), abs=1e-9)
+
+
+@given(rotations, rotations, vectors)
+def test_rotations_are_those_of_tf(outer, inner, vector):
+    """In double precision: a vector of 10 km is turned to 1e-14 of that and not to 1e-7."""
+    assert compose(outer, inner) == close(tf.quaternion_multiply(outer, inner))
+    matrix = tf.quaternion_matrix(outer)[:3, :3]
+    assert rotate(outer, vector) == close(matrix @ vector, scale=1e5)
+    assert rotate(inverse(outer), rotate(outer, vector)) == close(vector, scale=1e5)
+    assert height_of_z(outer) == pytest.approx(matrix[2, 2], abs=1e-14)
+    yaw = tf.euler_from_quaternion(outer)[2]
+    assert math.remainder(yaw_of(outer) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-12)
+
+
+@given(st.sampled_from([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0.0, -0.8)]), angles)
+def test_a_rotation_about_an_axis_is_that_of_tf(axis, angle):
+    """Also about one that is askew."""
+    assert about(axis, angle) == close(tf.quaternion_about_axis(angle, axis))
+    assert about_z(angle) == close(tf.quaternion_about_axis(angle, (0, 0, 1)))
+
+
+@given(angles, angles, angles)
+def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
+    """About the fixed axes, roll first."""
+    expected = tf.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
+    for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
+        assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)
+
+
+@given(rotations, st.floats(-0.7, 0.7), angles, st.sampled_from([1, -1]))
+@example((0.0, 0.0, 0.0, 1.0), 0.0, 0.0, 1)
+def test_the_mean_twist_of_an_arc_is_the_one_that_was_driven(start, speed, turn_speed, sign):
+    """In whatever orientation, and whichever of its two quaternions is given."""
+    duration = 0.1
+    turned = compose(start, about_z(turn_speed * duration))
+    angle = turn_speed * duration
+    chord = speed * duration * (math.sin(angle / 2) / (angle / 2) if angle else 1.0)
+    end = rotate(compose(start, about_z(angle / 2)), (chord, 0.0, 0.0))
+    twist = mean_twist(((0.0, 0.0, 0.0), start), (end, tuple(sign * part for part in turned)),
+                       duration)
+    assert twist[0] == pytest.approx((speed, 0.0, 0.0), abs=1e-12)
+    assert twist[1] == pytest.approx((0.0, 0.0, turn_speed), abs=1e-12)
+
+
+@pytest.mark.parametrize('degrees, upright', [(0, True), (59.9, True), (60.1, False), (180, False)])
+@pytest.mark.parametrize('axis', [(1, 0, 0), (0, -1, 0), (0.6, 0.8, 0)])
+def test_what_leans_more_than_60_degrees_is_not_upright(degrees, upright, axis):
+    """To any side, whichever way it looks."""
+    assert is_upright(compose(about(axis, math.radians(degrees)), about_z(2.0))) == upright

@@ -18,7 +18,7 @@ def test_help_says_what_a_script_does_and_has(script):
     ended = run_script(script, '--help', '__name:=any', '_nonsense:=[',
                        env={'ROS_MASTER_URI': 'http://localhost:1', 'COLUMNS': '200'})
     module = load_script(script)
-    assert (ended.status, ended.stderr) == (0, ''), ended
+    assert (ended.wait(), ended.stderr) == (0, ''), ended.output
     assert module.__doc__.splitlines()[0] in ended.stdout
     assert getattr(module, 'PARAMETERS', Parameters()).help in ended.stdout
 

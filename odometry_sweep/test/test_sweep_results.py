@@ -1,12 +1,10 @@
 """What a sweep starts, shows, keeps and draws, without physics."""
 
-import io
 import sys
 from types import SimpleNamespace
 
 import pytest
 from odometry_sweep.campaign import Campaign
-from odometry_sweep.main import with_progress
 from odometry_sweep.picture import make_figure
 from odometry_sweep.results import METRICS, SHOWN, Setting, read_rows, table
 from odometry_sweep.running import side_by_side
@@ -42,24 +40,6 @@ def test_a_table_has_a_block_for_each_metric_and_a_line_for_each_setting():
 def test_a_limit_is_for_the_size_of_a_metric(limits, lines):
     """The limit itself is allowed."""
     assert [*Setting('kp 1', rows([0.1, 0.1, -0.2], 'late')).broken(limits)] == lines
-
-
-@pytest.mark.parametrize('live, shown', [
-    (True, ['', '1 of 4 runs', '2 of 4 runs, 1.0 a second, 0:00:02 left',
-            '3 of 4 runs, 1.0 a second, 0:00:01 left',
-            '4 of 4 runs, 1.0 a second, 0:00:00 left\n']),
-    (False, ['4 of 4 runs, 1.0 a second, 0:00:00 left\n'])])
-def test_progress_rewrites_a_line_of_a_terminal_or_prints_one_every_few_seconds(
-        monkeypatch, live, shown):
-    """A run takes a second; without a terminal there are no control characters."""
-    clock, output = iter(range(100, 200)), io.StringIO()
-    output.isatty = lambda: live
-    monkeypatch.setattr('time.monotonic', lambda: next(clock))
-    monkeypatch.setattr('sys.stdout', output)
-    assert list(with_progress('abcd', 4)) == list('abcd')
-    monkeypatch.undo()
-    lines = output.getvalue().split('\r\x1b[K') if live else [output.getvalue()]
-    assert [line[33:] for line in lines] == shown
 
 
 def test_the_picture_has_a_diagram_for_each_metric_and_a_line_for_each_setting():

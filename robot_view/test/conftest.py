@@ -1,5 +1,7 @@
 """A viewer, a robot, a browser with the page."""
 
+import contextlib
+
 import pytest
 import rospy
 from odometry_tests.tutorial import detector, simulator
@@ -11,13 +13,13 @@ FRAME_RATE = 2.0  # Hz
 
 
 @pytest.fixture(scope='module')
-def browser():
-    """Start a browser."""
-    chromium = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
-    if not (chromium.CHROMIUM and chromium.DRIVER):
+def open_page():
+    """Return a function that opens a page in a browser."""
+    browser = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
+    if not (browser.CHROMIUM and browser.DRIVER):
         pytest.skip('chromium and chromedriver are not installed')
-    with chromium.Browser(scale=SCALE, frame_rate=FRAME_RATE) as running:
-        yield running
+    with contextlib.ExitStack() as stack:
+        yield lambda url: stack.enter_context(browser.Page(url, scale=SCALE, frame_rate=FRAME_RATE))
 
 
 @pytest.fixture(scope='module')
@@ -35,10 +37,17 @@ def robot(master):
         yield Motion()
 
 
+@pytest.fixture(scope='module')
+def pages():
+    """Keep the viewer's pages that were opened."""
+    return []
+
+
 @pytest.fixture
-def page(browser, view):
+def page(open_page, view, pages):
     """Return the viewer's page, which stays open for the next test."""
-    found = browser.find(view.url) or browser.open(view.url)
-    yield found
-    if found.is_open:
-        found.let_go()
+    if not pages or not pages[-1].is_open:
+        pages.append(open_page(view.url))
+    yield pages[-1]
+    if pages[-1].is_open:
+        pages[-1].let_go()

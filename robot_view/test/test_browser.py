@@ -100,12 +100,12 @@ def test_the_viewer_subscribes_only_while_a_page_is_open(robot, page):
     assert not viewers('/clock')
 
 
-def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
+def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):
     """Without ground truth, detector and simulator the page says what it lacks and shows the rest."""
     with View('__ns:=real') as view:
         publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
         publisher.publish(odometry(x=1.0, y=0.5, yaw=math.radians(30), stamp=5.0))
-        with browser.open(view.url) as page:
+        with open_page(view.url) as page:
             page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(30))
             page.wait_for_text('no simulator here')
             assert page.reading('true_distance') is None
@@ -114,12 +114,12 @@ def test_a_real_robot_is_shown_by_its_odometry_alone(master, browser):
     publisher.unregister()
 
 
-def test_a_scan_and_odometry_that_is_off_are_drawn(master, browser):
+def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
     """Dots on the walls of the room; a blue ghost where slipping wheels believe the robot to be."""
     with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=slippery', '_scan:=true',
                 '_odometry_source:=encoder', '_wheel_slip:=0.4', '_cmd_vel_timeout:=0',
                 f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'), \
-            View('__ns:=slippery') as view, browser.open(view.url) as page:
+            View('__ns:=slippery') as view, open_page(view.url) as page:
         motion = Motion('/slippery/')
         page.dismiss_notices()
         wait_until(lambda: count_pixels(page, 0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')

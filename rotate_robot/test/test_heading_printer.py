@@ -1,24 +1,26 @@
 """What main.py prints; the test is the clock."""
 
+from functools import partial
+
 import pytest
-import rosgraph
 import rospy
 from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry, strange_odometry
-from odometry_tests.partners import SteppedClock
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from tf.transformations import quaternion_from_euler
+
+START = partial(rosrun, 'rotate_robot', 'main.py')
 
 
 class Printer:
     """main.py, what it is shown, and what it prints."""
 
-    def __init__(self, ns, process):
-        """Be the clock of a node in a namespace."""
+    def __init__(self, ns, process, clock):
+        """Connect to a node in a namespace, which follows a SteppedClock."""
         self._odometry = rospy.Publisher(f'{ns}odom', Odometry, queue_size=1000)
-        self.process, self.clock = process, SteppedClock(1)
+        self.process, self.clock = process, clock
         wait_for_subscribers(self._odometry)
 
     def show(self, *messages):
@@ -48,14 +50,9 @@ class Printer:
 
 
 @pytest.fixture
-def printer(ns):
-    """Start main.py in simulated time."""
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
-    with rosrun('rotate_robot', 'main.py') as process:
-        made = Printer(ns, process)
-        yield made
-        made.clock.close()
-    rosgraph.Master('/test').setParam('/use_sim_time', False)
+def printer(ns, node, clock):
+    """Show odometry to main.py."""
+    return Printer(ns, node, clock)
 
 
 def test_it_prints_each_yaw_in_radians(printer):

@@ -4,16 +4,16 @@ import math
 import time
 
 import pytest
-import rosgraph
 import rospy
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry, strange_odometry
-from odometry_tests.partners import Partner, SteppedClock
+from odometry_tests.partners import Partner
 from odometry_tests.tutorial import rotator
 from odometry_tests.waiting import wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
 
+START = rotator
 PERIOD = 0.1  # s, of the control
 WALL_SILENCE = 0.25  # s; silence lasts at least as long, however fast simulated time runs
 
@@ -21,11 +21,11 @@ WALL_SILENCE = 0.25  # s; silence lasts at least as long, however fast simulated
 class Talk(Partner):
     """Headings to a turning node, commands from it."""
 
-    def __init__(self, ns):
+    def __init__(self, ns, clock):
         """Talk to the node of a namespace, which follows a SteppedClock."""
         super().__init__(f'{ns}odom', Odometry, f'{ns}cmd_vel', Twist)
         self._target = rospy.Publisher(f'{ns}rotate_robot/target', Float64, queue_size=10)
-        self.clock = SteppedClock(1)
+        self.clock = clock
         self._time = self.clock.now.to_sec()
 
     def heading(self, degrees, after=PERIOD):
@@ -63,20 +63,9 @@ def turns_at(command, speed):
 
 
 @pytest.fixture
-def node(request, ns):
-    """Start rotate.py in simulated time, with the arguments that a test gives."""
-    rosgraph.Master('/test').setParam('/use_sim_time', True)
-    with rotator(*getattr(request, 'param', [])) as process:
-        yield process
-    rosgraph.Master('/test').setParam('/use_sim_time', False)
-
-
-@pytest.fixture
-def talk(node, ns):
+def talk(clock, ns):
     """Talk to the node."""
-    made = Talk(ns)
-    yield made
-    made.clock.close()
+    return Talk(ns, clock)
 
 
 def test_the_turn_is_the_gain_times_the_error_by_the_shorter_way(talk):

@@ -2,16 +2,14 @@
 
 import os
 import shutil
-import signal
 import subprocess
 import tempfile
 from pathlib import Path
 
 import pytest
-from odometry_tests.checkout import START, in_checkout, make_checkout
+from odometry_tests.checkout import in_checkout, make_checkout
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import wait_until
 
 DEBIAN = """
 OPT=/nowhere
@@ -53,7 +51,6 @@ need_parts() { echo "needs $*"; }
 end_by_signals
 set_up_python
 """
-WAITS = 'trap "touch $CHECKOUT/ended; exit" TERM; touch $CHECKOUT/begun; sleep 1000 & wait'
 
 
 @pytest.fixture
@@ -91,15 +88,6 @@ def test_help_installs_nothing(fresh, arguments):
     run = in_fresh(fresh, *arguments)
     assert run.wait() == 0 and run.stdout.startswith('usage: ./ws ['), run.output
     assert not run.stderr
-
-
-def test_extras_are_for_the_commands_that_need_them():
-    """Help needs none; pytest no browser."""
-    show = f'. {ROOT}/setup/set_up.bash\nPARTS=() EXTRAS=()\nadd_extras %s\necho "${{PARTS[@]}} ${{EXTRAS[@]}}"'
-    for command, extras in (('python3 -m pytest', 'tests sweep cluster view'), ('demo', ''),
-                            ('demo --view', 'view'), ('roslaunch x rviz:=true', 'rviz')):
-        run = Process('bash', '-euc', show % command, env={'CHECKOUT': str(ROOT)})
-        assert (run.wait(), run.stdout.strip()) == (0, extras), run.output
 
 
 def last_words(folder, commands, **variables):
@@ -168,17 +156,3 @@ def test_pybullet_is_compiled_once(without_wheel):
     second = in_checkout(without_wheel, f'{COMPILE}ls "$(wheels)"', COMPILER='false')
     assert (second.wait(), second.stderr) == (0, './ws: installing PyBullet ...'), second.output
     assert second.stdout.startswith('pybullet')
-
-
-def test_an_interruption_ends_the_compilers(without_wheel):
-    """Nothing goes on in the background, and the next call begins again."""
-    # Not as a Process, which would end what is left of it.
-    variables = {'CHECKOUT': str(without_wheel), 'COMPILER': WAITS,
-                 'XDG_CACHE_HOME': str(without_wheel.parents[1])}
-    with subprocess.Popen(['bash', '-c', START + COMPILE], env={**os.environ, **variables}) as run:
-        wait_until((without_wheel / 'begun').exists, 20.0, 'the compiler')
-        run.send_signal(signal.SIGTERM)
-    assert run.returncode != 0
-    wait_until((without_wheel / 'ended').exists, 20.0, "the compiler's end")
-    again = in_checkout(without_wheel, COMPILE, COMPILER='true')
-    assert again.wait() == 0 and 'compiling PyBullet' in again.stderr, again.output

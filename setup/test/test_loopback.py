@@ -7,7 +7,7 @@ test_soak. test_two_machines checks that --host lets others in.
 import os
 
 import pytest
-from odometry_tests.listening import assert_loopback_only
+from odometry_tests.linux import assert_loopback_only
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal

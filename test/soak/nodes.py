@@ -51,11 +51,6 @@ class Stream:
             return
         raise Violation(f'{self._topic} goes on during a pause, with number {message.header.seq}')
 
-    def clear(self):
-        """Forget what has come so far."""
-        while not self._messages.empty():
-            self._messages.get()
-
 
 class Nodes:
     """A context in which the simulator and the detector run, and this process is a node."""

@@ -64,7 +64,7 @@ def test_defaults_are_accepted(script):
 
 def assert_refused(ended, *words):
     """Assert that a node has ended with status 2 and one line with all the words in it."""
-    assert ended.status == EXIT_BAD_PARAMETER, ended
+    assert ended.wait() == EXIT_BAD_PARAMETER, ended.output
     line, = ended.stderr.splitlines()
     assert all(word in line for word in words), line
 

@@ -5,7 +5,6 @@ import os
 import re
 import subprocess
 
-import pytest
 from odometry_tests.linux import LOOK_PERIOD, command_lines, marked, new_mark, wait_until_none
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
@@ -40,11 +39,3 @@ def test_nothing_is_left_of_a_bench_that_is_killed():
                    'a robot', LOOK_PERIOD)
         bench_of_graph.kill()
     wait_until_none(mark)
-
-
-@pytest.mark.parametrize('arguments', [['dance'], ['--runs', '1.5'], ['--window', 'nan']])
-def test_bad_options_get_one_clear_line(arguments):
-    """And exit status 2, before anything is started."""
-    with Process(ROOT / 'ws', 'bench', *arguments) as run:
-        assert run.wait(TIMEOUT) == 2, run.output
-    assert run.stderr.splitlines()[-1].startswith('./ws bench: error: '), run.output

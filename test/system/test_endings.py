@@ -148,12 +148,11 @@ def test_a_node_whose_master_never_answers_ends_by_one_ctrl_c():
     ('odom_movement_detector', 'odom_movement_detector.py'), ('test_movement', 'test_movement.py'),
     ('rotate_robot', 'rotate.py'), ('rotate_robot', 'main.py'),
     ('sim_turtlebot', 'sim_turtlebot_node.py')])
-@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_a_node_that_waits_ends_quietly(ns, package, program, signum):
+def test_a_node_that_waits_ends_quietly(ns, package, program):
     """Before the first message too: no traceback, exit status 0."""
     with rosrun(package, program, '__name:=waiting') as node:
         wait_until(lambda: f'{ns}waiting' in rosnode.get_node_names(), 20.0, 'a node', period=0.1)
-        assert node.end(signum) == 0, node.output
+        assert node.end() == 0, node.output
 
 
 def test_a_simulator_that_is_ended_while_it_publishes_ends_quietly(simulated_time):

@@ -1,7 +1,7 @@
 """Machines that lack something: a home, a writable log."""
 
-import contextlib
 import subprocess
+from functools import partial
 
 import pytest
 import rosnode
@@ -13,41 +13,26 @@ from std_msgs.msg import Float64
 NODES = [simulator, detector, mover, rotator]
 
 
-@pytest.fixture(params=['full', 'read-only', 'missing'])
-def log_folder(request, tmp_path):
-    """Provide a folder for logs that cannot be used, each time for another reason."""
-    folder = tmp_path / 'log'
-    if request.param == 'missing':
-        (tmp_path / 'file').write_text('')
-        yield tmp_path / 'file' / 'log'
-        return
-    folder.mkdir()
-    options = 'size=4k' if request.param == 'full' else 'ro'
-    mount = subprocess.run(['mount', '-t', 'tmpfs', '-o', options, 'tmpfs', folder],
-                           capture_output=True, text=True, check=False)
-    if mount.returncode:
-        pytest.skip(f'nothing can be mounted here: {mount.stderr.strip()}')
-    try:
-        if request.param == 'full':
-            fill(folder / 'filler')
-        yield folder
-    finally:
-        subprocess.run(['umount', '-l', folder], check=True)
+# In a namespace of mounts that ends with the node; the folder is $0.
+FAULTS = {'full': 'mount -t tmpfs -o size=4k tmpfs "$0"; head -c 8k /dev/zero >"$0/filler" || true; exec "$@"',
+          'read-only': 'mount -t tmpfs -o ro tmpfs "$0"; exec "$@"',
+          'missing': 'rmdir "$0"; touch "$0"; exec "$@"'}
 
 
-def fill(path):
-    """Write until the disk is full."""
-    with contextlib.suppress(OSError), open(path, 'wb', buffering=0) as file:
-        while file.write(bytes(1024)):
-            pass
-
-
-def test_the_robot_drives_when_nothing_can_be_logged(master, log_folder):
+@pytest.mark.parametrize('fault', FAULTS)
+def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
     """Logs are a convenience: without them the nodes run all the same."""
+    if subprocess.run(['unshare', '--mount', 'true'], check=False).returncode:
+        pytest.skip('nothing can be mounted here')
     moved = Recorder('moved_distance', Float64)
-    options = {'env': {'ROS_LOG_DIR': str(log_folder)}, 'start': GuardedProcess}
-    with simulator(**options) as robot, detector(**options) as counter, \
-            mover(**options) as driver:
+
+    def start(node):
+        folder = tmp_path / node.__name__
+        folder.mkdir()
+        return node(env={'ROS_LOG_DIR': str(folder)}, start=partial(
+            GuardedProcess, 'unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder))
+
+    with start(simulator) as robot, start(detector) as counter, start(mover) as driver:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,
                        lambda: f'movement; {robot.output} {counter.output} {driver.output}')
         for process in (driver, counter, robot):

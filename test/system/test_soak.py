@@ -2,20 +2,15 @@
 
 import os
 import re
-import signal
 import subprocess
 
-import pytest
-import rosgraph
-from odometry_tests.linux import marked, new_mark, wait_until_none
-from odometry_tests.listening import assert_loopback_only
+from odometry_tests.linux import assert_loopback_only, marked, new_mark, wait_until_none
 from odometry_tests.processes import Process
-from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.scripts import ROOT
 
 SOAK = ROOT / 'test' / 'soak' / 'run_soak.py'
 A_MINUTE = 0.017  # hours; in the first minute of any course each event comes once
 STEPS = 1224  # of a 20th of a second in that time
-HEARD = 20  # distances, before it is interrupted
 TIMEOUT = 180.0  # s
 EVENTS = ['resets of the distance', 'resets of the odometry', 'resets of the simulation',
           'pauses', 'restarts of the detector', 'kills of the detector']
@@ -65,19 +60,6 @@ def test_a_wrong_distance_is_found_and_the_run_can_be_repeated():
     assert soaking.stdout.endswith('replay: ./ws soak --seed 4 --hours 24')
 
 
-def test_ctrl_c_ends_it_and_its_nodes_with_a_summary():
-    """Exit status 130, as of any program that is interrupted, and no traceback."""
-    with soak('--hours', 24) as soaking:
-        environment = master_of(soaking)
-        with Process('rostopic', 'echo', '-n', HEARD, '/moved_distance', env=environment) as steps:
-            assert steps.wait() == 0, steps.output
-        assert soaking.end(signal.SIGINT, timeout=30.0) == 130, soaking.output
-    # The step of the last distance heard may not have been checked yet.
-    assert int(value_of('steps checked', soaking)) >= HEARD - 1, soaking.output
-    assert value_of('violations', soaking) == '0'
-    assert not rosgraph.Master('/test', environment['ROS_MASTER_URI']).is_online()
-
-
 def test_nothing_is_left_of_a_soak_that_is_killed():
     """By kill -9, which it cannot notice itself."""
     mark = new_mark()
@@ -88,22 +70,3 @@ def test_nothing_is_left_of_a_soak_that_is_killed():
         assert_loopback_only(soaking.pid)
         soaking.kill()
     wait_until_none(mark)
-
-
-@pytest.mark.parametrize('hours', ['-1', 'nan', 'many'])
-def test_hours_that_make_no_sense_are_refused_in_one_line(hours):
-    """Before anything is started."""
-    with soak('--hours', hours) as refused:
-        assert refused.wait() == 2
-    assert 'argument --hours' in refused.stderr.splitlines()[-1]
-
-
-@pytest.mark.parametrize('leak, name', [
-    (lambda k: (50 + 0.05 * k, 8, 20), 'memory'), (lambda k: (50, 8 + k // 40, 20), 'threads'),
-    (lambda k: (50, 8, 20 + k // 25), 'files'),
-    # What an allocator keeps, and what comes and goes.
-    (lambda k: (50 + 20 * (k > 100) + 30 * (k > 250) + k % 9, 8 + k % 6, 20 + k % 12), None)])
-def test_a_leak_is_found_and_nothing_else(leak, name):
-    """In 400 measurements: a megabyte in 20 of them, a thread in 40, a file in 25."""
-    usage = load_script(SOAK.with_name('usage.py'))
-    assert usage.growing([usage.Usage(*leak(k)) for k in range(400)]) == ([name] if name else [])

@@ -25,7 +25,7 @@ def ip(*arguments):
 
 @pytest.fixture
 def machines():
-    """Join two new network namespaces by a virtual cable."""
+    """Join two new network namespaces by a virtual cable, with a ROS master in one of them."""
     if not shutil.which('ip'):
         pytest.skip('iproute2 is not installed')
     with contextlib.ExitStack() as made:
@@ -33,6 +33,10 @@ def machines():
             join(made)
         except subprocess.CalledProcessError as error:
             pytest.skip(f'no virtual network can be made here: {error.stderr.strip()}')
+        made.enter_context(on(ROBOT, 'env', '-u', 'ROS_IP', ROOT / 'ws', '--host', ADDRESSES[ROBOT],
+                              'rosmaster', '--core'))
+        wait_until(lambda: on(ROBOT, 'rosparam', 'set', 'use_sim_time', 'true').wait() == 0,
+                   30.0, 'a ROS master')
         yield
 
 
@@ -84,43 +88,35 @@ def stands(speeds):
 
 def test_two_metres_across_a_link_that_is_cut_for_three_seconds(machines):
     """The robot stops by its watchdog while the link is down, and ends at two metres."""
-    with on(ROBOT, 'env', '-u', 'ROS_IP', ROOT / 'ws', '--host', ADDRESSES[ROBOT],
-            'rosmaster', '--core'):
-        wait_until(lambda: on(ROBOT, 'rosparam', 'set', 'use_sim_time', 'true').wait() == 0,
-                   30.0, 'a ROS master')
-        with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py'), \
-                on(DESK, 'rosrun', 'odom_movement_detector', 'odom_movement_detector.py'), \
-                on(DESK, 'rosrun', 'test_movement', 'test_movement.py', '_speed:=0.2'), \
-                echo(ROBOT, '/base_pose_ground_truth', '/twist/twist/linear/x') as speeds, \
-                echo(ROBOT, '/base_pose_ground_truth', '/pose/pose/position/x') as positions, \
-                echo(DESK, '/cmd_vel', '/linear/x') as commands:
-            wait_until(lambda: values(positions)[-1:] > [0.5], 40.0, 'half a metre')
-            ip('-n', ROBOT, 'link', 'set', CABLE, 'down')
-            cut_at = len(values(speeds))
-            wait_until(lambda: len(values(speeds)) >= cut_at + 60, 10.0, 'three seconds')
-            wait_until(lambda: stands(speeds), 10.0, 'a robot that stops without a link')
-            ip('-n', ROBOT, 'link', 'set', CABLE, 'up')
-            wait_until(lambda: values(positions)[-1:] >= [2.0], 60.0,
-                       lambda: f'two metres; the robot is at {values(positions)[-1]}')
-            wait_until(lambda: values(commands)[-1:] == [0.0] and stands(speeds), 10.0,
-                       'a last command of zero, and a robot at rest')
+    with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py'), \
+            on(DESK, 'rosrun', 'odom_movement_detector', 'odom_movement_detector.py'), \
+            on(DESK, 'rosrun', 'test_movement', 'test_movement.py', '_speed:=0.2'), \
+            echo(ROBOT, '/base_pose_ground_truth', '/twist/twist/linear/x') as speeds, \
+            echo(ROBOT, '/base_pose_ground_truth', '/pose/pose/position/x') as positions, \
+            echo(DESK, '/cmd_vel', '/linear/x') as commands:
+        wait_until(lambda: values(positions)[-1:] > [0.5], 40.0, 'half a metre')
+        ip('-n', ROBOT, 'link', 'set', CABLE, 'down')
+        cut_at = len(values(speeds))
+        wait_until(lambda: len(values(speeds)) >= cut_at + 60, 10.0, 'three seconds')
+        wait_until(lambda: stands(speeds), 10.0, 'a robot that stops without a link')
+        ip('-n', ROBOT, 'link', 'set', CABLE, 'up')
+        wait_until(lambda: values(positions)[-1:] >= [2.0], 60.0,
+                   lambda: f'two metres; the robot is at {values(positions)[-1]}')
+        wait_until(lambda: values(commands)[-1:] == [0.0] and stands(speeds), 10.0,
+                   'a last command of zero, and a robot at rest')
 
 
 def test_a_spectator_behind_a_cut_link_holds_up_nobody(machines):
     """The mover goes on commanding the robot, and names who does not keep up."""
-    with on(ROBOT, 'env', '-u', 'ROS_IP', ROOT / 'ws', '--host', ADDRESSES[ROBOT],
-            'rosmaster', '--core'):
-        wait_until(lambda: on(ROBOT, 'rosparam', 'set', 'use_sim_time', 'true').wait() == 0,
-                   30.0, 'a ROS master')
-        with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py',
-                '_real_time_factor:=10'), \
-                on(ROBOT, 'rosrun', 'odom_movement_detector', 'odom_movement_detector.py'), \
-                on(ROBOT, 'rosrun', 'test_movement', 'test_movement.py', '_distance:=1000') as mover, \
-                echo(ROBOT, '/base_pose_ground_truth', '/pose/pose/position/x') as positions, \
-                echo(DESK, '/cmd_vel', '/linear/x') as spectator:
-            wait_until(lambda: values(spectator), 40.0, 'a command that the spectator sees')
-            ip('-n', ROBOT, 'link', 'set', CABLE, 'down')
-            mover.wait_for_output('does not keep up with /cmd_vel')
-            warned_at = values(positions)[-1]
-            wait_until(lambda: values(positions)[-1] > warned_at + 1.0, 40.0, 'a metre more')
-            ip('-n', ROBOT, 'link', 'set', CABLE, 'up')
+    with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py',
+            '_real_time_factor:=10'), \
+            on(ROBOT, 'rosrun', 'odom_movement_detector', 'odom_movement_detector.py'), \
+            on(ROBOT, 'rosrun', 'test_movement', 'test_movement.py', '_distance:=1000') as mover, \
+            echo(ROBOT, '/base_pose_ground_truth', '/pose/pose/position/x') as positions, \
+            echo(DESK, '/cmd_vel', '/linear/x') as spectator:
+        wait_until(lambda: values(spectator), 40.0, 'a command that the spectator sees')
+        ip('-n', ROBOT, 'link', 'set', CABLE, 'down')
+        mover.wait_for_output('does not keep up with /cmd_vel')
+        warned_at = values(positions)[-1]
+        wait_until(lambda: values(positions)[-1] > warned_at + 1.0, 40.0, 'a metre more')
+        ip('-n', ROBOT, 'link', 'set', CABLE, 'up')

@@ -41,11 +41,11 @@ def save(image, name):
 
 def view():
     """Return the browser window."""
-    from odometry_tests.browser import Browser
+    from odometry_tests.browser import Page
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
         url = f'http://localhost:{port}'
         viewer.wait_for_output(url)
-        with Browser(1280, 760) as browser, browser.open(url) as page:
+        with Page(url, 1280, 760) as page:
             return drive_before(page)
 
 

@@ -3,13 +3,11 @@
 import re
 
 import pytest
-from odometry_tests.documents import DOCUMENTS, README
+from odometry_tests.documents import DOCUMENTS
 from odometry_tests.scripts import ROOT
 
-PAGES = sorted(ROOT.glob('docs/*.md'))
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
 TEST = re.compile(r'`(test_\w+|\w+\.test)`')
-LONGEST = 200  # lines of the README
 
 
 def links(page):
@@ -30,20 +28,6 @@ def test_every_link_leads_somewhere(page):
     for file, anchor in links(page):
         assert file.exists(), f'{file} is not there'
         assert not anchor or anchor in anchors(file), f'{file.name} has no heading #{anchor}'
-
-
-def test_the_readme_is_short_and_leads_to_every_page():
-    """Nobody reads more; what is not linked, nobody finds."""
-    assert len(README.read_text().splitlines()) <= LONGEST
-    linked = {file.resolve() for file, _ in links(README)}
-    assert {*PAGES, ROOT / 'CONTRIBUTING.md', ROOT / 'LICENSE'} <= linked
-
-
-@pytest.mark.parametrize('page', PAGES, ids=lambda page: page.name)
-def test_a_page_leads_back(page):
-    """In its first paragraph, since readers come from elsewhere too."""
-    first = page.read_text().split('\n\n')[1]
-    assert '[Back to the README](../README.md)' in ' '.join(first.split())
 
 
 def test_each_test_that_reliability_names_exists():

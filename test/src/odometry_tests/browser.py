@@ -1,5 +1,6 @@
 """A headless Chromium that shows the page, as a user sees and touches it."""
 
+import contextlib
 import io
 import re
 import shutil
@@ -24,100 +25,53 @@ LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
 
 
-class Browser:
-    """A context in which windows can be opened, each by a Chromium of its own.
+class Page:
+    """The page in a window of its own Chromium.
 
     One that drew two pages without a graphics card would make them wait for each other.
     """
 
-    def __init__(self, width=1200, height=640, scale=1.0, frame_rate=None):
-        """Take the size of its windows (pixels of the page).
+    def __init__(self, url, width=1200, height=640, scale=1.0, frame_rate=None):
+        """Open it and return once it has the panel.
 
+        :param width, height: of the window (pixels of the page)
         :param scale: pixels of the screen per pixel of the page; the fewer, the less work
         :param frame_rate: at most so many pictures per second (Hz), for a machine that has other
             things to do; None: as many as it can draw
         """
-        self._switches = [*SWITCHES, f'--window-size={width},{height}',
-                          f'--force-device-scale-factor={scale}']
-        self._frame_rate = frame_rate
-        self._windows = []
-        self._drivers = []
-
-    def __enter__(self):
-        """Use it as a context."""
-        return self
-
-    def __exit__(self, *_):
-        """End all."""
-        for driver in self._drivers:
-            driver.quit()
-
-    def open(self, url):
-        """Open a page and return its BrowserWindow once it shows the panel."""
-        window = BrowserWindow(self._idle_driver() or self._start(), url, self._frame_rate)
-        self._windows.append(window)
-        window.load()
-        return window
-
-    def find(self, url):
-        """Return a window with this address that is still open, or None."""
-        return next((window for window in self._windows if window.url == url and window.is_open), None)
-
-    def _idle_driver(self):
-        """Return a Chromium whose window is closed, or None: to start one takes longer."""
-        busy = [window.driver for window in self._windows if window.is_open]
-        return next((driver for driver in self._drivers if driver not in busy), None)
-
-    def _start(self):
-        """Start a Chromium."""
         options = webdriver.ChromeOptions()
         options.binary_location = CHROMIUM
-        for switch in self._switches:
+        for switch in [*SWITCHES, f'--window-size={width},{height}', f'--force-device-scale-factor={scale}']:
             options.add_argument(switch)
-        driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-        self._drivers.append(driver)
-        # A browser that draws on a busy processor answers late, to whatever it is asked.
-        driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
-        driver.set_page_load_timeout(ANSWER_TIMEOUT)
-        driver.set_script_timeout(ANSWER_TIMEOUT)
-        return driver
-
-
-class BrowserWindow:
-    """A window with the page."""
-
-    def __init__(self, driver, url, frame_rate=None):
-        """Take over a driver that shows nothing yet."""
-        self.driver = driver
-        self.url = url
+        self.driver = webdriver.Chrome(options=options, service=Service(DRIVER))
         self.is_open = True
-        self._frame_rate = frame_rate
-
-    def load(self):
-        """Show the page and return once it has the panel."""
-        # In a window of its own: without its first, empty one Chromium would end with the page.
-        self.driver.switch_to.new_window('window')
-        if self._frame_rate:
-            self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
-                                        {'source': _draw_at(self._frame_rate)})
-        self.driver.get(self.url)
-        self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
-                         'a page with readings')
+        with contextlib.ExitStack() as stack:
+            stack.push(self)
+            # A browser that draws on a busy processor answers late, to whatever it is asked.
+            self.driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
+            self.driver.set_page_load_timeout(ANSWER_TIMEOUT)
+            self.driver.set_script_timeout(ANSWER_TIMEOUT)
+            if frame_rate:
+                self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
+                                            {'source': _draw_at(frame_rate)})
+            self.driver.get(url)
+            self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
+                             'a page with readings')
+            stack.pop_all()
 
     def __enter__(self):
-        """Use it as a context, at whose end the window is closed."""
+        """Use it as a context, at whose end it is closed."""
         return self
 
     def __exit__(self, *_):
-        """Close the window unless it is closed already."""
+        """Close it unless it is closed already."""
         self.close()
 
     def close(self):
-        """Close the window, as a user does."""
+        """Close the browser, as a user does."""
         if self.is_open:
             self.is_open = False
-            self.driver.close()
-            self.driver.switch_to.window(self.driver.window_handles[0])
+            self.driver.quit()
 
     def run(self, script, *arguments):
         """Return what a piece of JavaScript returns."""

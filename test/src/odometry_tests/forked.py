@@ -13,7 +13,6 @@ import subprocess
 import sys
 from contextlib import suppress
 from multiprocessing import forkserver
-from typing import NamedTuple
 
 import rosgraph
 import rospy
@@ -27,14 +26,6 @@ FORKS.set_forkserver_preload([
     'run_plot.figure'])
 OUTPUTS = 1, 2  # descriptors
 PR_SET_PDEATHSIG = 1  # <linux/prctl.h>
-
-
-class Ended(NamedTuple):
-    """How a script has ended, and what it has printed."""
-
-    status: int
-    stdout: str
-    stderr: str
 
 
 class Forked:
@@ -81,12 +72,13 @@ class Forked:
 
 
 def run_script(script, *arguments, env=None):
-    """Run a script by its path in the project; return how it Ended.
+    """Run a script by its path in the project to its end, and return its Process.
 
     :param env: is added to the environment
     """
     with Process(ROOT / script, *arguments, env=env, start=Forked) as process:
-        return Ended(process.wait(), process.stdout, process.stderr)
+        process.wait()
+    return process
 
 
 def _run(argv, environment, outputs):

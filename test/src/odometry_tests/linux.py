@@ -1,6 +1,6 @@
 """What tests ask the system of other processes."""
 
-import contextlib
+import ipaddress
 import uuid
 
 import psutil
@@ -28,13 +28,16 @@ def wait_until_none(mark, timeout=15.0):
                lambda: f'the end of\n{command_lines(marked(mark))}', LOOK_PERIOD)
 
 
-def command_line(pid):
-    """Return the command line of a process as a text; empty if it has ended."""
-    with contextlib.suppress(psutil.Error):
-        return ' '.join(psutil.Process(pid).cmdline())
-    return ''
-
-
 def command_lines(pids):
-    """Return the command lines of processes as a text, one in each line."""
-    return '\n'.join(map(command_line, pids))
+    """Return the command lines of those processes that still run as a text, one in each line."""
+    return '\n'.join(' '.join(process.info['cmdline'] or []) for process
+                     in psutil.process_iter(['cmdline']) if process.pid in pids)
+
+
+def assert_loopback_only(pid):
+    """Assert that a process and its descendants listen, and nobody but this machine reaches them."""
+    family = {pid, *(child.pid for child in psutil.Process(pid).children(recursive=True))}
+    addresses = {socket.laddr.ip for socket in psutil.net_connections('tcp')
+                 if socket.status == psutil.CONN_LISTEN and socket.pid in family}
+    assert addresses
+    assert all(ipaddress.ip_address(address).is_loopback for address in addresses), addresses

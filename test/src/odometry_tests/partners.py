@@ -55,15 +55,6 @@ class NodeLog(Recorder):
         """Listen; what a node has said last is heard also if it was before."""
         super().__init__('/rosout', Log)
 
-    def has_warning(self, node, text):
-        """Return whether a node (a full name) has warned in words with this text."""
-        return any((m.name, m.level) == (node, Log.WARN) and text in m.msg for m in self.messages)
-
-    def wait_for_warning(self, node, text, timeout=10.0):
-        """Return once the node has warned so."""
-        wait_until(lambda: self.has_warning(node, text), timeout,
-                   f'a warning of {node}: {text!r}')
-
     def has_heard(self, node, stamp):
         """Return whether a node has logged at this time (rospy.Time) by its own clock, or later."""
         return any(m.name == node and m.header.stamp >= stamp for m in self.messages)
@@ -88,11 +79,3 @@ class SteppedClock:
         for duration in durations:
             self.now += rospy.Duration.from_sec(duration)
             self._publisher.publish(Clock(self.now))
-
-
-def differences(seen, expected):
-    """Return (index, seen, expected) wherever two lists of the same length differ.
-
-    With lists as long as these, unittest would take minutes to word it.
-    """
-    return [(index, *pair) for index, pair in enumerate(zip(seen, expected)) if pair[0] != pair[1]]

@@ -4,10 +4,13 @@ import contextlib
 import re
 import shlex
 
+import rosgraph
+from roslaunch.arg_dump import get_args
+
 from odometry_tests.forms import first_missing
+from odometry_tests.links import HEARS, links
 from odometry_tests.processes import ATTEMPTS, GAVE_UP
 from odometry_tests.scripts import ROOT
-from odometry_tests.signs import Graph, lacks, objection
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
 
@@ -19,6 +22,10 @@ ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 # The last is said of an unknown parameter.
 UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found', 'unknown: ']
+# What runs until Ctrl-C, as a node or with nodes.
+GOES_ON = re.compile(r'(roscore|rosrun|roslaunch|python3|rosbag record|rostopic (echo|pub -r\S*))( |$)')
+NEEDS_PUBLISHER = re.compile(r'/(odom|moved_distance)$')
+NEEDS_SUBSCRIBER = re.compile(r'/(cmd_vel|commands/velocity)$')
 
 
 class Reader:
@@ -28,7 +35,7 @@ class Reader:
         """Take a folder for ~, an environment, and whether the terminals are in ./ws shell."""
         self._env = {**env, 'HOME': str(home)}
         self._in_shell = in_shell
-        self._graph = Graph(env['ROS_MASTER_URI'])
+        self._master = rosgraph.Master('/documents', env['ROS_MASTER_URI'])
         self._running = []  # words and terminal
         self._idle = []
 
@@ -46,14 +53,15 @@ class Reader:
             for terminal in terminals:
                 stack.push(terminal)
             for running in list(self._running):
-                stack.callback(self._interrupt if kind is None else self._press_ctrl_c, running)
+                stack.callback(self._interrupt if kind is None else press_ctrl_c, running)
 
     def follow(self, text, shown=()):
         """Type a command; return once it has ended well or is at work, and has printed `shown`."""
         words = words_of(text)
         for running in [running for running in self._running if _role(running[0]) == _role(words)]:
             self._interrupt(running)
-        self._wait_for_sense(words)
+        wait_until(lambda: not self._objection(words), TIMEOUT,
+                   lambda: f'{text}: {self._objection(words)}', LOOKING_PERIOD)
         terminal = self._terminal(text)
         self._running.append((words, terminal))
         for _ in range(ATTEMPTS):
@@ -61,52 +69,83 @@ class Reader:
             if terminal.status is None or GAVE_UP not in terminal.text:
                 break
         if terminal.status is not None:
-            self._check_end(text, shown, terminal)
+            accepted = {0, 1} if text.startswith('./ws bench') else {0}  # 1: a target is missed
+            line = first_missing(shown, terminal.lines)
+            assert terminal.status in accepted and line is None, \
+                f'{text}\nended with {terminal.status}, without {line!r}; it printed:\n{terminal.output}'
             self._running.remove((words, terminal))
             self._idle.append(terminal)
 
     def _type(self, text, words, shown, terminal):
         """Type a command; return once it has ended, or is at work and has printed `shown`."""
-        nodes = self._graph.nodes()
+        before = self._nodes()
         terminal.type(text)
         wait_until(lambda: terminal.status is not None
-                   or not self._missing(words, shown, terminal, nodes),
+                   or not self._missing(words, shown, terminal, before),
                    LONG_TIMEOUT if text.startswith(LONG) else TIMEOUT,
-                   lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, nodes)}; '
+                   lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, before)}; '
                            f'it printed:\n{terminal.output}', LOOKING_PERIOD)
 
-    def _missing(self, words, shown, terminal, nodes):
-        line = first_missing(shown, terminal.lines)
-        return lacks(words, terminal, self._graph, nodes) if line is None else f'{line!r}'
+    def _missing(self, words, shown, terminal, before):
+        """Return what a running command has not shown yet, or None if it is at work."""
+        if line := first_missing(shown, terminal.lines):
+            return repr(line)
+        if words[:2] == ['./ws', 'demo']:
+            return None if re.search(r'\[=* *\] ', terminal.output) else 'a line of progress'
+        if not GOES_ON.match(' '.join(words)):
+            return 'its end'
+        nodes = self._nodes() - before
+        launched = {f'/{name}' for name in re.findall(r'process\[(\S+)-\d+\]: started', terminal.text)}
+        if not nodes or any(not str(nodes).count(name) for name in launched):
+            return f'nodes beside {sorted(before)}'
+        # A node of bare rospy may hang if Ctrl-C comes while it registers a topic.
+        if words[:2] == ['rostopic', 'echo'] and '---' not in terminal.lines:
+            return 'a message'
+        if words[0] == 'python3' and not any(map(self._hears, nodes)):
+            return f'a message to {sorted(nodes)}'
+        return self._partnerless(nodes)
 
-    def _wait_for_sense(self, words):
-        wait_until(lambda: not objection(words, self._graph), TIMEOUT,
-                   lambda: f'{" ".join(words)}: {objection(words, self._graph)}', LOOKING_PERIOD)
+    def _partnerless(self, nodes):
+        """Return the topic on which one of the nodes talks to itself, or None."""
+        published, subscribed, _ = map(dict, self._state())
+        alone = [topic for topic, kind in [
+            *((topic, published) for topic in subscribed if NEEDS_PUBLISHER.search(topic)),
+            *((topic, subscribed) for topic in published if NEEDS_SUBSCRIBER.search(topic))]
+            if topic not in kind and nodes & {*published.get(topic, []), *subscribed.get(topic, [])}]
+        return f'a partner on {alone}' if alone else None
 
-    def _check_end(self, text, shown, terminal):
-        accepted = {0, 1} if text.startswith('./ws bench') else {0}  # 1: a target is missed
-        assert terminal.status in accepted, \
-            f'{text}\nended with {terminal.status}; it printed:\n{terminal.output}'
-        line = first_missing(shown, terminal.lines)
-        assert line is None, \
-            f'{text}\nhas not printed a line like\n{line}\nbut:\n{terminal.output}'
+    def _objection(self, words):
+        """Return what makes a command senseless that would end well all the same, or None."""
+        _, subscribed, services = map(dict, self._state())
+        if words[:2] == ['rostopic', 'pub'] and words[3] not in subscribed:
+            return f'nobody listens to {words[3]}'
+        if words[:2] == ['rosservice', 'call'] and words[2] not in services:
+            return f'there is no service {words[2]}'
+        files = [str(ROOT / 'launch' / word) for word in words
+                 if word.endswith('.launch') and (ROOT / 'launch' / word).exists()]
+        unknown = {word.partition(':=')[0] for word in words if ':=' in word} - {*get_args(files)}
+        return f'there is no argument {unknown}' if files and unknown else None
+
+    def _state(self):
+        """Return who publishes, who subscribes and who serves; nobody before there is a master."""
+        return self._master.getSystemState() if self._master.is_online() else ([], [], [])
+
+    def _nodes(self):
+        return {node for kind in self._state() for _, nodes in kind for node in nodes}
+
+    def _hears(self, node):
+        """Return whether a node is connected with somebody it listens to, beside the clock."""
+        with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
+            return any(link.topic != '/clock' for link in links(node, HEARS, self._master.master_uri))
 
     def _interrupt(self, running):
         words, terminal = running
-        status = self._press_ctrl_c(running)
+        status = press_ctrl_c(running)
         found = [unwanted for unwanted in UNWANTED if unwanted in terminal.output]
         assert status in ENDS_WELL and not found, \
             f'{" ".join(words)}\nended with {status}; it printed:\n{terminal.output}'
         self._running.remove(running)
         self._idle.append(terminal)
-
-    @staticmethod
-    def _press_ctrl_c(running):
-        """Return the status with which the command has ended."""
-        _, terminal = running
-        if terminal.status is None:
-            terminal.press_ctrl_c()
-        return terminal.wait_for_prompt()
 
     def _terminal(self, text):
         """Return a terminal in which nothing runs."""
@@ -121,6 +160,14 @@ class Reader:
             terminal.type('./ws shell')
             terminal.wait_for_prompt()
         return terminal
+
+
+def press_ctrl_c(running):
+    """Return the status with which a command has ended."""
+    _, terminal = running
+    if terminal.status is None:
+        terminal.press_ctrl_c()
+    return terminal.wait_for_prompt()
 
 
 def words_of(text):

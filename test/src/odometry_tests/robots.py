@@ -6,10 +6,9 @@ import rospy
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
-from std_msgs.msg import Empty
 
 from odometry_tests.pausing import call, pause
-from odometry_tests.tutorial import Truth, heading, speed
+from odometry_tests.tutorial import Truth, heading
 from odometry_tests.waiting import Recorder, wait_for_subscribers
 
 
@@ -26,15 +25,13 @@ class Robot:
         self._base_velocity = self._publisher('mobile_base/commands/velocity', Twist)
         self._inputs = {name: self._publisher(f'cmd_vel_mux/input/{name}', Twist)
                         for name in ('teleop', 'navi')}
-        self._reset_odometry = self._publisher('mobile_base/commands/reset_odometry', Empty)
 
     def _publisher(self, topic, kind):
         return rospy.Publisher(self._namespace + topic, kind, queue_size=10)
 
     def wait_until_ready(self):
         """Return once it listens and is heard."""
-        for publisher in (self._velocity, self._base_velocity, self._reset_odometry,
-                          *self._inputs.values()):
+        for publisher in (self._velocity, self._base_velocity, *self._inputs.values()):
             wait_for_subscribers(publisher, timeout=20.0)
         for recorder in self.odometry, self.truth, self.joints:
             recorder.wait_for()
@@ -50,25 +47,6 @@ class Robot:
     def drive_through(self, mux_input, forwards):
         """Command a velocity (m/s) through an input of TurtleBot 2's multiplexer."""
         self._inputs[mux_input].publish(twist(forwards))
-
-    def reset_odometry(self):
-        """Have the odometry start from zero."""
-        self._reset_odometry.publish(Empty())
-
-    def stop(self):
-        """Return once it stands quite still."""
-        self.drive(0.0)
-        self.truth.clear()
-        self.truth.wait_for(lambda m: speed(m) == 0, what='rest')
-
-    def wait_for_speeds(self, forwards, left=0.0):
-        """Return once it moves at these speeds (m/s, rad/s)."""
-        def accepts(message):
-            moving = message.twist.twist
-            return (abs(moving.linear.x - forwards) < 0.02 and abs(moving.linear.y) < 0.02
-                    and abs(moving.angular.z - left) < 0.05)
-        self.truth.clear()
-        self.truth.wait_for(accepts, what=f'{forwards} m/s ahead, {left} rad/s to the left')
 
     def pause(self):
         """Let its time stand still; return once that is so."""
