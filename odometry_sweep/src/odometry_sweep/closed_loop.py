@@ -12,9 +12,9 @@ from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import read_from
 from odometry_common.timing import Metronome
 from odometry_launch.arrival import HEADING_TOLERANCE, has_driven, has_turned
-from sim_turtlebot.building import new_simulation
-from sim_turtlebot.physics import connect, settled_world
+from sim_turtlebot.physics import World, connect
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.simulation import Simulation
 from straight_drive.parameters import read_drive
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
@@ -112,7 +112,7 @@ def run(tutorial, parameters):
     """Run a tutorial with parameter values by their names; return its metrics by name."""
     with _one_at_a_time:
         part, settings = run_parameters(tutorial, parameters)
-        simulation = new_simulation(settings, _world, gyro=False)
+        simulation = Simulation(settings, build_world=_world)
         return follow(part, _ticks(simulation), simulation.command)
 
 
@@ -152,7 +152,7 @@ def _world(step_rate, starts, _gui, world_file):
     robots may have moved.
     """
     if world_file:
-        return settled_world(step_rate, starts, world_file=world_file, client=_client(filled=True))
+        return World(step_rate, starts, world_file=world_file, client=_client(filled=True))
     world = _world_of_robots(step_rate, tuple(starts))
     world.restart()
     return world
@@ -160,7 +160,7 @@ def _world(step_rate, starts, _gui, world_file):
 
 @functools.lru_cache(maxsize=1)
 def _world_of_robots(step_rate, starts):
-    return settled_world(step_rate, starts, client=_client(filled=False))
+    return World(step_rate, starts, client=_client(filled=False))
 
 
 @functools.lru_cache(maxsize=None)

@@ -27,32 +27,21 @@ def connect(gui=False):
         return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
 
 
-def settled_world(step_rate, starts, gui=False, world_file='', client=None):
-    """Return a World whose robots stand at their starts: x, y (m) and yaw (rad) of each.
-
-    Parameters and errors are those of World, and of World.settle().
-    """
-    world = World(step_rate, gui, world_file, client)
-    for start in starts:
-        world.add_turtlebot(*start)
-    world.settle()
-    return world
-
-
 class World:
-    """A floor, whatever a world file adds, and TurtleBots."""
+    """A floor, whatever a world file adds, and TurtleBots that stand at their starts."""
 
-    def __init__(self, step_rate, gui=False, world_file='', client=None):
+    def __init__(self, step_rate, starts, gui=False, world_file='', client=None):
         """Build a world that advances 1/step_rate seconds with each step.
 
+        :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
-        :param client: of connect(), without a GUI, whose earlier world is given up; to connect
-            takes longer than to build a world
+        :param client: of connect(), without a GUI, whose earlier world is given up; connecting
+            takes longer than building a world
         :raises NoScreenError: if there is no screen for the GUI
-        :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded
+        :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded, or leaves no
+            room for a robot at its start
         """
         self._step_rate = step_rate
-        self.robots = []  # TurtleBots
         self._world_file = world_file
         self.client = client or connect(gui)
         # Bound once, as those of a TurtleBot are.
@@ -65,14 +54,10 @@ class World:
         if world_file:
             check_world_file(world_file)
         self._build()
-
-    def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
-        """Put a TurtleBot on the floor (m, rad) and return it."""
         # Nobody sees the shapes without a window, and they take most of the time to load.
-        flags = 0 if self.window else pybullet.URDF_IGNORE_VISUAL_SHAPES
-        robot = TurtleBot(self.client, x, y, yaw, flags)
-        self.robots.append(robot)
-        return robot
+        flags = 0 if gui else pybullet.URDF_IGNORE_VISUAL_SHAPES
+        self.robots = [TurtleBot(self.client, *start, flags) for start in starts]
+        self._settle()
 
     def step(self, steps=1):
         """Let 1/step_rate seconds pass so many times, in few calls of PyBullet."""
@@ -85,18 +70,6 @@ class World:
         for _ in range(steps // at_once):
             self._call()
 
-    def settle(self):
-        """Let the robots sink onto their wheels, then put each at its exact start.
-
-        :raises WorldFileError: if there is something where a robot starts
-        """
-        if self._world_file:
-            self._check_starts()
-        self.step(round(SETTLING_TIME * self._step_rate))
-        for robot in self.robots:
-            robot.settle_here()
-        self._draw(True)
-
     def restart(self):
         """Put each robot at its start again, at rest; nothing else goes back.
 
@@ -106,7 +79,7 @@ class World:
             robot.place_at_start()
 
     def rebuild(self):
-        """Put everything back as it was after settle(), to the last bit.
+        """Put everything back as it was at first, to the last bit.
 
         PyBullet's restoreState() does not: robots that have touched something then move
         differently in the last digits. PyBullet keeps the world file in memory.
@@ -114,7 +87,7 @@ class World:
         self._build()
         for robot in self.robots:
             robot.load()
-        self.settle()
+        self._settle()
 
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
@@ -158,6 +131,15 @@ class World:
         plane = self.client.createCollisionShape(pybullet.GEOM_PLANE)
         floor = self.client.createMultiBody(0, plane)
         self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
+
+    def _settle(self):
+        """Let the robots sink onto their wheels, then put each at its exact start."""
+        if self._world_file:
+            self._check_starts()
+        self.step(round(SETTLING_TIME * self._step_rate))
+        for robot in self.robots:
+            robot.settle_here()
+        self._draw(True)
 
     def _check_starts(self):
         self.client.performCollisionDetection()
