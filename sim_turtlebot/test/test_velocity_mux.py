@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.velocity_mux import INPUTS, Input, VelocityMux
+from sim_turtlebot.velocity_mux import INPUTS, TIMEOUT, VelocityMux
 
 TELEOP, NAVI = 'cmd_vel_mux/input/teleop', 'cmd_vel_mux/input/navi'
 SECOND = 10**9  # ns
@@ -18,7 +18,7 @@ def passed(*commands):
 
 def test_the_inputs_are_those_of_turtlebot_bringup():
     """As in its param/mux.yaml."""
-    assert INPUTS == {TELEOP: Input(7, 1.0), NAVI: Input(5, 1.0)}
+    assert (INPUTS, TIMEOUT) == ({TELEOP: 7, NAVI: 5}, SECOND)
 
 
 def test_an_input_alone_is_passed_on():

@@ -17,7 +17,7 @@ with suppress_native_output():
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
-FEWEST_AT_ONCE = 4  # steps; for fewer in one call it takes longer to say so than it saves
+FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it saves
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
@@ -46,7 +46,7 @@ class World:
         self.client = client or connect(gui)
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
-        # With a mouse, or with things that fall, more than the robots may move.
+        # A mouse in the window, or gravity, may move other things.
         self.only_robots_move = not gui and not world_file
         self.window = Window() if gui else None
         if gui:
@@ -54,13 +54,13 @@ class World:
         if world_file:
             check_world_file(world_file)
         self._build()
-        # Nobody sees the shapes without a window, and they take most of the time to load.
+        # Without a window nothing shows the shapes, and they take most of the loading time.
         flags = 0 if gui else pybullet.URDF_IGNORE_VISUAL_SHAPES
         self.robots = [TurtleBot(self.client, *start, flags) for start in starts]
         self._settle()
 
     def step(self, steps=1):
-        """Let 1/step_rate seconds pass so many times, in few calls of PyBullet."""
+        """Let 1/step_rate seconds pass `steps` times, in few calls of PyBullet."""
         # By a power of two a float is multiplied and divided exactly: no step changes by a bit.
         at_once = steps & -steps
         if at_once < FEWEST_AT_ONCE:
@@ -79,7 +79,7 @@ class World:
             robot.place_at_start()
 
     def rebuild(self):
-        """Put everything back as it was at first, to the last bit.
+        """Put everything back as it was after __init__(), to the last bit.
 
         PyBullet's restoreState() does not: robots that have touched something then move
         differently in the last digits. PyBullet keeps the world file in memory.
@@ -94,18 +94,20 @@ class World:
         self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
 
     def _build(self):
-        """Empty the world but for the floor and what the world file adds."""
+        """Empty the world, then add the floor and the world file."""
         self._draw(False)
         self.client.resetSimulation()
         self._steps_at_once = 1
         self._configure()
-        self._add_floor()
+        floor = self.client.createMultiBody(
+            0, self.client.createCollisionShape(pybullet.GEOM_PLANE))
+        self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
         if self._world_file:
             with suppress_native_output():
                 load(self.client, self._world_file)
 
     def _draw(self, whether):
-        """Draw the window or not: if it is drawn, each shape that is loaded waits for a frame."""
+        """Draw the window or not; while it is drawn, loading a shape waits for a frame."""
         if self.window:
             self.client.configureDebugVisualizer(pybullet.COV_ENABLE_RENDERING, whether)
 
@@ -113,7 +115,7 @@ class World:
         client = self.client
         client.setGravity(0, 0, -GRAVITY)
         # The direct solver keeps the robot straighter than the iterative one in half the time.
-        # Its cost grows with the cube of its task, so each robot is a task of its own.
+        # Its cost grows with the cube of its task, so each robot is a separate task.
         with suppress_native_output():
             client.setPhysicsEngineParameter(
                 fixedTimeStep=1 / self._step_rate, numSubSteps=0,
@@ -126,11 +128,6 @@ class World:
             fixedTimeStep=steps / self._step_rate, numSubSteps=steps if steps > 1 else 0)
         for robot in self.robots:
             robot.steps_at_once = steps
-
-    def _add_floor(self):
-        plane = self.client.createCollisionShape(pybullet.GEOM_PLANE)
-        floor = self.client.createMultiBody(0, plane)
-        self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
 
     def _settle(self):
         """Let the robots sink onto their wheels, then put each at its exact start."""

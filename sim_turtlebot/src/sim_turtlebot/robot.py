@@ -10,11 +10,11 @@ from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry, true_m
 from sim_turtlebot.scanner import Scanner
 from sim_turtlebot.sensors import Encoders, Gyro
 
-REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
+REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep with idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
 REST_TIME = 0.25  # s, until a slow robot counts as standing
 HOLD_SPEED = 1e-3  # m/s; a standing robot that is moved faster than this was pushed
-STANDING_HEIGHT = 1e-4  # m; a robot that is put this near to the floor, and
+STANDING_HEIGHT = 1e-4  # m; a robot that is placed this near to the floor and
 STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this straight (0.08 degrees), stands
 
 
@@ -31,7 +31,7 @@ class Robot:
         :param body: sim_turtlebot.turtlebot.TurtleBot, settled
         :param step_rate: physics steps per second (Hz)
         :param settings: of sim_turtlebot.settings.read_settings()
-        :param index: of the robot; each has random numbers of its own
+        :param index: of the robot; each has its own random numbers
         """
         self.body = body
         self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
@@ -81,11 +81,11 @@ class Robot:
         self._obey(0.0, 0.0)
 
     def is_steady_until(self, end):
-        """Return whether before_step() has nothing to do before the step `end`."""
+        """Return whether before_step() would do nothing until step `end`."""
         return self._driven == self._commanded and end <= self._deadline + 1
 
     def before_step(self, now):
-        """Accelerate, brake and time out; call it before each physics step."""
+        """Accelerate, brake or time out; call it before each physics step."""
         if now > self._deadline:
             self.stop()
         if self._driven != self._commanded:
@@ -104,7 +104,7 @@ class Robot:
         self.odometry = self._estimator.update(self.ground_truth, duration)
 
     def set_pose(self, position, orientation):
-        """Put the robot there, at rest; its wheels do not turn.
+        """Place the robot at rest, without turning its wheels.
 
         :param position: x, y, z (m) in the world; z is 0 where it stands on the floor
         :param orientation: quaternion x, y, z, w of length 1
@@ -136,7 +136,7 @@ class Robot:
         self.reset_odometry()
 
     def _forget_commands(self):
-        """Neither command the robot to move nor drive it."""
+        """Forget commands and timeout, and stop driving."""
         self._commanded = self._driven = (0.0, 0.0)
         self._deadline = math.inf
         self._slow_since = None
@@ -147,7 +147,7 @@ class Robot:
             self._anchor = self._slow_since = None
 
     def _accelerate(self):
-        """Bring both wheels nearer to their commanded speeds, by the same share of the change."""
+        """Change both wheels' speeds towards the command, each by the same share."""
         linear, angular = (wanted - now for wanted, now in zip(self._commanded, self._driven))
         change = abs(linear) + abs(angular) * kobuki.WHEEL_SEPARATION / 2  # of the faster wheel
         if change <= self._speed_step:
@@ -174,7 +174,7 @@ class Robot:
         return self.ground_truth, (angles, (0.0, 0.0), torques)
 
     def _hold(self, duration):
-        """Undo the creep of idle motors, as static friction would; let go when pushed."""
+        """Undo the creep with idle motors, as static friction would; release the robot if pushed."""
         ground_truth, wheels = self._anchor
         if math.dist(self.ground_truth.position, ground_truth.position) > HOLD_SPEED * duration:
             self._anchor = self._slow_since = None

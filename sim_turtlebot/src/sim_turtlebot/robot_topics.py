@@ -2,17 +2,16 @@
 
 import sys
 
-from geometry_msgs.msg import TransformStamped
+from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import about_z
 from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu, JointState, LaserScan
 
-from sim_turtlebot.link_frames import LinkFrames
+from sim_turtlebot.frames import WHEEL_JOINTS, fill_pose
 from sim_turtlebot.scanner import is_scan_due
 
-WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
 # About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the greatest
 # number where nothing is measured: kobuki_node/src/library/slot_callbacks.cpp.
 IMU_VARIANCES = sys.float_info.max, sys.float_info.max, 0.005
@@ -35,7 +34,7 @@ class Topic:
 
     @property
     def has_subscribers(self):
-        """Whether filling and publishing the message is worth it."""
+        """Whether anyone receives the message."""
         return self._publisher.get_num_connections() > 0
 
     def publish(self, stamp, number):
@@ -76,9 +75,6 @@ class RobotTopics:
                 angle_min=-scanner.field_of_view / 2, angle_max=scanner.field_of_view / 2,
                 angle_increment=scanner.field_of_view / (scanner.beams - 1), scan_time=1 / scan_rate,
                 range_min=scanner.range_min, range_max=scanner.range_max)
-        self._transform = TransformStamped(child_frame_id=base)
-        self._transform.header.frame_id = f'{namespace}odom'
-        self._links = LinkFrames(namespace)
 
     def publish(self, stamp, number):
         """Publish all but the scan; parameters as for Topic.publish()."""
@@ -87,7 +83,7 @@ class RobotTopics:
                               (self._ground_truth, robot.ground_truth)):
             if topic.has_subscribers:
                 pose, twist = topic.message.pose.pose, topic.message.twist.twist
-                _fill_pose(pose.position, pose.orientation, motion)
+                fill_pose(pose.position, pose.orientation, *motion[:2])
                 twist.linear.x, twist.linear.y, twist.linear.z = motion.linear
                 twist.angular.x, twist.angular.y, twist.angular.z = motion.angular
                 topic.publish(stamp, number)
@@ -97,9 +93,9 @@ class RobotTopics:
             joints.position, joints.velocity, joints.effort = robot.wheels
             self._joints.publish(stamp, number)
         if self._imu.has_subscribers:
-            orientation = self._imu.message.orientation
-            orientation.x, orientation.y, orientation.z, orientation.w = about_z(robot.gyro.heading)
-            self._imu.message.angular_velocity.z = robot.gyro.rate
+            imu = self._imu.message
+            imu.orientation = Quaternion(*about_z(robot.gyro.heading))
+            imu.angular_velocity.z = robot.gyro.rate
             self._imu.publish(stamp, number)
 
     def publish_scan(self, stamp, number):
@@ -109,23 +105,3 @@ class RobotTopics:
                 and is_scan_due(number, *self._scan_rates)):
             self._scan.message.ranges = self._robot.scanner.scan(number).tolist()
             self._scan.publish(stamp, number)
-
-    def fixed_frames(self, stamp):
-        """Return the transforms from base_footprint to all links but the wheels."""
-        return self._links.fixed(stamp)
-
-    def base_frame(self, stamp):
-        """Return the transform from odom to base_footprint."""
-        transform = self._transform.transform
-        self._transform.header.stamp = stamp
-        _fill_pose(transform.translation, transform.rotation, self._robot.odometry)
-        return self._transform
-
-    def wheel_frames(self, stamp):
-        """Return the transforms from base_link to the wheels."""
-        return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
-
-
-def _fill_pose(position, orientation, motion):
-    position.x, position.y, position.z = motion.position
-    orientation.x, orientation.y, orientation.z, orientation.w = motion.orientation

@@ -9,6 +9,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
+from sim_turtlebot.frames import Frames
 from sim_turtlebot.robot_topics import RobotTopics
 
 PATIENCE = 2.0  # s of wall time, for a subscriber that is behind while time is not paced
@@ -32,21 +33,22 @@ class SimulationTopics:
         self._tf = advertise('/tf', TFMessage)
         self._robots = [RobotTopics(robot, namespace, settings.scan_rate, settings.odom_rate)
                         for robot, namespace in zip(simulation.robots, namespaces)]
+        self._frames = [Frames(*robot) for robot in zip(simulation.robots, namespaces)]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
-            [frame for topics in self._robots for frame in topics.fixed_frames(copy(self._stamp()))]))
+            [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
         self._warnings = {}  # texts by their causes
         self.warn('', '')
 
     def publish_clock(self):
-        """Publish the simulated time, if it rules."""
+        """Publish the simulated time, if /use_sim_time is true."""
         if self._clock:
             self._clock_message.clock = self._stamp()
             self._clock.publish(self._clock_message)
 
     def publish_robots(self):
-        """Publish where the robots are, and what they see."""
+        """Publish the robots' states, their scans and the transforms."""
         stamp = self._stamp()
         number = self._timeline.odometry_count
         for topics in self._robots:
@@ -54,10 +56,10 @@ class SimulationTopics:
         for topics in self._robots:
             topics.publish_scan(stamp, number)
         if self._tf.get_num_connections():
-            frames = [topics.base_frame(stamp) for topics in self._robots]
-            for topics in self._robots:
-                frames += topics.wheel_frames(stamp)
-            self._tf.publish(TFMessage(frames))
+            transforms = [frames.base(stamp) for frames in self._frames]
+            for frames in self._frames:
+                transforms += frames.wheels(stamp)
+            self._tf.publish(TFMessage(transforms))
 
     def warn(self, cause, text):
         """Publish a warning beside those of other causes; an empty text takes it back."""
@@ -67,7 +69,7 @@ class SimulationTopics:
         self._warning.publish('; '.join(self._warnings.values()))
 
     def _stamp(self):
-        """Return the time of all messages; in simulated time a rospy.Time that goes on with it."""
+        """Return the time of all messages; in simulated time always the same object."""
         if not self._use_sim_time:
             return rospy.Time.now()
         self._time.secs, self._time.nsecs = divmod(self._timeline.now, 10**9)

@@ -29,8 +29,8 @@ from sim_turtlebot.velocity_mux import INPUTS
 from sim_turtlebot.window import NoScreenError
 from sim_turtlebot.world_file import WorldFileError
 
-SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
-LOOK_PERIOD = 0.1  # s of wall time between two looks at a graph that is about to settle
+SHORTEST_SLEEP = 0.001  # s; shorter sleeps take longer than asked
+LOOK_PERIOD = 0.1  # s of wall time between two checks whether the graph has settled
 
 
 def simulate():
@@ -46,7 +46,7 @@ def simulate():
 
 
 class Simulator:
-    """Lets time pass in a Simulation, as the clock and the controllers allow."""
+    """Advances a Simulation at the pace of the wall clock, or of the nodes in lockstep."""
 
     def __init__(self, simulation, settings):
         """Advertise; time starts with run()."""
@@ -85,7 +85,7 @@ class Simulator:
                 self._advance()
 
     def _serve(self, timeout):
-        """Wait (s of wall time) for a request and serve it, in lockstep all that come with it."""
+        """Wait (s of wall time) for a request and serve it; in lockstep, all that have arrived."""
         if self._paused or not self._lockstep:
             self._requests.serve(timeout)
         elif self._requests.wait(timeout):
@@ -94,10 +94,10 @@ class Simulator:
 
     def _serve_all(self):
         if self._requests.serve_all():
-            self._lockstep.wait()  # whoever was answered goes on
+            self._lockstep.wait()  # until the callers that were answered rest
 
     def _begin(self):
-        """Publish time zero; in lockstep once everybody is there."""
+        """Publish time zero; in lockstep, once the graph has settled."""
         if self._lockstep and not self._lockstep.has_settled():
             self._requests.wait(LOOK_PERIOD)
             return
@@ -106,8 +106,8 @@ class Simulator:
         self._pacer.restart(self._timeline.now)
 
     def _advance(self):
-        """Let time pass, and publish what is due then."""
-        # On the wall clock, a command is obeyed at the next step.
+        """Simulate to the next tick of the clock, and publish what is due."""
+        # Paced by the wall clock, obey commands at the next step.
         is_paced = self._settings.real_time_factor and not self._lockstep
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
         self._publish(new_odometry)
@@ -117,9 +117,9 @@ class Simulator:
             self._update_window()
 
     def _publish(self, new_odometry=True):
-        """Publish what is due; in lockstep wait for what comes of it.
+        """Publish what is due; in lockstep, wait after each until all nodes rest.
 
-        The odometry comes first there: a loop that the clock wakes then knows it.
+        Lockstep publishes the odometry first, so that a loop that the clock wakes has received it.
         """
         due = [self._topics.publish_clock] if self._timeline.clock_is_due else []
         if new_odometry:
@@ -172,7 +172,7 @@ class Simulator:
 
     def _command(self, twist, robot, mux_input):
         if self._lockstep and not self._begun:
-            return  # whether it arrives, or comes before the connection, is chance
+            return  # whether it arrives before the connection is made is chance
         try:
             self._simulation.command(twist.linear.x, twist.angular.z, robot, mux_input)
         except ValueError as error:
@@ -182,7 +182,7 @@ class Simulator:
         self._simulation.robots[robot].reset_odometry()
 
     def _set_pose(self, message, robot):
-        """Put a robot elsewhere; while time stands still, show it there."""
+        """Place a robot; while paused, publish its new pose."""
         position, orientation = message.pose.position, message.pose.orientation
         try:
             self._simulation.robots[robot].set_pose(*checked_pose(
@@ -195,7 +195,7 @@ class Simulator:
             self._publish_robots()
 
     def _report_pace(self, reached):
-        """Warn, in the log and for the page, that the machine is too slow, or has caught up."""
+        """Warn, in the log and on ~warning, that the machine is too slow, or has caught up."""
         wanted = self._settings.real_time_factor
         if reached is None:
             text = ''
@@ -225,6 +225,6 @@ class Simulator:
 
 
 def _sender_of(message):
-    """Return the names of the node that has sent a message or a request, and of its topic or service."""
+    """Return the sender of a message or request: the names of its node and of its topic or service."""
     header = message._connection_header
     return header['callerid'], header.get('topic') or header.get('service', '')

@@ -1,19 +1,11 @@
 """Which of several controllers a TurtleBot obeys, as yocs_cmd_vel_mux decides it on the robot."""
 
 import math
-from typing import NamedTuple
 
-
-class Input(NamedTuple):
-    """An input of the multiplexer."""
-
-    priority: int  # no two have the same
-    timeout: float  # s
-
-
-# By topic: turtlebot_bringup/param/mux.yaml in github.com/turtlebot/turtlebot, but for the safety
-# controller, which needs bumpers.
-INPUTS = {'cmd_vel_mux/input/teleop': Input(7, 1.0), 'cmd_vel_mux/input/navi': Input(5, 1.0)}
+# Priorities by topic, and what each has as its timeout: turtlebot_bringup/param/mux.yaml in
+# github.com/turtlebot/turtlebot, but for the safety controller, which needs bumpers.
+INPUTS = {'cmd_vel_mux/input/teleop': 7, 'cmd_vel_mux/input/navi': 5}
+TIMEOUT = 10**9  # ns
 
 
 class VelocityMux:
@@ -32,9 +24,9 @@ class VelocityMux:
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):
-        """Return whether a command that comes from an input at a time (ns) goes on to the base."""
-        priority, timeout = INPUTS[name]
+        """Return whether a command from an input at a time (ns) reaches the base."""
+        priority = INPUTS[name]
         if now < self._end and priority < self._priority:
             return False
-        self._priority, self._end = priority, now + round(timeout * 1e9)
+        self._priority, self._end = priority, now + TIMEOUT
         return True
