@@ -36,20 +36,20 @@ The first use installs ROS from the system's packages and builds; later uses sta
 TEXT
 }
 
-# enter: in a function without arguments, since catkin would take those of the command for its own.
+# enter: in a function without arguments, since catkin reads the arguments of its caller.
 enter() {
     set +u
     . "$ROOT/setup/enter.bash"
     set -u
 }
 
-# exec_guarded PROGRAM ARGUMENT...: whatever ends this process ends all that the program has started.
+# exec_guarded PROGRAM ARGUMENT...: run a Python program; all that it has started ends with this process.
 exec_guarded() {
-    # Python would answer Ctrl-C with a traceback while it starts: signals wait until it has begun.
+    # While Python starts, Ctrl-C would print a traceback: block signals until then.
     local wait=(env --block-signal=INT,TERM,HUP,QUIT)
     "${wait[@]}" true 2>/dev/null || wait=()  # coreutils before 8.31
-    # So would catkin's, which the guard runs in a session that gets no signals from the terminal.
-    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/process_guard.py" \
+    # catkin's Python too: the guard runs it in a session without the terminal's signals.
+    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" --in-place \
         bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/setup/enter.bash" "$@"
 }
 

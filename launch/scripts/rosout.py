@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Republish what all nodes log, in place of the C++ rosout.
 
-That one listens on all network interfaces, whatever ROS_HOSTNAME says.
+The C++ rosout ignores ROS_HOSTNAME and listens on all network interfaces.
 
 Subscribes:
     /rosout (rosgraph_msgs/Log)
@@ -29,5 +29,5 @@ def main():
 
 
 if __name__ == '__main__':
-    # disable_rostime: it stamps nothing itself, so that it need not hear each tick of the clock.
+    # disable_rostime: it stamps nothing itself, so it does not need the clock.
     run_node('rosout', main, __doc__, disable_rostime=True)

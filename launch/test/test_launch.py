@@ -1,5 +1,6 @@
 """What a demo waits for while it starts, what it reads from roslaunch, and where it records."""
 
+import threading
 import time
 
 import pytest
@@ -36,6 +37,14 @@ def test_an_unexpected_error_ends_a_wait_at_once(launch):
 
     with pytest.raises(DemoError, match='^no answer: AttributeError: no such thing$'):
         launch.wait_for(condition, 'no answer')
+
+
+def test_a_master_that_is_suspended_ends_a_wait(launch, monkeypatch):
+    """It accepts a connection, and never answers."""
+    monkeypatch.setattr('odometry_launch.launch.START_TIMEOUT', 0.1)
+    monkeypatch.setattr(launch, '_log', LaunchLog(), raising=False)
+    with pytest.raises(DemoError, match='^no answer within 0.1 s; '):
+        launch.wait_for(threading.Event().wait, 'no answer')
 
 
 def test_the_log_tells_how_nodes_ended():

@@ -6,10 +6,10 @@ import re
 from types import SimpleNamespace
 
 import pytest
-from odometry_launch import following
+from odometry_launch.following import Silence
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.options import parse
-from odometry_launch.silence import Silence
+from odometry_launch.output import Line
 from odometry_tests.messages import odometry
 from std_msgs.msg import Float64
 
@@ -25,7 +25,7 @@ def test_progress_is_one_line_on_a_terminal_and_a_line_every_two_seconds_elsewhe
     output = io.StringIO()
     output.isatty = lambda: live
     monkeypatch.setattr('sys.stdout', output)
-    line = following.Line()
+    line = Line(2.0)
     for look in range(10):
         line.show(f'{0.5 * look:.1f} s', 0.5 * look)
     line.finish('5.0 s')
@@ -36,7 +36,7 @@ def test_progress_is_one_line_on_a_terminal_and_a_line_every_two_seconds_elsewhe
 def test_a_silent_robot_is_worth_one_line(monkeypatch, capsys, factor, patience):
     """At the slowest pace too, and once again after it has gone on."""
     clock = SimpleNamespace(monotonic=lambda: wall)
-    monkeypatch.setattr('odometry_launch.silence.time', clock)
+    monkeypatch.setattr('odometry_launch.following.time', clock)
     silence = Silence(factor)
     for wall, now, lines in [(0.0, 1.0, 0), (patience - 1.0, 1.0, 0), (patience + 1.0, 1.0, 1),
                              (patience + 2.0, 1.0, 0), (patience + 3.0, 1.1, 0),

@@ -15,7 +15,8 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
-from moved_distance.parameters import PARAMETERS, read_counter
+from moved_distance.distance_counter import DistanceCounter
+from moved_distance.parameters import PARAMETERS
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.publishing import ClosingPublisher
@@ -29,7 +30,8 @@ class MovementDetector:
 
     def __init__(self):
         """Read the parameters, then publish from the first odometry message on."""
-        self._counter = read_counter()
+        parameters = PARAMETERS.read()
+        self._counter = DistanceCounter(parameters.min_step, parameters.max_speed)
         self._publisher = ClosingPublisher('moved_distance', Float64)
         self._moved = Float64()
         self.odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')

@@ -5,8 +5,7 @@ import math
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
-from moved_distance.distance_counter import DistanceCounter
-from moved_distance.steps import LONGEST_STEP
+from moved_distance.distance_counter import LONGEST_STEP, DistanceCounter
 from odometry_tests.fuzzing import any_number, sequence_count
 
 FIRST_PERIOD = 0.05  # s, usual between two messages until there were some

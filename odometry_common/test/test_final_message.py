@@ -43,7 +43,7 @@ class Wire(Transport):
         advertise(TOPIC, Twist).impl.add_connection(self)
         velocity = VelocityPublisher(TOPIC)
         self._stuck_or_done = threading.Event()
-        velocity._publisher._lock = WatchedLock(self._stuck_or_done)
+        velocity._lock = WatchedLock(self._stuck_or_done)
         self.publish = velocity.publish
         # What rospy calls at shutdown, which a process can do only once.
         self.shut_down = rospy.core._client_shutdown_hooks.pop()

@@ -4,7 +4,7 @@ import pytest
 import yaml
 from hypothesis import given
 from hypothesis import strategies as st
-from odometry_common.command_line import check_command_line
+from odometry_common.node_help import check_command_line
 from odometry_common.parameters import (
     ANY,
     Parameter,

@@ -5,7 +5,7 @@ import math
 import numpy
 import pytest
 from odometry_common.kobuki import DEPTH_CAMERA
-from robot_view.scan import scan_points
+from robot_view.monitor import scan_points
 from sensor_msgs.msg import LaserScan
 
 

@@ -3,10 +3,8 @@
 import os
 import signal
 import socket
-from types import SimpleNamespace
 
 import pytest
-import rospy
 from odometry_tests.listening import assert_loopback_only
 from odometry_tests.processes import hold_port, rosrun
 from viewer import View
@@ -60,14 +58,3 @@ def test_without_viser_it_says_what_to_install(master, tmp_path):
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',
                                      env={'PYTHONPATH': path}) as viewer:
         assert_refused(viewer, 'viser is not installed', 'robot_view/requirements.txt')
-
-
-def test_it_notices_a_shutdown_that_has_begun_before(monkeypatch):
-    """A hook that is added then is not called, and rospy.is_shutdown() is still false."""
-    node = pytest.importorskip('robot_view.node', reason='viser is not installed')
-    monkeypatch.setattr(rospy, 'Subscriber', lambda *_: None)
-    monkeypatch.setattr(rospy.core, '_client_shutdown_hooks', [])
-    monkeypatch.setattr(rospy.core, '_in_shutdown', True)
-    page = SimpleNamespace(is_open=False, wake=lambda: None, set_robots=lambda _: None,
-                           wait=lambda: pytest.fail('it would wait for ever'))
-    node.Viewer(page).run()

@@ -19,7 +19,8 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 import math
 
 import rospy
-from heading_control.parameters import PARAMETERS, read_turn
+from heading_control.parameters import PARAMETERS
+from heading_control.turn import Turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
 from odometry_common.geometry import yaw_from_orientation
@@ -40,8 +41,8 @@ class RotateRobot:
 
     def __init__(self):
         """Read the parameters and listen; the first odometry sets the robot turning."""
-        self._turn = read_turn()
         parameters = PARAMETERS.read()
+        self._turn = Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
         self._tolerance = parameters.tolerance
         self._loop = ControlLoop(
             self._control, self._stop, parameters.timeout, period=1 / parameters.rate)

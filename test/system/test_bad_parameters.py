@@ -33,8 +33,8 @@ OUT_OF_RANGE = {
         'lockstep': [True]},
     'view.py': {
         'port': [0, 70000], 'host': ['no such host', '192.0.2.1'],
-        'allowed_hosts': ['*', 'http://lab', 'lab/page', 'lab:0', 'lab:', 'me@lab',
-                          '::1', 'lab, -x', 'good bad!']}}
+        'allowed_hosts': ['*', 'http://lab', 'lab/page', 'lab:0', 'lab:70000', 'lab:',
+                          'me@lab', '::1', 'lab, -x', 'good bad!']}}
 
 if 'view.py' in TABLES:  # the package is optional
     from robot_view.address import read_address

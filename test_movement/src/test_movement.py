@@ -24,7 +24,8 @@ from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
-from straight_drive.parameters import PARAMETERS, read_drive
+from straight_drive.drive import Drive
+from straight_drive.parameters import PARAMETERS
 
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s
@@ -35,8 +36,8 @@ class TestMovement:
 
     def __init__(self):
         """Read the parameters; from then on each message is answered with a command."""
-        self._drive = read_drive()
         parameters = PARAMETERS.read()
+        self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done
         self._loop = ControlLoop(self._control, self._stop, parameters.timeout)
         self._rest = RestDetector(REST_BAND, REST_DURATION)

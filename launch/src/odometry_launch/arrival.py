@@ -8,18 +8,12 @@ HEADING_TOLERANCE = 0.1  # degrees
 REST_ANGULAR_SPEED = 5e-3  # rad/s; a P-controller creeps towards its target
 
 
-def has_driven(moved, moved_before, wanted, linear):
-    """Return whether a distance is reached, and the robot stands by both accounts.
+def stands(step, linear):
+    """Return whether a robot stands by its odometry and in truth.
 
-    :param moved, moved_before: metres counted at an odometry and at the one before
-    :param wanted: m
+    :param step: m from the odometry before
     :param linear: true velocity of the robot, along x and y at least (m/s)
     """
-    return moved >= wanted and stands(moved - moved_before, linear)
-
-
-def stands(step, linear):
-    """Return whether a robot stands that has moved by a step (m) since the odometry before."""
     return step < REST_STEP and math.hypot(linear[0], linear[1]) < REST_SPEED
 
 

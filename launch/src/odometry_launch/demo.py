@@ -7,14 +7,14 @@ without a message, and the nodes end with it.
 import logging
 import signal
 import sys
-from concurrent.futures import ThreadPoolExecutor
+import threading
 from importlib import import_module
 
+from odometry_launch.folders import use_writable_logs
 from odometry_launch.launch import DemoError, Launch
-from odometry_launch.logs import use_writable_logs
 from odometry_launch.options import launch_arguments, nodes_that_end, parse
 from odometry_launch.output import complain, forget_output
-from odometry_launch.page import DemoPage
+from odometry_launch.ports import PAGE_PORT, next_port
 
 
 def main():
@@ -36,18 +36,15 @@ def _run(options):
     # Users need not know that rospy cannot write its log, or that matplotlib reads fonts.
     logging.raiseExceptions = False
     logging.getLogger('matplotlib').setLevel(logging.ERROR)
-    page = DemoPage() if options.view else None
-    launch_file, arguments = launch_arguments(options, page and page.port)
+    page_port = next_port(PAGE_PORT) if options.view else None
+    launch_file, arguments = launch_arguments(options, page_port and page_port.number)
     use_writable_logs()
     with Launch(launch_file, arguments, nodes_that_end(options)) as launch:
         if not launch.is_at_usual_port:
             print(f'rostopic in another terminal: export ROS_MASTER_URI={launch.master_uri}',
                   flush=True)
-        # roslaunch reads its files while this imports rospy and matplotlib, which may take long to
-        # read its fonts. The robot does not wait for that.
-        picture = ThreadPoolExecutor(1).submit(import_module, 'odometry_launch.picture')
+        # roslaunch reads its files while this imports rospy, and matplotlib on a thread: that may take
+        # long to read its fonts, and the robot does not wait for it.
+        threading.Thread(target=import_module, args=['odometry_launch.picture'], daemon=True).start()
         from odometry_launch.following import follow
-        complaint = follow(options, launch, page, picture)
-        if page and sys.stdout.isatty():
-            page.stay(launch)
-    return not complaint
+        return not follow(options, launch, page_port)

@@ -1,15 +1,21 @@
-"""Folders for what is left of demos and sweeps."""
+"""Folders for the output and the logs of demos and sweeps."""
 
 import itertools
 import os
+import tempfile
 import time
 from pathlib import Path
 
+import rospkg
+
+from odometry_launch.output import complain
+
 RUNS = Path(os.environ.get('ODOMETRY_RUNS') or Path(__file__).resolve().parents[3] / 'runs')
+LOG_SIZE = 2**16  # bytes; the logs of a run are not much larger
 
 
 def new_folder(runs, name=''):
-    """Make a folder of this name and moment; another one may have begun in the same second."""
+    """Make a folder of this name and moment; several may start in the same second."""
     moment = time.strftime('%Y-%m-%d_%H-%M-%S')
     for suffix in itertools.chain([''], map('_{}'.format, itertools.count(2))):
         folder = Path(runs) / f'{name}{moment}{suffix}'
@@ -18,3 +24,17 @@ def new_folder(runs, name=''):
         except FileExistsError:
             continue
         return folder
+
+
+def use_writable_logs():
+    """If ROS cannot write its usual log folder, make it log to a new temporary one, and say so."""
+    try:
+        os.makedirs(rospkg.get_log_dir(), exist_ok=True)
+        for folder in (rospkg.get_log_dir(), rospkg.get_ros_home()):
+            with tempfile.TemporaryFile(dir=folder) as file:
+                file.write(bytes(LOG_SIZE))
+                file.flush()
+    except OSError as error:
+        folder = tempfile.mkdtemp(prefix='ros-')
+        complain(f'logs are in {folder}: {error}')
+        os.environ.update(ROS_HOME=folder, ROS_LOG_DIR=folder, MPLCONFIGDIR=folder)

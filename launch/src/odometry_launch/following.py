@@ -1,6 +1,7 @@
 """Follow the robot of a demo from its start to its end."""
 
-import math
+import signal
+import socket
 import sys
 import time
 
@@ -10,52 +11,62 @@ from std_srvs.srv import Empty
 
 from odometry_launch.folders import RUNS
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
-from odometry_launch.output import REWRITE, complain
+from odometry_launch.output import Line, complain
 from odometry_launch.recording import Recording
-from odometry_launch.silence import Silence
 
 LOOK_PERIOD = 0.1  # s
+LINE_PERIOD = 2.0  # s of simulated time
+PATIENCE = 10.0  # s of wall time without a message
+SIMULATED_PATIENCE = 0.2  # s; four odometries
 MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
 
 
-def follow(options, launch, page, picture):
-    """Follow the robot to its end, print the result, and return a complaint or None.
+def follow(options, launch, page_port):
+    """Follow the robot until it arrives, print the result, and return a complaint or None.
 
-    :param picture: the Future of the module that draws
+    :param page_port: HeldPort of the page; None without one
     """
-    launch.wait_until_read()
-    launch.wait_for(_join, 'the demo does not become a node')
+    join(launch, 'demo')
     recording = _record()
     monitor = MONITORS[options.tutorial](options)
     launch.wait_for(lambda: _are_connected(monitor, recording), 'the nodes do not answer')
     launch.wait_for(unpause, 'the robot stays paused')
     launch.wait_for(monitor.started, 'the robot does not begin to move')
     wall_start = time.monotonic()
-    if page:
-        page.announce(launch)
+    if page_port:
+        launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
+        print(f'view            http://localhost:{page_port.number}', flush=True)
     _watch(monitor, launch, Silence(options.real_time_factor))
     wall_time = time.monotonic() - wall_start
     summary, complaint = monitor.result()
     print(f'{summary}\ntime            {monitor.duration:.1f} s simulated, {wall_time:.1f} s real',
           flush=True)
     bag = recording and recording.close()
-    if not page:
-        launch.terminate()  # the nodes end while the picture is drawn
+    if not page_port:
+        launch.terminate()  # the nodes end while this draws the picture
     if bag:
-        picture.result().leave_picture(bag, monitor.end.to_sec())
+        from odometry_launch.picture import leave_picture  # matplotlib takes long to import
+        leave_picture(bag, monitor.end.to_sec())
     if complaint:
         complain(complaint)
+    if page_port and sys.stdout.isatty():
+        _keep_page(launch)
     return complaint
 
 
-def _join():
-    fix_rospy()
-    rospy.init_node('demo', anonymous=True, disable_signals=True)
-    return True
+def join(launch, name):
+    """Make this process a node, with a name, of a Launch that has read its file."""
+    def start():
+        fix_rospy()
+        rospy.init_node(name, anonymous=True, disable_signals=True)
+        return True
+
+    launch.wait_until_read()
+    launch.wait_for(start, f'the {name} does not become a node')
 
 
 def _record():
-    """Start a recording; if it cannot be written, the demo goes on without."""
+    """Start a recording; without a writable folder the demo continues without one."""
     try:
         return Recording(RUNS)
     except OSError as error:
@@ -76,9 +87,24 @@ def unpause():
     return True
 
 
+def _listens(port):
+    with socket.socket() as connection:
+        return connection.connect_ex(('localhost', port)) == 0
+
+
+def _keep_page(launch):
+    """Keep the page open until Ctrl-C, which is no failure then."""
+    received = []
+    signal.signal(signal.SIGTERM, lambda *_: received.append(True))  # it may come twice
+    print('The page stays, and its pad drives the robot, until Ctrl-C.', flush=True)
+    while not received:
+        launch.check()
+        time.sleep(LOOK_PERIOD)
+
+
 def _watch(monitor, launch, silence):
     """Show the robot's progress until it has arrived."""
-    line = Line()
+    line = Line(LINE_PERIOD)
     while monitor.end is None:
         launch.check()
         silence.look(monitor.now)
@@ -87,24 +113,21 @@ def _watch(monitor, launch, silence):
     line.finish(monitor.progress())
 
 
-class Line:
-    """A line that is rewritten on a terminal; elsewhere a line every two simulated seconds."""
+class Silence:
+    """Reports once when the robot falls silent; only the user knows whether it is paused."""
 
-    PERIOD = 2.0
+    def __init__(self, real_time_factor):
+        """Take the simulated seconds per second; 0: any."""
+        self._patience = PATIENCE
+        if real_time_factor:
+            self._patience = max(PATIENCE, SIMULATED_PATIENCE / real_time_factor)
+        self._now = self._since = None
 
-    def __init__(self):
-        """Find out where the output goes."""
-        self._live = sys.stdout.isatty()
-        self._next = -math.inf
-
-    def show(self, text, now):
-        """Show the text, at `now` simulated seconds."""
-        if self._live:
-            print(f'{REWRITE}{text}', end='', flush=True)
-        elif now >= self._next:
-            self._next = now + self.PERIOD
-            print(text, flush=True)
-
-    def finish(self, text):
-        """Leave the text on the screen."""
-        print(f'{REWRITE}{text}' if self._live else text, flush=True)
+    def look(self, now):
+        """Take the robot's time (s)."""
+        if now != self._now:
+            self._now, self._since = now, time.monotonic()
+        elif self._since is not None and time.monotonic() - self._since > self._patience:
+            self._since = None
+            complain(f'nothing has come from the robot for {self._patience:g} s; is it paused? '
+                     'Ctrl-C ends the demo')

@@ -1,8 +1,10 @@
-"""Run a launch file with a ROS master of its own, and notice when a node ends."""
+"""Run a launch file with its own ROS master, and notice when a node ends."""
 
 import os
+import queue
 import resource
 import subprocess
+import threading
 import time
 import uuid
 
@@ -15,17 +17,17 @@ from odometry_launch.process_guard import GuardedProcess
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
 LOOK_PERIOD = 0.02  # s
-# With half of it some threads cannot start, and their nodes hang.
+# With half of this some threads cannot start, and their nodes hang.
 MIN_ADDRESS_SPACE = 2 * 10**9  # bytes
 RESPAWNED = 'rosout'  # roslaunch starts it again
-# roslaunch would give a master of its own 10 s to answer, too few on a busy machine. As its child,
-# this one ends after the nodes.
+# roslaunch waits only 10 s for a master that it starts itself, too short on a busy machine. This
+# master is a child of roslaunch, so that it ends after the nodes.
 COMMAND = ('rosmaster --core -p "$0" __log:="$1/$2/master.log" & '
            'exec roslaunch --wait --run_id "${@:2}"')
 
 
 class DemoError(RuntimeError):
-    """The demo cannot go on; the message is one line for the user."""
+    """The demo cannot continue; the message is one line for the user."""
 
 
 class Launch:
@@ -56,24 +58,24 @@ class Launch:
         return self
 
     def __exit__(self, *_):
-        """Return when everything has ended: until then nodes may write logs."""
+        """Wait until everything has ended; nodes may write logs until then."""
         self.terminate()
         self._roslaunch.wait()
         self._port.close()
 
     def terminate(self):
-        """Begin to end everything; return at once."""
+        """Start to end everything, and return at once."""
         self._roslaunch.terminate()
 
     def wait_until_read(self):
         """Return once the launch file has been read."""
         self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
-        # It answers a moment before it says whose clock nodes follow.
+        # It answers before roslaunch has set the parameters.
         self.wait_for(lambda: rosgraph.Master('/demo').hasParam('/use_sim_time'),
                       'the launch file has not been read')
 
     def check(self):
-        """Raise DemoError if roslaunch has ended, or a node that should go on."""
+        """Raise DemoError if roslaunch or a node has ended that should still run."""
         is_over = self._roslaunch.poll() is not None
         self._log.read()
         for name, how in self._log.ended.items():
@@ -84,22 +86,37 @@ class Launch:
 
     def wait_for(self, condition, complaint):
         """Return once the condition holds; raise DemoError if it fails, or takes too long."""
-        end = time.monotonic() + START_TIMEOUT
-        while not _holds(condition, complaint):
-            self.check()
-            if time.monotonic() > end:
-                raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
-                                f'{self._log.reason()}')
+        end, outcome = time.monotonic() + START_TIMEOUT, queue.SimpleQueue()
+        # On a thread, since a suspended master or node never answers.
+        threading.Thread(target=_wait, args=[condition, outcome], daemon=True).start()
+        while time.monotonic() < end:
+            try:
+                error = outcome.get(timeout=LOOK_PERIOD)
+            except queue.Empty:
+                self.check()
+                continue
+            if error:
+                raise DemoError(f'{complaint}: {type(error).__name__}: {error}') from error
+            return
+        raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
+                        f'{self._log.reason()}')
+
+
+def _wait(condition, outcome):
+    """Put None into a queue once a condition holds, or the error if it fails."""
+    try:
+        while not _holds(condition):
             time.sleep(LOOK_PERIOD)
+        outcome.put(None)
+    except Exception as error:  # noqa: BLE001
+        outcome.put(error)
 
 
-def _holds(condition, complaint):
+def _holds(condition):
     try:
         return condition()
     except (OSError, rosgraph.MasterException):  # no answer yet
         return False
-    except Exception as error:
-        raise DemoError(f'{complaint}: {type(error).__name__}: {error}') from error
 
 
 def check_address_space():

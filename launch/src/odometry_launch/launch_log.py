@@ -1,4 +1,4 @@
-"""What roslaunch and its nodes print, and what it says about them."""
+"""The output of roslaunch and its nodes, and how the nodes have ended."""
 
 import collections
 import os
@@ -15,17 +15,17 @@ LAST_LINES = 5
 
 
 class LaunchLog:
-    """A file in memory, since a disk may be full, to which roslaunch and its nodes print."""
+    """The output of roslaunch and its nodes, in memory because the disk may be full."""
 
     def __init__(self):
         """Begin empty."""
         self.file = os.fdopen(os.memfd_create('roslaunch'), 'wb')
-        # Opened once more, it has a position of its own for reading.
+        # A second open file has its own position for reading.
         self._reader = os.fdopen(
             os.open(f'/proc/self/fd/{self.file.fileno()}', os.O_RDONLY), errors='replace')
         self._last = collections.deque(maxlen=LAST_LINES)
         self.complaint = None
-        self.ended = {}  # how nodes have ended, by name: '' if well
+        self.ended = {}  # how nodes have ended, by name; '': normally
 
     def read(self):
         """Note what has been printed since the last call."""
@@ -48,7 +48,7 @@ class LaunchLog:
 
 
 def _how(status):
-    """Return in words how a process has ended."""
+    """Describe how a process has ended."""
     if status < 0:
         return f' by {signal.Signals(-status).name}'
     return f' with status {status}' if status else ''

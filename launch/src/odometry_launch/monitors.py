@@ -19,8 +19,7 @@ AGREEMENT = 1e-3  # m and share of the distance; the summed path is not quite st
 class ProgressMonitor:
     """Follows the robot's true motion from the world's origin until it has arrived.
 
-    Any topic may be late. What is shown of the arrival does not depend on that: the same motion gives
-    the same result.
+    The result depends only on the motion, even if messages of a topic arrive late.
     """
 
     def __init__(self):
@@ -32,7 +31,7 @@ class ProgressMonitor:
         self._lock = threading.Lock()
 
     def is_connected(self):
-        """Return whether it hears the next message of everything that it listens to."""
+        """Return whether it receives the next message on each of its topics."""
         return all(map(is_connected, self._subscribers))
 
     @property
@@ -45,14 +44,14 @@ class ProgressMonitor:
         """Simulated seconds from the first message until the robot had arrived."""
         return (self.end - self.start.header.stamp).to_sec()
 
-    def _listen(self, topic, kind, callback):
-        """Have each message on a topic, up to the arrival, passed to a function."""
-        def hear(message):
+    def _subscribe(self, topic, kind, callback):
+        """Call a function with each message on a topic until the robot has arrived."""
+        def receive(message):
             with self._lock:
                 if self.end is None:
                     callback(message)
 
-        self._subscribers.append(rospy.Subscriber(topic, kind, hear, tcp_nodelay=True))
+        self._subscribers.append(rospy.Subscriber(topic, kind, receive, tcp_nodelay=True))
 
     def _follow(self, ground_truth):
         self.start = self.start or ground_truth
@@ -67,15 +66,15 @@ class MoveMonitor(ProgressMonitor):
     """Follows the robot over two metres."""
 
     def __init__(self, options):
-        """Listen to the detector too."""
+        """Subscribe to the detector too."""
         self._wanted = options.distance
         self._moved = 0.0
         self._has_settled = False  # the distance no longer grows
         self._has_moved = False
         self._rest = None  # the first message of a robot that stands again
         super().__init__()
-        self._listen('base_pose_ground_truth', Odometry, self._on_ground_truth)
-        self._listen('moved_distance', Float64, self._on_moved)
+        self._subscribe('base_pose_ground_truth', Odometry, self._on_ground_truth)
+        self._subscribe('moved_distance', Float64, self._on_moved)
 
     def started(self):
         """Return whether the robot has begun to move."""
@@ -113,7 +112,7 @@ class MoveMonitor(ProgressMonitor):
         self._look()
 
     def _look(self):
-        """Have arrived if the distance is reached, and the robot stands by both accounts."""
+        """Note the arrival at the distance once both topics show the robot at rest."""
         if self._rest is not None and self._has_settled:
             self._arrive(self._rest)
 
@@ -122,14 +121,14 @@ class RotateMonitor(ProgressMonitor):
     """Follows the robot to a heading."""
 
     def __init__(self, options):
-        """Listen to the odometry too, in whose frame the target is."""
+        """Subscribe to the odometry too: the target is in its frame."""
         self._target = math.radians(options.target)
         self._yaw = None
         self._first_error = None
-        self._moments = {}  # what has come so far of a stamp, by topic
+        self._moments = {}  # messages by stamp and topic, until both have arrived
         super().__init__()
         for topic in 'odom', 'base_pose_ground_truth':
-            self._listen(topic, Odometry, partial(self._on_message, topic))
+            self._subscribe(topic, Odometry, partial(self._on_message, topic))
 
     def started(self):
         """Return whether the heading is known."""
@@ -154,7 +153,7 @@ class RotateMonitor(ProgressMonitor):
         return abs(math.degrees(wrap_to_pi(self._target - self._yaw)))
 
     def _on_message(self, topic, message):
-        """Look at a moment once both of its messages are there."""
+        """Look at a stamp once both of its messages have arrived."""
         stamp = message.header.stamp.to_nsec()
         moment = self._moments.setdefault(stamp, {})
         moment[topic] = message
@@ -163,7 +162,7 @@ class RotateMonitor(ProgressMonitor):
             self._look(**moment)
 
     def _look(self, odom, base_pose_ground_truth):
-        """Have arrived if the heading is reached and the robot hardly turns."""
+        """Note the arrival once the robot has reached the heading and hardly turns."""
         self._yaw = _yaw(odom)
         if self._first_error is None:
             self._first_error = self._error()

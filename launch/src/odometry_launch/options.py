@@ -53,11 +53,6 @@ def make_parser():
     return parser
 
 
-def in_lockstep(options):
-    """Return whether the robot waits for its controller: at each pace but real time."""
-    return options.real_time_factor != 1
-
-
 def nodes_that_end(options):
     """Return the names of the nodes that end once they have done their task."""
     # Beside a page the tutorial's node does: otherwise its zero commands would fight the pad's.
@@ -68,7 +63,8 @@ def launch_arguments(options, page_port=None):
     """Return the launch file and a dictionary of its arguments for these options."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor, 'paused': 'true',
-                 'lockstep': _flag(in_lockstep(options))}
+                 # At each pace but real time the robot waits for its controller.
+                 'lockstep': _flag(options.real_time_factor != 1)}
     if page_port:
         arguments['view_port'] = page_port
     if options.tutorial == 'move':

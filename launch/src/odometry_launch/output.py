@@ -1,10 +1,32 @@
-"""What the demo and the sweep print to show that they go on, and in place of that."""
+"""Output of the demo and the sweep: progress and complaints."""
 
+import math
 import os
 import sys
 
-REWRITE = '\r\033[K'  # goes back to the beginning of a terminal's line, and empties it
+REWRITE = '\r\033[K'  # moves to the start of a terminal's line and clears it
 BAR_WIDTH = 30
+
+
+class Line:
+    """A line that is rewritten on a terminal; elsewhere a new line in each period."""
+
+    def __init__(self, period, first=-math.inf):
+        """Take the period, and the time from which on to show lines (s)."""
+        self._live = sys.stdout.isatty()
+        self._period, self._next = period, first
+
+    def show(self, text, now):
+        """Show the text, at `now` seconds."""
+        if self._live:
+            print(f'{REWRITE}{text}', end='', flush=True)
+        elif now >= self._next:
+            self._next = now + self._period
+            print(text, flush=True)
+
+    def finish(self, text):
+        """Leave the text on the screen."""
+        print(f'{REWRITE}{text}' if self._live else text, flush=True)
 
 
 def bar(share):
@@ -19,7 +41,7 @@ def complain(text, program='demo'):
 
 
 def forget_output():
-    """Keep Python from flushing at exit what nobody reads."""
+    """Discard output without a reader, so that Python does not fail to flush it at exit."""
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()

@@ -5,7 +5,6 @@ import os
 import socket
 from urllib.parse import urlparse
 
-from odometry_common.ports import bind
 from rosgraph.rosenv import DEFAULT_MASTER_PORT
 
 HOST = 'localhost'
@@ -23,7 +22,11 @@ class HeldPort:
     def __init__(self, number):
         """Take a port, or any for 0; raise OSError if another process has it."""
         with contextlib.ExitStack() as stack:
-            self.number = stack.enter_context(bind((HOST, number))).getsockname()[1]
+            port = stack.enter_context(socket.socket())
+            # So that ROS's and asyncio's servers, which set this too, can listen on it.
+            port.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            port.bind((HOST, number))
+            self.number = port.getsockname()[1]
             name = stack.enter_context(socket.socket(socket.AF_UNIX))
             name.bind(f'\0odometry-port-{self.number}')
             self.close = stack.pop_all().close

@@ -1,19 +1,22 @@
-"""Run a command, and end everything that it has started when the command or its starter ends.
+"""Run a command; when it or its starter ends, end everything that it has started.
 
-usage: python3 -I -S reaper.py COMMAND [ARGUMENT...]
+usage: python3 -I -S reaper.py [--in-place] COMMAND [ARGUMENT...]
 
 Standard input is a socket to the starter, which receives the process id of the command. When the
-starter closes it or dies, or on SIGTERM, the reaper asks the command to end, then the orphans that
-it leaves, then all descendants at once, and finally kills them. It names a process that it cannot
-kill, such as another user's, and leaves it. It ends as the command did: with the same exit status,
-or by the same signal; with 1 if it had to leave the command.
+starter closes it or dies, or on SIGTERM, the reaper sends SIGTERM to the command, then to its orphans,
+then to all descendants at once, and finally kills them. It reports a process that it cannot kill,
+such as another user's, and leaves it running. It exits with the command's exit status, or by the same
+signal; with 1 if the command is still running.
 
-It imports little, so that it starts in a few hundredths of a second.
+With --in-place there is no socket: the reaper takes the place of the command, as for ./ws, and the
+first signal that would end the command has the same effect. It exits with the status that a shell
+shows for the command; after a signal with the signal's, unless the command exits with 0.
+
+It imports little, to start in a few hundredths of a second.
 """
 
 import ctypes
 import os
-import resource
 import signal
 import sys
 import threading
@@ -27,28 +30,53 @@ LOOK_PERIOD = 0.1  # s, for orphans; SIGCHLD reports children
 LIFELINE = 0  # standard input
 STATUS_LEFT = 1 << 8  # as os.wait() would have it
 STATUS_NO_COMMAND = 127
-WAKING = signal.SIGCHLD, signal.SIGTERM
-# The terminal sends these to the starter. Ignored, the command would inherit that.
-BLOCKED = *WAKING, signal.SIGINT, signal.SIGHUP, signal.SIGQUIT
+# A terminal sends the first three to its foreground processes. Ignored, the command would inherit that.
+ENDING = signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM
+STANDARD_FILES = range(3)
+STANDARD_OUTPUT = 1
 # The numbers of prctl() in <linux/prctl.h>
 PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
 
 prctl = ctypes.CDLL(None).prctl
 
 
-def main(command):
+def main(command, in_place=False):
     """Run the command and end as it ends."""
-    signal.pthread_sigmask(signal.SIG_BLOCK, BLOCKED)
+    _open_standard_files()
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGCHLD, *ENDING])
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    # Orphans become children of this process, also those with a session of their own.
+    ending = set(ENDING)
+    if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN:  # by nohup
+        ending.remove(signal.SIGHUP)
+    # Orphans become children of this process, also those in a session of their own.
     prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-    pid = _start(command)
-    threading.Thread(target=_watch_starter, args=[pid], daemon=True).start()
-    statuses = {}
-    while pid not in statuses and signal.sigwait(WAKING) != signal.SIGTERM:
+    pid = _start(command, in_place)
+    if not in_place:
+        ending = {signal.SIGTERM}
+        threading.Thread(target=_watch_starter, args=[pid], daemon=True).start()
+    statuses, signum = {}, signal.SIGCHLD
+    while pid not in statuses and signum == signal.SIGCHLD:
+        signum = signal.sigwait({signal.SIGCHLD, *ending})
         _reap(statuses)
     _end_all(statuses)
-    _end_as(statuses.get(pid, STATUS_LEFT))
+    status = statuses.get(pid, STATUS_LEFT)
+    if not in_place:
+        _end_as(status)
+    if signum == signal.SIGCHLD:
+        os._exit(128 + os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status))
+    if os.isatty(STANDARD_OUTPUT):
+        with suppress(OSError):
+            os.write(STANDARD_OUTPUT, b'\n')  # so that the shell's prompt starts a new line
+    os._exit(status and 128 + signum)
+
+
+def _open_standard_files():
+    """Open closed standard files, or another file would get their descriptors."""
+    for descriptor in STANDARD_FILES:
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.set_inheritable(os.open(os.devnull, os.O_RDWR), True)
 
 
 def _watch_starter(pid):
@@ -60,14 +88,16 @@ def _watch_starter(pid):
     os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _start(command):
+def _start(command, in_new_session):
     """Start the command, which gets SIGTERM if this process is killed, and return its id."""
     reaper = os.getpid()
     pid = os.fork()
     if pid:
         return pid
     try:
-        for signum in (*BLOCKED, signal.SIGPIPE, signal.SIGXFSZ):
+        if in_new_session:
+            os.setsid()  # the terminal sends its signals to this process only
+        for signum in (*ENDING, signal.SIGPIPE, signal.SIGXFSZ):
             signal.signal(signum, signal.SIG_DFL)
         os.dup2(os.open(os.devnull, os.O_RDONLY), LIFELINE)
         prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
@@ -92,7 +122,7 @@ def _reap(statuses):
 
 
 def _end_all(statuses):
-    """Return once no descendant is left, or none that can be ended."""
+    """Return once all descendants have ended, except those that cannot be killed."""
     start, asked = time.monotonic(), set()
     while _reap(statuses):
         age = time.monotonic() - start
@@ -137,7 +167,6 @@ def _end_as(status):
     """Exit as a process with this status of os.wait() has exited."""
     if os.WIFSIGNALED(status):
         signum = os.WTERMSIG(status)
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         if signum != signal.SIGKILL:
             signal.signal(signum, signal.SIG_DFL)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [signum])
@@ -146,4 +175,5 @@ def _end_as(status):
 
 
 if __name__ == '__main__':
-    main(sys.argv[1:])
+    in_place = sys.argv[1:2] == ['--in-place']
+    main(sys.argv[1 + in_place:], in_place)

@@ -30,7 +30,7 @@ class Recording:
                              for topic, kind in TOPICS.items()}
 
     def is_connected(self, *topics):
-        """Return whether each of these topics is recorded from its next message on."""
+        """Return whether the recording gets the next message of each of these topics."""
         return all(is_connected(self._subscribers[topic]) for topic in topics)
 
     def close(self):
@@ -59,6 +59,6 @@ class Recording:
             complain(f'the recording ends: {error}')
             with contextlib.suppress(OSError):
                 self._bag.close()
-            # Its buffer cannot be written, of which Python 3.13 would complain.
+            # Python 3.13 would complain that it cannot write the buffer.
             self._file.raw.close()
             self._bag = None

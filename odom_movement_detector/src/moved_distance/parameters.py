@@ -2,8 +2,6 @@
 
 from odometry_common.parameters import Parameter, Parameters, at_least
 
-from moved_distance.distance_counter import DistanceCounter
-
 PARAMETERS = Parameters(
     Parameter('~min_step', 0.0, 'm', at_least(0),
               'a displacement from the last counted position that is below this is not counted '
@@ -12,8 +10,3 @@ PARAMETERS = Parameters(
               'a faster step is a jump of the odometry and is not counted, with one warning; 0 '
               'counts every step. Each step may take the usual time between messages, however '
               'their stamps are bunched'))
-
-
-def read_counter():
-    """Return the DistanceCounter that the parameters ask for."""
-    return DistanceCounter(**vars(PARAMETERS.read()))

@@ -22,12 +22,12 @@ class _Transport(xmlrpc.client.Transport):
 
 
 def is_connected(subscriber):
-    """Return whether a publisher, when asked, says that it sends to this rospy.Subscriber."""
+    """Return whether a publisher reports a connection to this rospy.Subscriber."""
     return any(_sends(connection.endpoint_id, subscriber.resolved_name)
                for connection in subscriber.impl.connections)
 
 
-def is_heard_within(publisher, timeout):
+def has_subscriber_within(publisher, timeout):
     """Return whether a publisher has a subscriber, now or within `timeout` s of wall time.
 
     :param publisher: rospy.Publisher, or another that counts its connections
@@ -44,7 +44,7 @@ def node_at(uri):
 
 
 def _sends(uri, topic):
-    """Return whether the node with this URI sends a topic to this one."""
+    """Return whether the node with this URI reports a connection to this one."""
     try:
         with node_at(uri) as node:
             connections = node.getBusInfo(rospy.get_name())[ANSWER]

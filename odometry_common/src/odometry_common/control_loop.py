@@ -21,7 +21,7 @@ class ControlLoop:
         """Wait for input.
 
         :param control: is called with the latest input and the time (s)
-        :param stop: is called again and again once no input has arrived for `timeout` (s of ROS
+        :param stop: is called repeatedly once no input has arrived for `timeout` (s of ROS
             time; 0: never)
         :param period: s between two controls; 0: one for each input
         """
@@ -68,8 +68,8 @@ class ControlLoop:
     def _now(self):
         """Return ROS time (s).
 
-        Simulated time has a connection of its own and may arrive after input that is newer. The
-        time that it lags behind is no silence.
+        /clock has a separate connection, so that input may arrive before the clock's tick of the
+        same moment. That lag does not count as silence.
         """
         now = rospy.get_time()
         behind = not rospy.rostime.is_wallclock() and now < self._stamp < now + CLOCK_LAG

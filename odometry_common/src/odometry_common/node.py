@@ -13,9 +13,8 @@ import rosgraph
 import rospkg
 import rospy
 
-from odometry_common.command_line import check_command_line, forget_argument
+from odometry_common import node_help
 from odometry_common.file_descriptors import raise_limit, shortage
-from odometry_common.node_help import show_help_if_asked, warn_of_unknown
 from odometry_common.output import LineOutput
 from odometry_common.parameters import ParameterError, Parameters, StartError
 from odometry_common.rospy_fixes import fix_rospy
@@ -26,7 +25,7 @@ MASTER_RETRY_PERIOD = 0.5  # s
 FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
 NO_PARAMETERS = Parameters()
 
-_failures = []  # why this process cannot go on: exit status and text
+_failures = []  # exit status and text
 _hooks_have_run = threading.Event()  # so that the last command is out
 _unregistered = threading.Event()
 _exit_lock = threading.Lock()
@@ -52,17 +51,17 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
-        show_help_if_asked(documentation, parameters)
-        check_command_line()
+        node_help.show_help_if_asked(documentation, parameters)
+        node_help.check_command_line()
         raise_limit()
         _go_without_logs_if_necessary()
         _start(name, init_node_options)
-        warn_of_unknown(parameters)
+        node_help.warn_of_unknown(parameters)
         main()
     except StartError as error:
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
         if isinstance(error, ParameterError):
-            forget_argument(error.name)
+            node_help.forget_argument(error.name)
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
     except Exception as error:  # noqa: BLE001
@@ -91,10 +90,10 @@ def _exit(name):
 
 
 def _report_thread(failure):
-    """Report what has ended a thread, unless the node is ending anyway.
+    """Report the exception that ended a thread, unless the node is shutting down.
 
     At shutdown rospy's threads fail on sockets that it has closed. The thread that accepts
-    connections ends when it runs out of file descriptors: then nobody reaches the node any more.
+    connections ends when the node runs out of file descriptors; without it no peer can connect.
     """
     if not rospy.core.is_shutdown_requested() and not _report(failure.exc_value):
         _pythons_excepthook(failure)
@@ -164,10 +163,10 @@ def _on_signals(handler):
 
 
 def _shut_down(reason):
-    """Shut the node down from a thread of its own.
+    """Shut the node down on a new thread.
 
     rospy would run the shutdown hooks right here, inside a signal handler or a line of the log,
-    on top of whatever this thread is doing: a hook that publishes could then wait for a lock
-    that its own thread holds, or cut in front of a message that is half written.
+    where this thread may hold the lock that a hook needs to publish, or may have written half of
+    a message.
     """
     threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()

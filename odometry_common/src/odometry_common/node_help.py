@@ -1,11 +1,13 @@
-"""A node's --help, and its warnings about what it does not know."""
+"""A node's command line: --help, checks, and warnings about unknown names."""
 
 import os
 import sys
+import xmlrpc.client
 
 import rospy
+import yaml
 
-from odometry_common.command_line import forget_argument
+from odometry_common.parameters import ParameterError
 
 HELP = {'-h', '--help'}
 
@@ -38,3 +40,28 @@ def _private_parameters():
     if not isinstance(values, dict):
         return []
     return sorted(f'~{name}' for name, value in values.items() if not isinstance(value, dict))
+
+
+def check_command_line(arguments=None):
+    """Raise ParameterError for a ``_name:=value`` that rospy could not store.
+
+    rospy uploads these by XML-RPC while the node starts, and answers an empty value, broken
+    YAML, a large integer or a date with a traceback.
+    """
+    for argument in sys.argv[1:] if arguments is None else arguments:
+        name, separator, text = argument.partition(':=')
+        if not separator or not name.startswith('_') or name.startswith('__'):
+            continue
+        try:
+            xmlrpc.client.dumps((yaml.safe_load(text),))
+        except (yaml.YAMLError, TypeError, OverflowError, RecursionError):
+            raise ParameterError(
+                f'~{name[1:]}', text, 'a value that ROS can store: a string, a number with '
+                'at most 32 bits or a decimal point, true or false, or a list of them') from None
+
+
+def forget_argument(name):
+    """Delete a parameter (such as ~speed) that the command line set, or the next run gets it, too."""
+    given = any(argument.startswith(f'_{name[1:]}:=') for argument in sys.argv[1:])
+    if given and rospy.core.is_initialized() and rospy.has_param(name):
+        rospy.delete_param(name)

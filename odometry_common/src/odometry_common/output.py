@@ -1,4 +1,4 @@
-"""Output that is seen as soon as a line of it is written, and never holds a node up."""
+"""Output that appears line by line and never blocks a node."""
 
 import os
 import select
@@ -9,16 +9,13 @@ PATIENCE = 100  # ms, for a reader to make room
 class LineOutput:
     """A text stream that passes on whole lines, each at once.
 
-    Python keeps a node's output in a buffer until it ends if it does not go to a terminal, and
-    ``roslaunch ... | tee`` would show nothing. And it waits for as long as nobody reads, as behind
-    ``| less`` or after Ctrl-S: here the lines are lost, and the node goes on.
+    Without a terminal Python buffers a node's output until it exits, and ``roslaunch ... | tee``
+    shows nothing. And its writes block while the reader is stuck, as with ``| less`` or after
+    Ctrl-S: here the node continues, and those lines are lost.
     """
 
     def __init__(self, stream, on_closed):
-        """Write to a stream; on_closed is called, once, if nobody reads it any more.
-
-        The reader of ``rosrun ... | head`` goes away while the node still has lines to print.
-        """
+        """Write to a stream; call on_closed once if its reader goes, as in ``rosrun ... | head``."""
         # Python has no stream where the parent process has closed it.
         self._stream = stream or os.fdopen(os.open(os.devnull, os.O_WRONLY), 'w')
         self._on_closed = on_closed
@@ -28,7 +25,7 @@ class LineOutput:
         self._poll.register(self._stream.fileno(), select.POLLOUT)
 
     def write(self, text):
-        """Write text; there is no error if nobody reads it."""
+        """Write text; without a reader this is no error."""
         self._line += text
         if '\n' in text:
             self.flush()

@@ -1,4 +1,4 @@
-"""Fixes for defects of rospy that lose messages, hang a node, or end somebody else's node."""
+"""Fixes for defects of rospy that lose messages, hang a node, or shut down another node."""
 
 import contextlib
 import re
@@ -16,7 +16,7 @@ from rospy.impl.tcpros_base import TCPROSServer
 
 from odometry_common.transport import NonBlockingTransport
 
-HEADER_TIMEOUT = 5.0  # s, for a peer that connects and does not say what it wants
+HEADER_TIMEOUT = 5.0  # s, for a peer that connects and sends no header
 # In the words of rosmaster/registrations.py.
 SAME_NAME = re.compile(r'\[(?P<name>/.+)\] Reason: new node registered with same name')
 ROSOUT_PARAMETER = '/rosout_disable_topics_generation'
@@ -47,9 +47,9 @@ def fix_rospy(on_failure=lambda error: None):
 
 
 def _accept_on_thread(server, connection, address):
-    """Read a subscriber's header on a thread of its own.
+    """Read a subscriber's header on a new thread.
 
-    rospy reads them all on one thread: a peer that sends none keeps every later subscriber out.
+    rospy reads all headers on one thread: a peer that sends none blocks every later subscriber.
     """
     connection.settimeout(HEADER_TIMEOUT)  # rospy makes it blocking again after the header
     threading.Thread(
@@ -87,8 +87,8 @@ def _shut_down_if_meant(handler, caller_id, reason=''):
 def _leave_no_address_behind():
     """Read a parameter now to which rospy would subscribe with its first line of the log.
 
-    rospy never unsubscribes from it, so that the master keeps the address of each node that has
-    ended, and later asks whoever has this address to shut down.
+    rospy never unsubscribes from it. The master then keeps the address of each node that has
+    ended, and later asks the next node with that address to shut down.
     """
     value = False
     with contextlib.suppress(OSError, rosgraph.MasterException):  # not set, or no master any more

@@ -21,8 +21,8 @@ class Subscriber:
         :param what: the messages in words, for the user; None: the topic's name
         """
         self._topic, self._callback, self._what = topic, callback, what or topic
-        self._heard = threading.Event()
-        rospy.on_shutdown(self._heard.set)
+        self._received = threading.Event()
+        rospy.on_shutdown(self._received.set)
         self._subscriber = rospy.Subscriber(topic, message_class, self._on_message, tcp_nodelay=True)
 
     def publishers(self):
@@ -31,7 +31,7 @@ class Subscriber:
 
     def wait(self):
         """Return at the first message or at shutdown; log once a second that it waits."""
-        while not (self._heard.wait(timeout=1.0) or rospy.is_shutdown()):
+        while not (self._received.wait(timeout=1.0) or rospy.is_shutdown()):
             rospy.loginfo('waiting for %s on %s', self._what, rospy.resolve_name(self._topic))
 
     def _on_message(self, message):
@@ -41,4 +41,4 @@ class Subscriber:
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'{self._what} ignored: {error}')
         else:
-            self._heard.set()
+            self._received.set()

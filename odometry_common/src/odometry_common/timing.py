@@ -15,8 +15,8 @@ class Metronome:
     def is_due(self, now):
         """Return whether `now` (s) begins a new period.
 
-        The same time again is due again: a simulator that waits for an answer repeats its
-        message. When time goes backwards, or leaps, a new row of periods begins.
+        A repeated time is due again: a simulator that waits for an answer repeats its message. When
+        time goes backwards or leaps, the periods start again.
         """
         if now == self._due_at:
             return True
@@ -30,13 +30,13 @@ class Metronome:
 
 
 class Watchdog:
-    """Notices when something that should arrive again and again has fallen silent."""
+    """Notices when a stream of messages has fallen silent."""
 
     def __init__(self, timeout, wall_timeout=0.0):
         """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
 
-        :param wall_timeout: s of wall time that it has to be silent as well. Simulated time can
-            run a hundred times as fast, and what is heard of it can leap by seconds.
+        :param wall_timeout: s of wall time without an arrival that it takes too. Simulated time can
+            run a hundred times as fast, and a subscriber may see it leap by seconds.
         """
         self._timeout = timeout
         self._wall_timeout = wall_timeout
@@ -51,7 +51,7 @@ class Watchdog:
     def expired(self, now):
         """Return whether the last arrival is more than the timeout ago; never before the first.
 
-        When time has gone backwards (a simulator was reset) the wait begins anew.
+        When time has gone backwards (a simulator was reset) the wait starts again.
         """
         if self._timeout == 0 or self._last_fed is None:
             return False

@@ -1,4 +1,4 @@
-"""Connections to subscribers, none of which can hold up a publisher."""
+"""Connections to subscribers that never block their publisher."""
 
 import contextlib
 import socket
@@ -83,7 +83,7 @@ class NonBlockingTransport(TCPROSTransport):
         self._backlog.append(data)
 
     def _drain(self):
-        with contextlib.suppress(OSError, AttributeError):  # the subscriber or the node is ending
+        with contextlib.suppress(OSError, AttributeError):  # the subscriber or this node is shutting down
             while self._backlog:
                 self.socket.sendall(self._backlog[0])
                 with self._changed:
@@ -102,7 +102,7 @@ class NonBlockingTransport(TCPROSTransport):
 
 
 def wait_for_subscribers(patience):
-    """Let a publisher that outruns its subscribers wait, so that those who read lose nothing.
+    """Make a publisher wait for slower subscribers, so that those who read lose nothing.
 
     :param patience: s of wall time for which it waits for one subscriber, plus a hundredth of a
         second for each message that the subscriber takes

@@ -1,21 +1,24 @@
-"""A tutorial's loop in one process: what the nodes do in lockstep, to the last bit."""
+"""A tutorial's loop in one process, bit-identical to the nodes in lockstep."""
 
 import functools
 import math
 import threading
 
 from geometry_msgs.msg import Quaternion
-from heading_control.parameters import read_rate, read_turn
-from moved_distance.parameters import read_counter
+from heading_control.parameters import PARAMETERS as ROTATE_PARAMETERS
+from heading_control.turn import Turn
+from moved_distance.distance_counter import DistanceCounter
+from moved_distance.parameters import PARAMETERS as DETECTOR_PARAMETERS
 from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi, yaw_from_orientation
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import read_from
 from odometry_common.timing import Metronome
-from odometry_launch.arrival import HEADING_TOLERANCE, has_driven, has_turned
-from sim_turtlebot.physics import World, connect
+from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, stands
+from sim_turtlebot.physics import World
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
-from straight_drive.parameters import read_drive
+from straight_drive.drive import Drive
+from straight_drive.parameters import PARAMETERS as MOVE_PARAMETERS
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
 # A run is late after so many times the time that a perfect robot takes, plus so many seconds.
@@ -30,8 +33,9 @@ class Move:
 
     def __init__(self):
         """Read the parameters."""
-        self._counter = read_counter()
-        self._drive = read_drive()
+        self._counter = DistanceCounter(**vars(DETECTOR_PARAMETERS.read()))
+        parameters = MOVE_PARAMETERS.read()
+        self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         speed = min(abs(self._drive.speed), MAX_LINEAR_SPEED)
         self.longest = PATIENCE * self._drive.distance / speed + MORE_PATIENCE  # s
 
@@ -45,7 +49,8 @@ class Move:
         x, y, _ = odometry.position
         self._counter.add(x, y, stamp, stamp)
         moved = self._counter.distance
-        arrived = has_driven(moved, moved_before, self._drive.distance, ground_truth.linear)
+        arrived = (moved >= self._drive.distance
+                   and stands(moved - moved_before, ground_truth.linear))
         return (self._drive.speed_at(moved), 0.0), arrived
 
     def metrics(self, start, end):
@@ -63,8 +68,9 @@ class Rotate:
 
     def __init__(self):
         """Read the parameters."""
-        self._turn = read_turn()
-        self.rate = read_rate()  # Hz
+        parameters = ROTATE_PARAMETERS.read()
+        self._turn = Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
+        self.rate = parameters.rate  # Hz
         self._metronome = Metronome(1 / self.rate)
         self._overshoot = 0.0
         self._direction = None
@@ -75,7 +81,7 @@ class Rotate:
         self.longest = PATIENCE * (turning + slowing) + MORE_PATIENCE  # s
 
     def answer(self, stamp, odometry, ground_truth):
-        """Do as Move's; the command is None if none is due."""
+        """Return what Move.answer() returns; the command is None if none is due."""
         self._yaw = _yaw(odometry)
         self._error = self._turn.error_at(self._yaw)
         if self._direction is None:
@@ -117,7 +123,7 @@ def run(tutorial, parameters):
 
 
 def follow(part, ticks, command):
-    """Have a tutorial's part answer each odometry until it ends; return its metrics.
+    """Feed each odometry to a tutorial's loop until the run ends; return the metrics.
 
     :param ticks: yields the stamp of each odometry (s, as rospy has it), and two Motions: that of
         the odometry and the true one
@@ -151,25 +157,17 @@ def _world(step_rate, starts, _gui, world_file):
     Building one takes a tenth as long as a drive of two metres. In one with a file, more than the
     robots may have moved.
     """
+    world = _cached_world(step_rate, tuple(starts), world_file)
     if world_file:
-        return World(step_rate, starts, world_file=world_file, client=_client(filled=True))
-    world = _world_of_robots(step_rate, tuple(starts))
-    world.restart()
+        world.rebuild()
+    else:
+        world.restart()
     return world
 
 
 @functools.lru_cache(maxsize=1)
-def _world_of_robots(step_rate, starts):
-    return World(step_rate, starts, client=_client(filled=False))
-
-
-@functools.lru_cache(maxsize=None)
-def _client(filled):
-    """Return this process's PyBullet for worlds with a file, or for all others.
-
-    Connecting takes longer than building a world.
-    """
-    return connect()
+def _cached_world(step_rate, starts, world_file):
+    return World(step_rate, starts, world_file=world_file)
 
 
 def _planar_pose(motion):

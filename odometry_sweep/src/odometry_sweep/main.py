@@ -9,7 +9,7 @@ from datetime import timedelta
 from odometry_common.parameters import StartError
 from odometry_launch.folders import RUNS, new_folder
 from odometry_launch.launch import DemoError
-from odometry_launch.output import REWRITE, bar, complain, forget_output
+from odometry_launch.output import Line, bar, complain, forget_output
 
 from odometry_sweep.options import parse
 from odometry_sweep.results import FILE, Setting, read_rows, table, write_results
@@ -18,7 +18,7 @@ from odometry_sweep.running import LostError, side_by_side
 PROGRAM = 'sweep'
 EXIT_FAILURE = 1
 EXIT_BAD_INPUT = 2
-LIVE_PERIOD, PERIOD = 0.1, 5.0  # s between lines of progress, on a terminal and elsewhere
+LINE_PERIOD = 5.0  # s
 
 
 def main():
@@ -39,7 +39,7 @@ def main():
         status = EXIT_FAILURE
     except KeyboardInterrupt:
         status = 128 + signal.SIGINT
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one has nothing to say
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one ends it without a message
     forget_output()
     sys.exit(status)
 
@@ -70,29 +70,23 @@ def _sweep(campaign, run_all):
 
 
 def with_progress(runs, total):
-    """Yield each of the runs, and then print how many are done and when all will be.
-
-    On a terminal, one line is rewritten; elsewhere a line is printed every few seconds.
-    """
-    live = sys.stdout.isatty()
-    period = LIVE_PERIOD if live else PERIOD
-    first = due = None
+    """Yield each of the runs, and then print how many are done and when all will be."""
+    line = None
     for done, run in enumerate(runs, 1):
         yield run
         now = time.monotonic()
-        if first is None:
+        if line is None:
             # Processes have to start before the first run, which says nothing about the others.
-            first, due = now, now if live else now + period
-        if now < due and done < total:
-            continue
-        due = now + period
-        line = f'{bar(done / total)} {done} of {total} runs'
+            first, line = now, Line(LINE_PERIOD, now + LINE_PERIOD)
+        text = f'{bar(done / total)} {done} of {total} runs'
         if now > first:
             speed = (done - 1) / (now - first)
             left = timedelta(seconds=round((total - done) / speed))
-            line += f', {speed:.1f} a second, {left} left'
-        end = '\n' if not live or done == total else ''
-        print(f'{REWRITE if live else ""}{line}', end=end, flush=True)
+            text += f', {speed:.1f} a second, {left} left'
+        if done < total:
+            line.show(text, now)
+        else:
+            line.finish(text)
 
 
 def _report(campaign, rows, folder):

@@ -7,14 +7,14 @@ import socket
 from typing import NamedTuple
 
 from odometry_common.parameters import ANY, Parameter, ParameterError, Parameters, between
-from odometry_common.ports import bind
 
 # A container sets it: there the page listens on the container's interface.
 HOST_VARIABLE = 'ODOMETRY_VIEW_HOST'
 ADDRESSES = 'a name or an address of this machine'
 LOOPBACK = {'localhost', '127.0.0.1', '[::1]'}
 ANY_ADDRESS = {'0.0.0.0', '::'}
-HOST = re.compile(r'(\[[0-9a-f:.]+\]|[a-z0-9][a-z0-9._-]*)(:[1-9][0-9]{0,4})?')
+HOST = re.compile(r'(\[[0-9a-f:.]+\]|[a-z0-9][a-z0-9._-]*)(:(?P<port>[0-9]+))?')
+PORTS = range(1, 65536)
 
 PARAMETERS = Parameters(
     Parameter('~port', 8080, '', between(1, 65535), 'port of the page'),
@@ -49,7 +49,8 @@ def read_address():
 
 def _parse(allowed_hosts):
     hosts = [host for host in re.split(r'[,\s]+', allowed_hosts.lower()) if host]
-    if not all(HOST.fullmatch(host) for host in hosts):
+    found = [HOST.fullmatch(host) for host in hosts]
+    if not all(host and int(host['port'] or PORTS[0]) in PORTS for host in found):
         raise ParameterError('~allowed_hosts', allowed_hosts, 'host names or addresses, each with '
                              'or without a port, separated by commas or spaces')
     return hosts
@@ -63,7 +64,7 @@ def _find_ip(host, port):
         raise ParameterError('~host', host, ADDRESSES) from None
     family, *_, address = min(found)
     try:
-        bind(address, family).close()
+        socket.create_server(address, family=family).close()
     except OSError as error:
         if error.errno == errno.EADDRNOTAVAIL:
             raise ParameterError('~host', host, ADDRESSES) from None

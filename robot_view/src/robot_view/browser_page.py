@@ -1,14 +1,13 @@
 """The page: the scene, the panel, the plots and the pad, alike in every browser."""
 
 import math
-import threading
 
 from odometry_common.geometry import PlanarPose
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
-from odometry_common.shutdown import LONGEST_WAIT
 
+from robot_view.monitor import RobotMonitor
 from robot_view.pad import Pad, add_pad
-from robot_view.panel import PlacingInputs, Readings, SimulationButtons
+from robot_view.panel import Readings, SimulationButtons, add_placing
 from robot_view.plots import Plots
 from robot_view.scene import TWO_METRES, RobotModel, add_floor_and_lights
 from robot_view.server import start_server
@@ -27,12 +26,10 @@ class BrowserPage:
     def __init__(self, address, links):
         """Serve the page at an Address until the process ends; take the robot's looks.Links."""
         self._links = links
-        self._models = {}
+        self._robots = {}  # RobotMonitor and RobotModel by namespace
         self._framed = set()
-        self._changed = threading.Event()
         self._server = start_server(address)
         self._build()
-        self._server.on_client_connect(lambda _: self._changed.set())
         self._server.on_client_disconnect(self._on_disconnect)
 
     def _build(self):
@@ -43,12 +40,12 @@ class BrowserPage:
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
         self._simulation = SimulationButtons(gui)
         with gui.add_folder('drive: hold a button or an arrow key'):
-            self._pad = Pad(lambda: self.chosen if self._models else None, self._speeds)
+            self._pad = Pad(lambda: self.chosen if self._robots else None, self._speeds)
             add_pad(gui, self._pad)
             self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2)
             self._angular = gui.add_slider(
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45)
-        self._placing = PlacingInputs(gui, lambda: self.chosen)
+        self._placing = add_placing(gui, lambda: self.chosen)
         panel = gui.add_panel()
         self._plots = Plots(gui, panel.add_tab('plots'))
         panel.dock_left()
@@ -71,27 +68,19 @@ class BrowserPage:
         name = self._choice.value if self._choice.value in options else options[0]
         return name and f'{name}/'
 
-    def wait(self):
-        """Return when a browser connects or disconnects, wake() is called, or after a moment."""
-        self._changed.wait(LONGEST_WAIT)
-        self._changed.clear()
-
-    def wake(self):
-        """End a wait()."""
-        self._changed.set()
-
     def update_simulation(self, is_simulated, complaint=''):
         """Show the controls of a simulator if there is one, and a complaint if there is one."""
         self._simulation.update(is_simulated, complaint)
-        self._placing.folder.visible = is_simulated
+        self._placing.visible = is_simulated
 
     def set_robots(self, namespaces):
-        """Show these robots and no others."""
-        for namespace in set(self._models) - set(namespaces):
-            self._models.pop(namespace).remove()
+        """Show the robots in these namespaces and no others."""
+        for namespace in set(self._robots) - set(namespaces):
+            for part in self._robots.pop(namespace):
+                part.close()
         for namespace in namespaces:
-            if namespace not in self._models:
-                self._models[namespace] = RobotModel(
+            if namespace not in self._robots:
+                self._robots[namespace] = RobotMonitor(namespace), RobotModel(
                     self._server.scene, namespace.strip('/') or 'robot', self._links,
                     labelled=len(namespaces) > 1)
         names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
@@ -101,40 +90,48 @@ class BrowserPage:
         if not namespaces:
             self._readings.show({})
 
-    def move(self, robots):
-        """Draw robots where they are: a dictionary of known RobotMonitors by namespace."""
-        with self._server.atomic():
-            for namespace, robot in robots.items():
-                with robot.lock:
-                    self._models[namespace].move(robot)
-        self._frame_new_clients(robots.values())
+    def set_rotating(self, is_rotating):
+        """Take a function that returns whether rotate.py turns the robot in a namespace."""
+        for namespace, (monitor, _) in self._robots.items():
+            monitor.set_rotating(is_rotating(namespace))
 
-    def draw(self, robots, real_time_factor):
+    def move(self):
+        """Draw the robots where they are."""
+        with self._server.atomic():
+            for _, monitor, model in self._known():
+                with monitor.lock:
+                    model.move(monitor)
+        self._frame_new_clients()
+
+    def draw(self):
         """Draw what changes more slowly: paths, scans, readings, plots."""
-        for namespace, robot in robots.items():
-            with robot.lock:
-                self._models[namespace].draw_path(robot)
+        for namespace, monitor, model in self._known():
+            with monitor.lock:
+                model.draw_path(monitor)
                 if namespace == self.chosen:
-                    self._readings.show({**robot.readings(), 'real_time_factor': real_time_factor})
-                    self._plots.draw(robot.trace.history.array())
+                    self._readings.show(monitor.readings())
+                    self._plots.draw(monitor.trace.history.array())
+
+    def _known(self):
+        """Return the namespaces, monitors and models of the robots with odometry."""
+        return [(namespace, monitor, model)
+                for namespace, (monitor, model) in self._robots.items() if monitor.is_known]
 
     def _speeds(self):
         return _clamped(self._linear), math.radians(_clamped(self._angular))
 
-    def _frame_new_clients(self, robots):
+    def _frame_new_clients(self):
         """Point the camera of a new browser at the robots, once they are known."""
-        clients = self._server.get_clients()
-        self._framed &= set(clients)
-        if not robots:
-            return
-        for number in set(clients) - self._framed:
-            self._framed.add(number)
-            _point_camera(clients[number].camera, [_middle(robot) for robot in robots])
+        places = [_middle(monitor) for _, monitor, _ in self._known()]
+        if places:
+            clients = self._server.get_clients()
+            for number in set(clients) - self._framed:
+                _point_camera(clients[number].camera, places)
+            self._framed = set(clients)
 
     async def _on_disconnect(self, client):
         # Not in a thread: the last hold of the same browser must not come later.
         self._pad.release(client.client_id)
-        self._changed.set()
 
 
 def _clamped(slider):

@@ -2,19 +2,23 @@
 
 import math
 import threading
+import time
+from collections import deque
 
+import numpy
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import planar_pose, wrap_to_pi
+from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from odometry_common.parameters import as_number
 from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Float64
 
-from robot_view.discovery import TARGET
 from robot_view.path_trace import PathTrace
-from robot_view.scan import scan_points
 
+TARGET = 'rotate_robot/target'  # topic and parameter of rotate.py
 EPOCH = 1e9  # s; stamps beyond this are wall time
+RATE_SAMPLES = 10  # readings, over which the real-time factor is measured
 
 
 class RobotMonitor:
@@ -32,6 +36,7 @@ class RobotMonitor:
         self._target_topic = f'{namespace}{TARGET}'
         self._odometry = self._ground_truth = self._moved = self._target = None
         self._first_stamp = None
+        self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
         topics = [('odom', Odometry, self._on_odometry),
                   ('base_pose_ground_truth', Odometry, self._on_ground_truth),
                   ('joint_states', JointState, self._on_joints),
@@ -75,11 +80,19 @@ class RobotMonitor:
         return self._odometry.header.stamp.to_sec()
 
     def readings(self):
-        """Return values for panel.Readings by name, None where nothing is known."""
+        """Return the current values for panel.Readings by name, None where nothing is known."""
         return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
                 'speed': self._odometry.twist.twist.linear.x,
                 'heading': math.degrees(wrap_to_pi(self.trace.heading)),
-                'simulated_time': self.stamp if self.stamp < EPOCH else None}
+                'simulated_time': self.stamp if self.stamp < EPOCH else None,
+                'real_time_factor': self._real_time_factor()}
+
+    def _real_time_factor(self):
+        """Return the robot's seconds per second; None until it is known, and after a reset."""
+        self._clocks.append((time.monotonic(), self.stamp))
+        (start, first), (end, last) = self._clocks[0], self._clocks[-1]
+        is_full = len(self._clocks) == RATE_SAMPLES
+        return (last - first) / (end - start) if is_full and last >= first else None
 
     def _on_odometry(self, message):
         pose = _planar_pose(message)
@@ -133,3 +146,20 @@ def _planar_pose(message):
         return planar_pose(message.pose.pose) if all(map(math.isfinite, numbers)) else None
     except ValueError:  # the orientation is no rotation
         return None
+
+
+def scan_points(message):
+    """Return the points of a LaserScan: rows of x, y, z (m) in the frame of the base.
+
+    Ranges that are infinite or NaN, as in REP-117, have no point. Nor have those of another sensor
+    than the depth camera, whose place on the robot is unknown.
+    """
+    if message.header.frame_id.split('/')[-1] != DEPTH_CAMERA_FRAME:
+        return numpy.empty((0, 3))
+    ranges = numpy.array(message.ranges, dtype=float)
+    with numpy.errstate(invalid='ignore'):  # a message may contain any number
+        angles = message.angle_min + message.angle_increment * numpy.arange(len(ranges))
+        is_seen = (ranges >= message.range_min) & (ranges <= message.range_max)
+        points = numpy.column_stack(
+            [ranges * numpy.cos(angles), ranges * numpy.sin(angles), numpy.zeros(len(ranges))])
+    return points[is_seen & numpy.isfinite(points).all(axis=1)] + DEPTH_CAMERA

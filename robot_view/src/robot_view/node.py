@@ -1,7 +1,8 @@
-"""The viewer as a node: it draws the robots' topics on the page while a browser shows it."""
+"""The viewer as a node: it finds robots and draws them on the page while a browser shows it."""
 
+import re
+import threading
 import time
-from collections import deque
 
 import rosgraph
 import rospy
@@ -10,15 +11,14 @@ from sim_turtlebot.description import URDF
 from std_msgs.msg import String
 
 from robot_view.browser_page import BrowserPage
-from robot_view.discovery import discover
 from robot_view.looks import load_links
-from robot_view.monitor import RobotMonitor
+from robot_view.monitor import TARGET
 from robot_view.panel import NODE, SERVICES
 
 FRAME_PERIOD = 0.05  # s of wall time, between two pictures
 DRAWING_PERIOD = 0.2  # s, of trails, readings and plots
 SEARCH_PERIOD = 1.0  # s, for robots
-RATE_SAMPLES = 10  # drawings, over which the real-time factor is measured
+IDLE_PERIOD = 0.5  # s, between two looks for a browser
 
 
 class Viewer:
@@ -27,68 +27,59 @@ class Viewer:
     def __init__(self, page):
         """Take a BrowserPage."""
         self._page = page
-        self._robots = {}  # monitors by namespace
         self._searching, self._drawing = Metronome(SEARCH_PERIOD), Metronome(DRAWING_PERIOD)
-        self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
         self._warning = ''
         self._warnings = rospy.Subscriber(f'{NODE}/warning', String, self._on_warning)
-        # rospy calls no hook for a shutdown that is already under way; run() checks for that.
-        rospy.on_shutdown(page.wake)
 
     def run(self):
         """View until shutdown."""
+        pause = threading.Event()  # lockstep would warn of a node that does nothing but time.sleep()
         while not rospy.core.is_shutdown_requested():
             if self._page.is_open:
                 self._view()
                 time.sleep(FRAME_PERIOD)
             else:
-                self._set_robots([])
-                self._page.wait()
+                self._page.set_robots([])
+                pause.wait(IDLE_PERIOD)
 
     def _view(self):
         now = time.monotonic()
         if self._searching.is_due(now):
             self._search()
-        robots = {namespace: robot for namespace, robot in self._robots.items() if robot.is_known}
-        self._page.move(robots)
+        self._page.move()
         if self._drawing.is_due(now):
-            self._page.draw(robots, self._real_time_factor(now, robots.get(self._page.chosen)))
-
-    def _real_time_factor(self, now, robot):
-        """Return the robot's seconds per second; None until it is known, and after a reset."""
-        if robot is None:
-            return None
-        self._clocks.append((now, robot.stamp))
-        (start, first), (end, last) = self._clocks[0], self._clocks[-1]
-        is_full = len(self._clocks) == self._clocks.maxlen
-        return (last - first) / (end - start) if is_full and last >= first else None
+            self._page.draw()
 
     def _search(self):
         try:
-            found = discover()
-            for namespace, robot in self._robots.items():
-                robot.set_rotating(namespace in found.rotating)
+            publications, subscriptions, services = (
+                rosgraph.Master(rospy.get_name()).getSystemState())
+            subscribed = {topic for topic, nodes in subscriptions
+                          if set(nodes) != {rospy.get_name()}}
+            self._page.set_rotating(lambda robot: rospy.resolve_name(robot + TARGET) in subscribed)
         except (OSError, rosgraph.MasterException):
             self._page.update_simulation(False, 'the ROS master does not answer')
             return
         complaint = self._warning if self._warnings.get_num_connections() else ''
-        if found.robots:
-            self._set_robots(found.robots)
+        robots = find_robots({topic for topic, _ in publications})
+        if robots:
+            self._page.set_robots(robots)
         else:  # the last picture stays
             complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
-        is_simulated = found.services.issuperset(map(rospy.resolve_name, SERVICES.values()))
+        names = {service for service, _ in services}
+        is_simulated = names.issuperset(map(rospy.resolve_name, SERVICES.values()))
         self._page.update_simulation(is_simulated, complaint)
 
     def _on_warning(self, message):
         self._warning = message.data
 
-    def _set_robots(self, namespaces):
-        for namespace in set(self._robots) - set(namespaces):
-            self._robots.pop(namespace).close()
-        for namespace in namespaces:
-            if namespace not in self._robots:
-                self._robots[namespace] = RobotMonitor(namespace)
-        self._page.set_robots(namespaces)
+
+def find_robots(topics):
+    """Return the namespaces of the robots that publish odometry: '' or such as 'robot_1/'."""
+    namespace = re.escape(rospy.get_namespace())
+    numbers = [re.fullmatch(rf'{namespace}robot_(\d+)/odom', topic) for topic in topics]
+    robots = [f'robot_{number}/' for number in sorted(int(match[1]) for match in numbers if match)]
+    return ['', *robots] if rospy.resolve_name('odom') in topics else robots
 
 
 def view(address):

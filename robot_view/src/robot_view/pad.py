@@ -1,9 +1,9 @@
-"""The pad: it drives a robot while a button or an arrow key is held, and no longer."""
+"""The pad drives a robot while you hold a button or an arrow key."""
 
 import threading
 import time
 
-from odometry_common.connections import is_heard_within
+from odometry_common.connections import has_subscriber_within
 from odometry_common.velocity import VelocityPublisher
 
 from robot_view import steering
@@ -15,7 +15,7 @@ LONGEST_CONNECTING = 10.0  # s; a robot that takes longer does not listen
 class Pad:
     """Publishes velocities on the chosen robot's cmd_vel while a button is held.
 
-    A robot that it has not driven receives nothing from it, not even when the node exits.
+    It publishes nothing to robots that it has not driven, not even when the node exits.
     """
 
     def __init__(self, chosen, speeds):
@@ -33,7 +33,7 @@ class Pad:
         threading.Thread(target=self._drive, daemon=True).start()
 
     def hold(self, client, button):
-        """Command what the button says for HOLD_TIMEOUT."""
+        """Hold a button for HOLD_TIMEOUT."""
         robot = self._chosen()
         if robot is not None:
             with self._lock:
@@ -59,7 +59,7 @@ class Pad:
         if namespace not in self._publishers:
             self._publishers[namespace] = publisher = VelocityPublisher(f'{namespace}cmd_vel')
             # Wait for the robot, or a first command to stop would be lost.
-            is_heard_within(publisher, LONGEST_CONNECTING)
+            has_subscriber_within(publisher, LONGEST_CONNECTING)
             if (forward, left) != steering.STANDSTILL:
                 return  # the button may have been released meanwhile
         linear, angular = self._speeds()
@@ -69,30 +69,23 @@ class Pad:
 def add_pad(gui, pad):
     """Add the buttons of a Pad at the current place in viser's GUI."""
     gui.add_html(LAYOUT)
-    _add_direction(gui, pad, steering.FORWARD)
-    _add_direction(gui, pad, steering.LEFT)
-    _add_stop(gui, pad)
-    _add_direction(gui, pad, steering.RIGHT)
-    _add_direction(gui, pad, steering.BACK)
+    for name in (steering.FORWARD, steering.LEFT, steering.STOP, steering.RIGHT, steering.BACK):
+        _add_button(gui, pad, name)
 
 
-def _add_direction(gui, pad, direction):
-    button = gui.add_button(direction)
+def _add_button(gui, pad, name):
+    """Add a button, which drives while it is held; stop is only clicked."""
+    # These run on the event loop, in the order of the messages: no hold comes after its release.
+    async def hold(event):
+        pad.hold(event.client_id, name)
 
-    # Both run on the event loop, in the order of the messages: no hold comes after its release.
-    @button.on_hold(callback_hz=steering.HOLD_RATE)
-    async def _(event):
-        pad.hold(event.client_id, direction)
+    async def release(event):
+        pad.release(event.client_id, name)
 
-    @button.on_click
-    async def _(event):
-        pad.release(event.client_id, direction)
-
-
-def _add_stop(gui, pad):
-    button = gui.add_button(steering.STOP, color='red')
-
-    @button.on_click
-    async def _(event):
+    if name == steering.STOP:
         # Held, it also reaches a robot that the pad has not driven before.
-        pad.hold(event.client_id, steering.STOP)
+        gui.add_button(name, color='red').on_click(hold)
+    else:
+        button = gui.add_button(name)
+        button.on_hold(callback_hz=steering.HOLD_RATE)(hold)
+        button.on_click(release)

@@ -6,7 +6,8 @@ import math
 
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
-from odometry_common.connections import is_heard_within
+from odometry_common.connections import has_subscriber_within
+from odometry_common.geometry import about_z
 from sim_turtlebot.poses import MAX_COORDINATE
 from std_srvs.srv import Empty
 
@@ -68,29 +69,31 @@ class SimulationButtons:
             event.client.add_notification(button, str(error), auto_close_seconds=NOTICE_SECONDS)
 
 
-class PlacingInputs:
-    """A place in the world, and a button that puts the chosen simulated robot there, at rest."""
+def add_placing(gui, chosen):
+    """Add inputs for a place, and a button that puts a simulated robot there, at rest.
 
-    def __init__(self, gui, chosen):
-        """Add them; `chosen` is a function that returns the namespace of a robot."""
-        self._chosen = chosen
-        self.folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
-        with self.folder:
-            self._x, self._y = (
-                gui.add_number(f'{name} (m)', 0.0, min=-MAX_COORDINATE, max=MAX_COORDINATE,
-                               step=0.05) for name in 'xy')
-            self._heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
-            gui.add_button(PUT).on_click(self._put)
+    :param chosen: function that returns the namespace of the robot
+    :return: their folder, not yet visible
+    """
+    folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
+    with folder:
+        x, y = (gui.add_number(f'{name} (m)', 0.0, min=-MAX_COORDINATE, max=MAX_COORDINATE, step=0.05)
+                for name in 'xy')
+        heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
+        button = gui.add_button(PUT)
 
-    def _put(self, event):
-        # Read before the wait, in which somebody may type another place.
-        pose = _pose(self._x.value, self._y.value, self._heading.value)
-        publisher = _pose_publisher(f'{NODE}/{self._chosen()}set_pose')
-        if is_heard_within(publisher, CONNECTING_TIMEOUT):
+    @button.on_click
+    def _(event):
+        # Read them before the wait: the user may type another place meanwhile.
+        pose = _pose(x.value, y.value, heading.value)
+        publisher = _pose_publisher(f'{NODE}/{chosen()}set_pose')
+        if has_subscriber_within(publisher, CONNECTING_TIMEOUT):
             publisher.publish(pose)
         else:
             event.client.add_notification(PUT, f'{publisher.name} has no subscriber',
                                           auto_close_seconds=NOTICE_SECONDS)
+
+    return folder
 
 
 @functools.lru_cache(maxsize=None)
@@ -100,9 +103,8 @@ def _pose_publisher(topic):
 
 def _pose(x, y, heading):
     """Return the PoseStamped of a robot on the floor of the world; m, m, degrees."""
-    half = math.radians(heading) / 2
     message = PoseStamped(pose=Pose(
-        Point(x, y, 0.0), Quaternion(0.0, 0.0, math.sin(half), math.cos(half))))
+        Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
     message.header.frame_id = 'world'
     return message
 

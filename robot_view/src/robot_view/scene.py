@@ -67,7 +67,7 @@ class RobotModel:
             point_shape='circle', precision='float32', point_shading='flat', visible=False)
         self._drawn_scan = None
 
-    def remove(self):
+    def close(self):
         """Remove it from the scene, with all its parts."""
         self._node.remove()
 

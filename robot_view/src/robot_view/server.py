@@ -1,11 +1,10 @@
-"""The page's web server: viser's, open to the page itself and to nobody else's page.
+"""The page's web server: viser's, which refuses connections from other pages.
 
-viser has no option for that. It calls websockets.asyncio.server.serve(), whose documented
-parameters have all that is needed, so serve() gets these added while viser starts.
+viser has no option for that. It calls websockets.asyncio.server.serve(), so start_server() adds
+serve()'s documented parameters to that call.
 """
 
 import atexit
-import contextlib
 import functools
 import http
 import re
@@ -30,32 +29,24 @@ def start_server(address):
     rich.get_console().quiet = True
     # A browser may close at any moment, also during a write to it.
     warnings.filterwarnings('ignore', 'Queued a .* on a closed connection')
-    with _guarded_serve(address.names) as calls:
+    serve, calls = server.serve, []
+
+    def guarded_serve(*arguments, process_request, **options):
+        calls.append(arguments)
+        return serve(*arguments, process_response=_forbid_framing, **options,
+                     process_request=functools.partial(_admit, address.names, process_request))
+
+    server.serve = guarded_serve
+    try:
         started = viser.ViserServer(address.ip, address.port, label='TurtleBot 2', verbose=False)
+    finally:
+        server.serve = serve
     if not calls:
         raise StartError('this version of viser starts its server in another way than that in '
                          'robot_view/requirements.txt: pip install -r it')
     # At exit viser would wait seconds for busy browsers.
     atexit.unregister(started.stop)
     return started
-
-
-@contextlib.contextmanager
-def _guarded_serve(names):
-    """Replace websockets' serve() by a guarded one; yield a list of its calls."""
-    serve, calls = server.serve, []
-
-    def guarded_serve(*arguments, process_request, **options):
-        calls.append(arguments)
-        options.update(process_request=functools.partial(_admit, names, process_request),
-                       process_response=_forbid_framing)
-        return serve(*arguments, **options)
-
-    server.serve = guarded_serve
-    try:
-        yield calls
-    finally:
-        server.serve = serve
 
 
 def _admit(names, process_request, connection, request):
@@ -65,8 +56,8 @@ def _admit(names, process_request, connection, request):
     if is_own({*names, connection.local_address[0]}, host, origin):
         return process_request(connection, request)
     rospy.logwarn_throttle(LOG_PERIOD, (
-        f'refused a connection with the Host header "{_printable(host)}" and the Origin header '
-        f'"{_printable(origin)}"; ~allowed_hosts adds names of this page'))
+        f'refused a connection with the Host header {host!a:.{LOG_LENGTH}} and the Origin header '
+        f'{origin!a:.{LOG_LENGTH}}; ~allowed_hosts adds names of this page'))
     return connection.respond(http.HTTPStatus.FORBIDDEN, 'This is not an address of the page.\n')
 
 
@@ -88,9 +79,5 @@ def is_own(names, host, origin):
 
 
 def _forbid_framing(_, __, response):
-    # In an invisible frame over another page, clicks meant for that page would drive the robot.
+    # Clicks meant for a page around an invisible frame would drive the robot.
     response.headers['Content-Security-Policy'] = "frame-ancestors 'self'"
-
-
-def _printable(header):
-    return ascii(header)[1:-1][:LOG_LENGTH]

@@ -2,8 +2,6 @@
 
 from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
 
-from heading_control.turn import Turn
-
 PARAMETERS = Parameters(
     Parameter('~target', 90.0, 'degrees', ANY, 'heading to turn to, in the odom frame'),
     Parameter('~kp', 0.5, '1/s', above(0), 'gain'),
@@ -16,14 +14,3 @@ PARAMETERS = Parameters(
     Parameter('~timeout', 1.0, 's', between(0, 3600),
               'stop, with a warning, when no odometry has arrived for this long (ROS time, and at '
               'least 0.2 s of wall time); go on when it returns; 0 turns it off'))
-
-
-def read_turn():
-    """Return the Turn that the parameters ask for."""
-    parameters = PARAMETERS.read()
-    return Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
-
-
-def read_rate():
-    """Return the control rate (Hz)."""
-    return PARAMETERS.read().rate

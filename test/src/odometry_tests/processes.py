@@ -4,12 +4,12 @@ import contextlib
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import threading
 from collections import deque
 
 import rosgraph
-from odometry_common.ports import bind
 from odometry_launch.process_guard import GuardedProcess
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
@@ -203,7 +203,9 @@ def hold_port(host='localhost'):
 
     Only who is told of it can listen on it, or hold it as the demo does.
     """
-    with bind((host, 0)) as holder:
+    with socket.socket() as holder:
+        holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        holder.bind((host, 0))
         yield holder.getsockname()[1]
 
 

@@ -1,15 +1,6 @@
 """The mover's parameters."""
 
-from odometry_common.parameters import (
-    ANY,
-    Parameter,
-    Parameters,
-    Range,
-    above,
-    between,
-)
-
-from straight_drive.drive import Drive
+from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
 
 PARAMETERS = Parameters(
     Parameter('~distance', 2.0, 'm', above(0), 'where to stop'),
@@ -24,9 +15,3 @@ PARAMETERS = Parameters(
               'stop, with a warning, when no message has arrived for this long (ROS time, and at '
               'least 0.2 s of wall time) while the robot moves; go on when messages return; 0 '
               'turns it off'))
-
-
-def read_drive():
-    """Return the Drive that the parameters ask for."""
-    parameters = PARAMETERS.read()
-    return Drive(parameters.distance, parameters.speed, parameters.relative)
