@@ -21,7 +21,7 @@ FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
-def connect(gui=False):
+def connect(gui):
     """Return a client of PyBullet; raise NoScreenError if there is no screen for the GUI."""
     with screen() if gui else contextlib.nullcontext(), suppress_native_output():
         return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
@@ -30,20 +30,18 @@ def connect(gui=False):
 class World:
     """A floor, whatever a world file adds, and TurtleBots that stand at their starts."""
 
-    def __init__(self, step_rate, starts, gui=False, world_file='', client=None):
+    def __init__(self, step_rate, starts, gui=False, world_file=''):
         """Build a world that advances 1/step_rate seconds with each step.
 
         :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
-        :param client: of connect(), without a GUI, whose earlier world is given up; connecting
-            takes longer than building a world
         :raises NoScreenError: if there is no screen for the GUI
         :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded, or leaves no
             room for a robot at its start
         """
         self._step_rate = step_rate
         self._world_file = world_file
-        self.client = client or connect(gui)
+        self.client = connect(gui)
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
         # A mouse in the window, or gravity, may move other things.

@@ -18,7 +18,7 @@ class Simulation:
 
         :param settings: of sim_turtlebot.settings.read_settings()
         :param starts: x, y (m) and yaw (rad) of each robot; None: where the settings put them
-        :param build_world: function of the first four parameters of World, whose errors it raises
+        :param build_world: function of the parameters of World, whose errors it raises
         """
         if starts is None:
             starts = [(settings.x, settings.y + index * SPACING, settings.yaw)
