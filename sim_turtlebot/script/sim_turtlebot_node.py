@@ -41,8 +41,8 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 from odometry_common.node import run_node
-from sim_turtlebot.node import simulate
 from sim_turtlebot.settings import PARAMETERS
+from sim_turtlebot.simulator import simulate
 
 if __name__ == '__main__':
     # disable_rostime: the clock is ours, so there is none to subscribe to and wait for.

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Be to RViz what a perfect localisation would be: say where the odom frame is in the world.
+"""Publish world -> odom, so that RViz shows the true pose together with the odometry.
 
-RViz needs that to show the robot's odometry and its true pose in one picture. And where somebody
-says that the robot is, it is put.
+It also moves the simulated robot to each pose set with RViz's 2D Pose Estimate.
 
 Subscribes:
     odom, base_pose_ground_truth (nav_msgs/Odometry): of the same robot

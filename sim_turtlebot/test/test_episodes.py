@@ -29,13 +29,13 @@ ALL_NOISE = ['_odometry_source:=encoder', '_wheel_slip:=0.02', '_wheel_noise:=0.
 STUCK = """
 import rospy
 from odometry_common.node import run_node
-from sim_turtlebot.building import new_simulation
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.simulator import Simulator
 
 def simulate():
     settings = read_settings()
-    Simulator(new_simulation(settings), settings)
+    Simulator(Simulation(settings), settings)
     rospy.spin()
 
 run_node('sim_turtlebot', simulate, '', disable_rostime=True)

@@ -6,11 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from odometry_common.geometry import about_z
-from odometry_common.parameters import read_from
 from odometry_tests.fuzzing import sequence_count
 from odometry_tests.scripts import ROOT
-from sim_turtlebot.building import new_scanners, new_simulation
-from sim_turtlebot.settings import read_settings
+from odometry_tests.simulation import settings_of
+from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.velocity_mux import INPUTS
 
 NOISE = {'wheel_slip': 0.05, 'wheel_noise': 0.02, 'gyro_noise': 0.02, 'gyro_drift': 0.01,
@@ -39,10 +38,8 @@ class Episodes:
 
     def __init__(self, source, world):
         """Put them down."""
-        with read_from({**NOISE, 'robots': 2, 'odometry_source': source, 'world': world}):
-            options = read_settings()
-        self._simulation = new_simulation(options)
-        self._scanners = new_scanners(self._simulation, options)
+        self._simulation = Simulation(
+            settings_of(robots=2, odometry_source=source, world=world, **NOISE))
 
     def play(self, episode):
         """Return what is seen during a list of events."""
@@ -82,8 +79,7 @@ class Episodes:
         # As text: two zeros may differ in their sign.
         self._seen.append(repr((timeline.now, number, [
             (robot.odometry, robot.ground_truth, robot.wheels, robot.gyro.heading, robot.gyro.rate,
-             scanner.scan(number).tolist())
-            for robot, scanner in zip(self._simulation.robots, self._scanners)])))
+             robot.scanner.scan(number).tolist()) for robot in self._simulation.robots])))
 
 
 @pytest.fixture(scope='module')

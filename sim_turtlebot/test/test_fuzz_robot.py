@@ -10,7 +10,6 @@ from odometry_common.geometry import about_z, yaw_of
 from odometry_tests.fuzzing import PHYSICS_SHARE, any_number, sequence_count
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
-from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 
 from odometry_common import kobuki
 
@@ -25,10 +24,11 @@ STANDING = (0.0, 0.0)
 STEPS = 15  # events in a sequence
 
 SOURCES = {
-    'world': WorldOdometry,
-    'encoder': lambda: EncoderOdometry(gyro=False),
-    'gyro': EncoderOdometry,
-    'noisy': lambda: EncoderOdometry(wheel_slip=0.05, wheel_noise=0.02, gyro_noise=0.02),
+    'world': {'odometry_source': 'world'},
+    'encoder': {'odometry_source': 'encoder', 'gyro': False},
+    'gyro': {'odometry_source': 'encoder'},
+    'noisy': {'odometry_source': 'encoder', 'wheel_slip': 0.05, 'wheel_noise': 0.02,
+              'gyro_noise': 0.02},
 }
 
 yaws = st.floats(-math.pi, math.pi)
@@ -54,8 +54,8 @@ class RobotMachine(RuleBasedStateMachine):
         """Put the robots down."""
         self.source = source
         self.simulation = Simulation(
-            (0.0, 0.0, first), (-0.6, 0.0, second), odometry=SOURCES[source],
-            cmd_vel_timeout=timeout, world_file=ROOM)
+            (0.0, 0.0, first), (-0.6, 0.0, second), world=ROOM, cmd_vel_timeout=timeout,
+            **SOURCES[source])
         self.note_origins()
         self.look()
 

@@ -4,10 +4,11 @@ import os
 
 import pytest
 from odometry_tests.scripts import ROOT
-from sim_turtlebot.physics import World, settled_world
+from sim_turtlebot.physics import World
 from sim_turtlebot.world_file import WorldFileError
 
 STEP_RATE = 240  # Hz
+START = 0.0, 0.0, 0.0
 ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
 FILES = {
@@ -50,7 +51,7 @@ def folder(tmp_path):
 def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(folder, name, reason):
     """In one line, also where PyBullet would end the process."""
     with pytest.raises(WorldFileError) as refusal:
-        World(STEP_RATE, world_file=str(folder / name))
+        World(STEP_RATE, [], world_file=str(folder / name))
     assert reason in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
     assert 'inertial' not in str(refusal.value)
@@ -60,7 +61,7 @@ def test_a_file_over_which_pybullet_waits_for_ever_is_refused(folder, monkeypatc
     """A pipe to which nobody writes."""
     monkeypatch.setattr('sim_turtlebot.world_file.LONGEST_LOAD', 1)
     with pytest.raises(WorldFileError, match='a file that can be loaded .not within 1 s.'):
-        World(STEP_RATE, world_file=str(folder / 'mesh_that_is_a_pipe.urdf'))
+        World(STEP_RATE, [], world_file=str(folder / 'mesh_that_is_a_pipe.urdf'))
 
 
 def box(size, position):
@@ -69,11 +70,11 @@ def box(size, position):
             '</collision>')
 
 
-def settled(tmp_path, *boxes, starts=((0.0, 0.0),)):
+def settled(tmp_path, *boxes, starts=(START,)):
     """Return the robots of a world of boxes, settled at their starts."""
     path = tmp_path / 'boxes.urdf'
     path.write_text(f'<robot name="r"><link name="a">{"".join(boxes)}</link></robot>')
-    return settled_world(STEP_RATE, starts, world_file=str(path)).robots
+    return World(STEP_RATE, starts, world_file=str(path)).robots
 
 
 @pytest.mark.parametrize('boxes, depth', [
@@ -93,7 +94,7 @@ def test_a_world_where_a_robot_starts_is_refused_with_the_depth(tmp_path, boxes,
 def test_the_robot_that_has_no_room_is_named(tmp_path):
     """Of several, the first one."""
     with pytest.raises(WorldFileError, match='robot_2, at x 0, y 1, is 0.1'):
-        settled(tmp_path, box('0.1 0.1 0.5', '0 1 0.25'), starts=((0.0, 0.0), (0.0, 1.0)))
+        settled(tmp_path, box('0.1 0.1 0.5', '0 1 0.25'), starts=(START, (0.0, 1.0, 0.0)))
 
 
 @pytest.mark.parametrize('height', [-0.5, 0.0, 0.03, 0.05])
@@ -114,7 +115,7 @@ def test_a_world_is_rebuilt_without_its_file(tmp_path):
     """Whatever has become of it since the start."""
     path = tmp_path / 'wall.urdf'
     path.write_text(f'<robot name="r"><link name="a">{box("0.1 4 0.5", "1 0 0.25")}</link></robot>')
-    world = settled_world(STEP_RATE, [(0.0, 0.0)], world_file=str(path))
+    world = World(STEP_RATE, [START], world_file=str(path))
     path.unlink()
     world.rebuild()
     robot, = world.robots
@@ -123,7 +124,6 @@ def test_a_world_is_rebuilt_without_its_file(tmp_path):
 
 def test_the_room_has_room():
     """In its middle; the wall has not."""
-    world = settled_world(STEP_RATE, [(0.0, 0.0)], world_file=ROOM)
-    world.add_turtlebot(2.0)
+    World(STEP_RATE, [START], world_file=ROOM)
     with pytest.raises(WorldFileError, match='robot_2, at x 2, y 0, is 0.13'):
-        world.settle()
+        World(STEP_RATE, [START, (2.0, 0.0, 0.0)], world_file=ROOM)

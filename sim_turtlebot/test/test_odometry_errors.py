@@ -6,11 +6,15 @@ import statistics
 import pytest
 from odometry_common.geometry import yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
-from odometry_tests.arcs import PERIOD, TICK, drive, motion, wheel_angles
-from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
+from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, wheel_angles
 
 RUNS = 400  # seeds, for a standard deviation within about a tenth
 ERRORS = {'wheel_slip': 0.01, 'wheel_noise': 0.01, 'gyro_noise': 0.01}
+
+
+def encoders(**errors):
+    """Return a robot with encoder odometry."""
+    return Robot(odometry_source='encoder', **errors)
 
 
 def distance(track):
@@ -18,31 +22,30 @@ def distance(track):
     return sum(row.linear[0] for row in track) * PERIOD
 
 
-@pytest.mark.parametrize('odometry', [WorldOdometry(), EncoderOdometry(gyro=True, **{
-    name: value for name, value in ERRORS.items() if name != 'gyro_noise'})])
-def test_at_rest_the_odometry_does_not_change(odometry):
+@pytest.mark.parametrize('robot', [Robot(), encoders(wheel_slip=0.01, wheel_noise=0.01)])
+def test_at_rest_the_odometry_does_not_change(robot):
     """Not even with noisy wheels: they do not turn."""
-    assert len(set(drive(odometry, 0.0))) == 1
+    assert len(set(drive(robot, 0.0))) == 1
 
 
 @pytest.mark.parametrize('slip', [0.01, 0.1, 0.5])
 def test_slip_shows_as_travel_that_moved_nothing(slip):
     """Of the travel that the encoders count, a share of `slip`."""
-    whole = drive(EncoderOdometry(wheel_slip=slip), 0.5)[-1].position[0]
+    whole = drive(encoders(wheel_slip=slip), 0.5)[-1].position[0]
     assert whole * (1 - slip) == pytest.approx(5.0, abs=TICK)
 
 
 @pytest.mark.parametrize('gyro', [False, True])
 def test_without_noise_the_seed_makes_no_difference(gyro):
     """Noise that is off draws no random numbers."""
-    tracks = {tuple(drive(EncoderOdometry(gyro, 0.01, seed=seed), 0.3, 0.5)) for seed in range(5)}
+    tracks = {tuple(drive(encoders(gyro=gyro, wheel_slip=0.01, seed=seed), 0.3, 0.5)) for seed in range(5)}
     assert len(tracks) == 1
 
 
 def test_noise_is_the_same_with_the_same_seed_and_another_with_another():
     """So that a run can be repeated."""
     def run(seed):
-        return tuple(drive(EncoderOdometry(True, seed=seed, **ERRORS), 0.3, 0.5))
+        return tuple(drive(encoders(seed=seed, **ERRORS), 0.3, 0.5))
 
     assert run(7) == run(7)
     assert len({run(seed) for seed in range(5)}) == 5
@@ -51,7 +54,7 @@ def test_noise_is_the_same_with_the_same_seed_and_another_with_another():
 @pytest.mark.parametrize('speed, duration', [(0.5, 2.0), (0.5, 8.0), (0.125, 8.0)])
 def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
     """Each wheel has its own; the middle between two has half the variance."""
-    travels = [distance(drive(EncoderOdometry(wheel_noise=0.02, seed=seed), speed, 0.0, duration))
+    travels = [distance(drive(encoders(wheel_noise=0.02, seed=seed), speed, 0.0, duration))
             for seed in range(RUNS)]
     expected = 0.02 * math.sqrt(speed * duration / 2)
     assert statistics.stdev(travels) == pytest.approx(expected, rel=0.12)
@@ -61,7 +64,7 @@ def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
 @pytest.mark.parametrize('duration', [1.0, 4.0])
 def test_gyro_noise_grows_with_the_root_of_time(duration):
     """Also while the robot stands, as a gyro's does."""
-    yaws = [yaw_of(drive(EncoderOdometry(True, gyro_noise=0.02, seed=seed), 0.0, 0.0, duration)[-1]
+    yaws = [yaw_of(drive(encoders(gyro_noise=0.02, seed=seed), 0.0, 0.0, duration)[-1]
                    .orientation) for seed in range(RUNS)]
     assert statistics.stdev(yaws) == pytest.approx(0.02 * math.sqrt(duration), rel=0.12)
 
@@ -69,14 +72,12 @@ def test_gyro_noise_grows_with_the_root_of_time(duration):
 @pytest.mark.parametrize('gyro, believed', [(False, 1.0), (True, 0.25)])
 def test_with_the_gyro_the_yaw_is_that_of_the_body(gyro, believed):
     """Wheels that turn against each other on ice turn the robot less than they say."""
-    odometry = EncoderOdometry(gyro)
-    odometry.reset(motion(), (0.0, 0.0))
-    now = odometry.update(motion(yaw=0.25), lambda: wheel_angles(0.0, 1.0), PERIOD)
+    now = encoders(gyro=gyro).move(motion(yaw=0.25), wheel_angles(0.0, 1.0))
     assert yaw_of(now.orientation) == pytest.approx(believed, abs=2 * TICK / WHEEL_SEPARATION)
     assert now.angular[2] == pytest.approx(believed / PERIOD, rel=1e-3)
 
 
 def test_the_gyro_turns_on_past_half_a_circle():
     """The yaw of the body leaps from pi to -pi, and its turn does not."""
-    for row in drive(EncoderOdometry(gyro=True), 0.0, 2.0):
+    for row in drive(encoders(), 0.0, 2.0):
         assert row.angular[2] == pytest.approx(2.0)

@@ -5,7 +5,6 @@ import math
 import pytest
 from odometry_common.geometry import yaw_of
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.odometry import EncoderOdometry, WorldOdometry
 
 STILL = (0.0, 0.0, 0.0)
 
@@ -96,10 +95,10 @@ def test_its_wheels_roll_as_far_as_it_moves():
     assert sum(angles) / 2 * 0.035 == pytest.approx(0.9, rel=0.05)
 
 
-@pytest.mark.parametrize('odometry', [WorldOdometry, EncoderOdometry])
-def test_a_reset_of_the_odometry_makes_this_place_zero(odometry):
+@pytest.mark.parametrize('source', ['world', 'encoder'])
+def test_a_reset_of_the_odometry_makes_this_place_zero(source):
     """Also while it drives; the robot itself is not affected."""
-    simulation = Simulation((3.0, 4.0, 1.0), odometry=odometry)
+    simulation = Simulation((3.0, 4.0, 1.0), odometry_source=source)
     simulation.drive(0.3, 0.5, 2.0)
     before = simulation.robot.ground_truth
     simulation.robot.reset_odometry()
@@ -113,10 +112,10 @@ def test_a_reset_of_the_odometry_makes_this_place_zero(odometry):
     assert math.hypot(*simulation.robot.odometry.position[:2]) == pytest.approx(step, abs=2e-4)
 
 
-@pytest.mark.parametrize('odometry', [WorldOdometry, EncoderOdometry])
-def test_a_reset_of_the_simulation_takes_it_back_to_its_start(odometry):
+@pytest.mark.parametrize('source', ['world', 'encoder'])
+def test_a_reset_of_the_simulation_takes_it_back_to_its_start(source):
     """At rest, with its wheels and its odometry at zero, and able to take the same path again."""
-    simulation = Simulation((3.0, 4.0, 1.0), odometry=odometry)
+    simulation = Simulation((3.0, 4.0, 1.0), odometry_source=source)
     robot = simulation.robot
     at_start = robot.ground_truth, robot.odometry, robot.wheels[:2]
     simulation.drive(0.5, 1.0, 3.0)

@@ -1,6 +1,7 @@
 """The laser scan over ROS: what a client gets, and when there is nobody to get it."""
 
 import math
+from types import SimpleNamespace
 
 import numpy
 import pytest
@@ -11,7 +12,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder, wait_until
 from sensor_msgs.msg import LaserScan
-from sim_turtlebot.scan_topic import ScanTopic
+from sim_turtlebot.robot_topics import RobotTopics
 
 ROOM = f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'
 CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
@@ -107,13 +108,14 @@ class CountingScanner:
 def test_nobody_looks_where_nobody_listens(master):
     """The rays are what a scan costs."""
     scanner = CountingScanner()
-    topic = ScanTopic(scanner, 'counted/', 10.0, 20.0)
+    robot = SimpleNamespace(scanner=scanner, covariance=[0.0] * 6)
+    topics = RobotTopics(robot, 'counted/', 10.0, 20.0)
     for number in range(10):
-        topic.publish(rospy.Time(), number)
+        topics.publish_scan(rospy.Time(), number)
     assert scanner.looks == 0
     scans = Recorder('counted/scan', LaserScan)
     scans.wait_for_publisher()
     for number in range(10):
-        topic.publish(rospy.Time(), number)
+        topics.publish_scan(rospy.Time(), number)
     assert scanner.looks == 5
     assert [scan.header.seq for scan in scans.wait_for_count(5)] == [0, 2, 4, 6, 8]

@@ -21,7 +21,7 @@ BOXES = [(1.0, 1.4, 1.0, 1.4), (-1.5, -0.9, 0.75, 1.05), (-0.95, -0.65, -1.45, -
 
 def scan_in(world, *starts, robot=0, **options):
     """Return what a robot (an index) sees from its start in a world."""
-    simulation = Simulation(*starts, world_file=world and str(WORLDS / world))
+    simulation = Simulation(*starts, world=world and str(WORLDS / world))
     return Scanner(simulation.robots[robot].body, **options).scan(0)
 
 
@@ -97,7 +97,7 @@ def test_to_look_changes_nothing():
     ends = []
     for look in (False, True):
         simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0),
-                                world_file=str(WORLDS / 'room.urdf'))
+                                world=str(WORLDS / 'room.urdf'))
         scanner = Scanner(simulation.robot.body, noise=0.01)
         for _ in range(100):
             simulation.drive(0.3, 0.5, 0.05)
@@ -112,7 +112,7 @@ def test_noise_is_as_wide_as_it_is_said_to_be():
     true = scan_in('room.urdf', beams=2000)
     noises = []
     for seed, number in [((0, 0), 0), ((0, 0), 1), ((1, 0), 0), ((0, 1), 0)]:
-        simulation = Simulation(world_file=str(WORLDS / 'room.urdf'))
+        simulation = Simulation(world=str(WORLDS / 'room.urdf'))
         scanner = Scanner(simulation.robot.body, beams=2000, noise=0.02, seed=seed)
         noises.append(scanner.scan(number) - true)
         assert (scanner.scan(number) - true == noises[-1]).all(), 'repeated'

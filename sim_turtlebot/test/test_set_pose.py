@@ -6,27 +6,28 @@ import pytest
 from odometry_common.geometry import about_z, yaw_of
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
-from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry
+from sim_turtlebot.odometry import STILL
 from sim_turtlebot.poses import checked_pose
 
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 LEVEL = about_z(0.0)
 ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
 UPSIDE_DOWN = 1.0, 0.0, 0.0, 0.0
-SOURCES = [WorldOdometry, lambda: EncoderOdometry(gyro=False), EncoderOdometry]
+SOURCES = [{'odometry_source': 'world'}, {'odometry_source': 'encoder', 'gyro': False},
+           {'odometry_source': 'encoder', 'gyro': True}]
 
 
-def driving(odometry=WorldOdometry, **others):
+def driving(source):
     """Return a simulation whose robot has driven a curve, and drives on."""
-    simulation = Simulation(odometry=odometry, **others)
+    simulation = Simulation(**source)
     simulation.drive(0.3, 0.5, 2.0)
     return simulation
 
 
-@pytest.mark.parametrize('odometry', SOURCES)
-def test_it_stands_where_it_was_put(odometry):
+@pytest.mark.parametrize('source', SOURCES)
+def test_it_stands_where_it_was_put(source):
     """At once and to the bit, whatever it was commanded before, with its wheels as they were."""
-    simulation = driving(odometry)
+    simulation = driving(source)
     robot = simulation.robot
     angles = robot.wheels[0]
     robot.set_pose((3.0, -1.0, 0.0), about_z(1.2))
@@ -40,10 +41,10 @@ def test_it_stands_where_it_was_put(odometry):
     assert (robot.ground_truth, robot.wheels) == (there, wheels)
 
 
-@pytest.mark.parametrize('odometry', SOURCES)
-def test_it_drives_on_from_there(odometry):
+@pytest.mark.parametrize('source', SOURCES)
+def test_it_drives_on_from_there(source):
     """Straight ahead, by as much as from its start."""
-    simulation = driving(odometry)
+    simulation = driving(source)
     simulation.robot.set_pose((3.0, -1.0, 0.0), about_z(math.pi / 2))
     before = simulation.robot.odometry
     simulation.drive(0.3, 0.0, 2.0)
@@ -55,8 +56,8 @@ def test_it_drives_on_from_there(odometry):
 
 def test_encoders_do_not_notice_and_a_gyro_only_the_turn():
     """As of a real base that is carried; the world's odometry jumps."""
-    for odometry, believed in zip(SOURCES, [(3.0, -1.0, 1.2), (0.0, 0.0, 0.0), (0.0, 0.0, 1.2)]):
-        simulation = Simulation(odometry=odometry)
+    for source, believed in zip(SOURCES, [(3.0, -1.0, 1.2), (0.0, 0.0, 0.0), (0.0, 0.0, 1.2)]):
+        simulation = Simulation(**source)
         simulation.robot.set_pose((3.0, -1.0, 0.0), about_z(1.2))
         for motion in [simulation.robot.odometry, *simulation.run(1.0).odometry]:
             assert (*motion.position[:2], yaw_of(motion.orientation)) == pytest.approx(believed)
@@ -97,7 +98,7 @@ def test_it_can_be_laid_on_its_side_and_put_upright():
     ids=['wall', 'side', 'upside down', 'floor', 'depth', 'other robot'])
 def test_where_there_is_no_room_it_is_not_put(position, orientation):
     """It stops where it is."""
-    simulation = Simulation((0, 0, 0), (-1.0, 0, 0), world_file=ROOM)
+    simulation = Simulation((0, 0, 0), (-1.0, 0, 0), world=ROOM)
     simulation.drive(0.3, 0.0, 1.0)
     robot = simulation.robot
     before = robot.body.pose()
@@ -111,7 +112,7 @@ def test_where_there_is_no_room_it_is_not_put(position, orientation):
 
 def test_beside_the_wall_there_is_room():
     """A few millimetres away."""
-    simulation = Simulation(world_file=ROOM)
+    simulation = Simulation(world=ROOM)
     simulation.robot.set_pose((1.81, 0.0, 0.0), LEVEL)
     simulation.run(1.0)
     assert simulation.robot.ground_truth.position[:2] == (1.81, 0.0)
@@ -119,7 +120,7 @@ def test_beside_the_wall_there_is_room():
 
 def test_a_standing_robot_that_is_not_put_elsewhere_stands_on():
     """To the bit."""
-    simulation = Simulation(world_file=ROOM)
+    simulation = Simulation(world=ROOM)
     before = simulation.robot.ground_truth
     with pytest.raises(ValueError, match='deep'):
         simulation.robot.set_pose((2.0, 0.0, 0.0), LEVEL)

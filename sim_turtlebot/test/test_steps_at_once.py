@@ -4,7 +4,8 @@ import random
 
 import pytest
 from odometry_common.kobuki import WHEEL_TORQUE
-from sim_turtlebot.physics import settled_world
+from odometry_tests.simulation import settings_of
+from sim_turtlebot.physics import World
 from sim_turtlebot.simulation import Simulation
 
 ODOMETRIES = 150
@@ -14,7 +15,7 @@ TURNS = [0.0, 0.0, 1.0, -2.0]  # rad/s
 
 def drive(odom_rate, seed, steps):
     """Drive at random in so many steps at a time; return all that there is to publish."""
-    rng, simulation = random.Random(seed), Simulation(odom_rate=odom_rate)
+    rng, simulation = random.Random(seed), Simulation(settings_of(odom_rate=odom_rate))
     robot, timeline, states = simulation.robots[0], simulation.timeline, []
     for _ in range(ODOMETRIES):
         if rng.random() < 0.2:
@@ -37,7 +38,7 @@ def test_they_are_the_same_to_the_last_bit_as_one_by_one(odom_rate, seed):
 
 def spin_up(steps):
     """Want more of the wheels than the motors can, in so many steps at a time."""
-    world = settled_world(240.0, [(0.0, 0.0, 0.0)])
+    world = World(240.0, [(0.0, 0.0, 0.0)])
     robot, states = world.robots[0], []
     for speed in (0.0, 50.0, -50.0):  # m/s
         robot.drive(speed, 0.0)

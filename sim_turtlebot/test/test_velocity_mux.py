@@ -2,8 +2,8 @@
 
 from hypothesis import given
 from hypothesis import strategies as st
-from sim_turtlebot.simulation import Simulation
-from sim_turtlebot.velocity_mux import INPUTS, Input, VelocityMux
+from odometry_tests.simulation import Simulation
+from sim_turtlebot.velocity_mux import INPUTS, TIMEOUT, VelocityMux
 
 TELEOP, NAVI = 'cmd_vel_mux/input/teleop', 'cmd_vel_mux/input/navi'
 SECOND = 10**9  # ns
@@ -18,7 +18,7 @@ def passed(*commands):
 
 def test_the_inputs_are_those_of_turtlebot_bringup():
     """As in its param/mux.yaml."""
-    assert INPUTS == {TELEOP: Input(7, 1.0), NAVI: Input(5, 1.0)}
+    assert (INPUTS, TIMEOUT) == ({TELEOP: 7, NAVI: 5}, SECOND)
 
 
 def test_an_input_alone_is_passed_on():
@@ -66,7 +66,7 @@ def test_teleop_is_always_obeyed_and_navi_when_teleop_is_silent(pauses):
 
 def test_each_robot_has_a_multiplexer_of_its_own_and_a_reset_starts_it_anew():
     """In a simulation of two; what goes to the base directly is no concern of theirs."""
-    simulation = Simulation([(0.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+    simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 
     def obeys(robot, *name):
         before = simulation.robots[robot].resting

@@ -3,7 +3,8 @@
 import math
 import time
 
-from sim_turtlebot.simulation import Simulation, side_by_side
+from odometry_tests.simulation import settings_of
+from sim_turtlebot.simulation import Simulation
 
 ODOM_RATE = 20.0  # Hz, the simulator's default
 SPEED = 0.1  # m/s, as test_movement drives
@@ -14,7 +15,7 @@ class BareWorld:
 
     def __init__(self):
         """Build the simulator's world and let the wheels turn."""
-        simulation = Simulation(side_by_side(1), odom_rate=ODOM_RATE)
+        simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
         self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
         self._world.step()  # from here on there is one step in a call
         self._step = self._world.client.stepSimulation
@@ -41,7 +42,7 @@ class RobotWorld:
 
     def __init__(self):
         """Put the robot down and let it drive."""
-        self._simulation = Simulation(side_by_side(1), odom_rate=ODOM_RATE)
+        self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
         self.robot = self._simulation.robots[0]
         self.command(SPEED)
 

@@ -8,8 +8,8 @@ import math
 import statistics
 
 from odometry_common.geometry import yaw_of
+from odometry_tests.arcs import Robot
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.odometry import EncoderOdometry
 
 SEEDS = 200
 TWO_METRES = 0.1, 0.0, 20.0  # m/s, rad/s, s
@@ -21,26 +21,6 @@ WORST_DRIFT = round(math.radians(2.0) / 60.0, 5)
 CASES = [{}, {'gyro': False}, {'wheel_slip': 0.01}, {'wheel_noise': 0.005},
          {'gyro': False, 'wheel_noise': 0.005}, {'gyro_noise': WORST_GYRO},
          {'gyro_drift': WORST_DRIFT}]
-
-
-class Tape:
-    """Odometry that keeps what it is made of."""
-
-    covariance = (0.0,) * 6
-
-    def __init__(self):
-        """Begin with nothing."""
-        self.start, self.rows = None, []
-
-    def reset(self, ground_truth, wheel_angles):
-        """Keep the start."""
-        self.start = ground_truth, wheel_angles
-        return ground_truth
-
-    def update(self, ground_truth, read_angles, duration):
-        """Keep a row."""
-        self.rows.append((ground_truth, read_angles(), duration))
-        return ground_truth
 
 
 def main():
@@ -62,20 +42,23 @@ def in_words(errors):
 
 
 def record(linear, angular, duration):
-    """Return the Tape of a drive and the stop after it."""
-    tape = Tape()
-    simulation = Simulation(odometry=lambda: tape)
-    simulation.drive(linear, angular, duration)
-    simulation.drive(0.0, 0.0, REST)
-    return tape
+    """Return the true motion and the wheels' angles at each odometry of a drive and the stop after it."""
+    simulation, rows = Simulation(), []
+    robot, timeline = simulation.robot, simulation.timeline
+    for command, end in (((linear, angular), duration), ((0.0, 0.0), duration + REST)):
+        simulation.command(*command)
+        while timeline.now < end * 1e9:
+            if not rows or simulation.advance():
+                rows.append((robot.ground_truth, robot.wheels[0]))
+    return rows
 
 
-def count(tape, case, seed):
+def count(rows, case, seed):
     """Return by how much the odometry has counted too far (mm) and turned too far (degrees)."""
-    odometry = EncoderOdometry(**case, seed=seed)
-    odometry.reset(*tape.start)
-    for true, angles, duration in tape.rows:
-        believed = odometry.update(true, lambda angles=angles: angles, duration)
+    robot = Robot(odometry_source='encoder', seed=seed, **case)
+    robot.start(*rows[0])
+    for true, angles in rows[1:]:
+        believed = robot.move(true, angles)
     far = math.hypot(*believed.position[:2]) - math.hypot(*true.position[:2])
     turned = math.remainder(yaw_of(believed.orientation) - yaw_of(true.orientation), 2 * math.pi)
     return 1e3 * far, math.degrees(turned)

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import yaml
 from odometry_common.parameters import ParameterError, StartError, read_from
-from sim_turtlebot.building import new_simulation
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import TUTORIALS, run_parameters
@@ -121,7 +121,7 @@ def _check_values(tutorial, values):
                                  'divided by a whole number, in lockstep')
     if settings.world:
         try:
-            new_simulation(settings)
+            Simulation(settings)
         except WorldFileError as error:
             raise ParameterError('~world', settings.world, error) from None
 

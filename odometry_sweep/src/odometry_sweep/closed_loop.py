@@ -14,9 +14,9 @@ from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.parameters import read_from
 from odometry_common.timing import Metronome
 from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, stands
-from sim_turtlebot.building import new_simulation
-from sim_turtlebot.physics import settled_world
+from sim_turtlebot.physics import World
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.simulation import Simulation
 from straight_drive.drive import Drive
 from straight_drive.parameters import PARAMETERS as MOVE_PARAMETERS
 
@@ -118,7 +118,7 @@ def run(tutorial, parameters):
     """Run a tutorial with parameter values by their names; return its metrics by name."""
     with _one_at_a_time:
         part, settings = run_parameters(tutorial, parameters)
-        simulation = new_simulation(settings, _world, gyro=False)
+        simulation = Simulation(settings, build_world=_world)
         return follow(part, _ticks(simulation), simulation.command)
 
 
@@ -167,7 +167,7 @@ def _world(step_rate, starts, _gui, world_file):
 
 @functools.lru_cache(maxsize=1)
 def _cached_world(step_rate, starts, world_file):
-    return settled_world(step_rate, starts, world_file=world_file)
+    return World(step_rate, starts, world_file=world_file)
 
 
 def _planar_pose(motion):

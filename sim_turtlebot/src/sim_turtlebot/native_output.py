@@ -1,4 +1,4 @@
-"""PyBullet prints notices from C++ that mean nothing to a user; they are kept off the terminal."""
+"""Keep the notices that PyBullet prints from C++ off the terminal."""
 
 import contextlib
 import ctypes
@@ -8,7 +8,7 @@ import sys
 
 @contextlib.contextmanager
 def suppress_native_output():
-    """Discard what is written to stdout and stderr meanwhile, by C++ code too."""
+    """Discard output to stdout and stderr, also from C++."""
     sys.stdout.flush()
     sys.stderr.flush()
     terminal = {stream: os.dup(stream) for stream in (1, 2)}
@@ -18,7 +18,7 @@ def suppress_native_output():
             os.dup2(nowhere, stream)
         yield
     finally:
-        ctypes.CDLL(None).fflush(None)  # C++ keeps a buffer of its own
+        ctypes.CDLL(None).fflush(None)  # C++ has its own buffer
         for stream, copy in terminal.items():
             os.dup2(copy, stream)
             os.close(copy)

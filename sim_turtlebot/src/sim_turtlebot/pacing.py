@@ -18,64 +18,39 @@ class Pacer:
             with None once it has caught up
         """
         self._factor = real_time_factor
-        self._slowness = Slowness()
         self._on_pace = on_pace
+        self._is_slow = False
         self.restart(0)
 
     def restart(self, now):
         """Measure from here on; `now` is simulated time (ns)."""
-        wall = time.monotonic()
-        self._slowness.interrupt(wall)
-        self._start, self._wall_start = now, wall
+        self._start, self._wall_start = now, time.monotonic()
+        self._slips, self._last_slip = 0, self._wall_start
 
     def lead(self, now):
-        """Return how far (s of wall time) the simulation is ahead; 0 or less: go on."""
+        """Return how far (s of wall time) the simulation is ahead; 0 or less: advance."""
         if self._factor == 0:
             return 0.0
         due = (now - self._start) / 1e9 / self._factor
         wall = time.monotonic()
         lead = due - (wall - self._wall_start)
         if lead < -LARGEST_LAG:
-            reached = self._slowness.slip(now, wall)
-            if reached is not None:
-                self._on_pace(reached)
+            self._slip(now, wall)
             self._start, self._wall_start = now, wall
-        elif self._slowness.is_over(wall):
+        elif self._is_slow and wall - self._last_slip > RECOVERY:
+            self._is_slow = False
             self._on_pace(None)
         return lead
 
-
-class Slowness:
-    """Notices that a machine falls behind again and again; once is only a hiccup.
-
-    Simulated times are in ns, those of the wall clock in s.
-    """
-
-    def __init__(self):
-        """Begin with a machine that keeps pace."""
-        self._known = False
-
-    def interrupt(self, wall):
-        """Forget how time went so far, as after a pause."""
-        self._slips = 0
-        self._last = wall
-
-    def slip(self, now, wall):
-        """Note that the pace was not kept; return the pace of a machine found to be slow, once."""
-        if wall - self._last > LONGEST_GAP:
+    def _slip(self, now, wall):
+        """Report a machine that falls behind again and again; once is only a hiccup."""
+        if wall - self._last_slip > LONGEST_GAP:
             self._slips = 0
         if self._slips == 0:
-            self._first = now, wall
+            self._first_slip = now, wall
         self._slips += 1
-        self._last = wall
-        if self._known or self._slips < SLIPS:
-            return None
-        self._known = True
-        return (now - self._first[0]) / 1e9 / (wall - self._first[1])
-
-    def is_over(self, wall):
-        """Return whether a slow machine has kept pace for a while; True only once."""
-        over = self._known and wall - self._last > RECOVERY
-        if over:
-            self._known = False
-        return over
+        self._last_slip = wall
+        if self._slips >= SLIPS and not self._is_slow:
+            self._is_slow = True
+            then, wall_then = self._first_slip
+            self._on_pace((now - then) / 1e9 / (wall - wall_then))

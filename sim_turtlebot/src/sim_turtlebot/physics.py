@@ -17,47 +17,34 @@ with suppress_native_output():
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
-FEWEST_AT_ONCE = 4  # steps; for fewer in one call it takes longer to say so than it saves
+FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it saves
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
-def connect(gui=False):
+def connect(gui):
     """Return a client of PyBullet; raise NoScreenError if there is no screen for the GUI."""
     with screen() if gui else contextlib.nullcontext(), suppress_native_output():
         return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
 
 
-def settled_world(step_rate, starts, gui=False, world_file='', client=None):
-    """Return a World whose robots stand at their starts: x, y (m) and yaw (rad) of each.
-
-    Parameters and errors are those of World, and of World.settle().
-    """
-    world = World(step_rate, gui, world_file, client)
-    for start in starts:
-        world.add_turtlebot(*start)
-    world.settle()
-    return world
-
-
 class World:
-    """A floor, whatever a world file adds, and TurtleBots."""
+    """A floor, whatever a world file adds, and TurtleBots that stand at their starts."""
 
-    def __init__(self, step_rate, gui=False, world_file='', client=None):
+    def __init__(self, step_rate, starts, gui=False, world_file=''):
         """Build a world that advances 1/step_rate seconds with each step.
 
+        :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
-        :param client: of connect(), without a GUI, whose earlier world is given up; to connect
-            takes longer than to build a world
         :raises NoScreenError: if there is no screen for the GUI
-        :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded
+        :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded, or leaves no
+            room for a robot at its start
         """
         self._step_rate = step_rate
-        self.robots = []  # TurtleBots
         self._world_file = world_file
-        self.client = client or connect(gui)
+        self.client = connect(gui)
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
-        # With a mouse, or with things that fall, more than the robots may move.
+        # A mouse in the window, or gravity, may move other things.
         self.only_robots_move = not gui and not world_file
         self.window = Window() if gui else None
         if gui:
@@ -65,17 +52,13 @@ class World:
         if world_file:
             check_world_file(world_file)
         self._build()
-
-    def add_turtlebot(self, x=0.0, y=0.0, yaw=0.0):
-        """Put a TurtleBot on the floor (m, rad) and return it."""
-        # Nobody sees the shapes without a window, and they take most of the time to load.
-        flags = 0 if self.window else pybullet.URDF_IGNORE_VISUAL_SHAPES
-        robot = TurtleBot(self.client, x, y, yaw, flags)
-        self.robots.append(robot)
-        return robot
+        # Without a window nothing shows the shapes, and they take most of the loading time.
+        flags = 0 if gui else pybullet.URDF_IGNORE_VISUAL_SHAPES
+        self.robots = [TurtleBot(self.client, *start, flags) for start in starts]
+        self._settle()
 
     def step(self, steps=1):
-        """Let 1/step_rate seconds pass so many times, in few calls of PyBullet."""
+        """Let 1/step_rate seconds pass `steps` times, in few calls of PyBullet."""
         # By a power of two a float is multiplied and divided exactly: no step changes by a bit.
         at_once = steps & -steps
         if at_once < FEWEST_AT_ONCE:
@@ -84,18 +67,6 @@ class World:
             self._set_steps_at_once(at_once)
         for _ in range(steps // at_once):
             self._call()
-
-    def settle(self):
-        """Let the robots sink onto their wheels, then put each at its exact start.
-
-        :raises WorldFileError: if there is something where a robot starts
-        """
-        if self._world_file:
-            self._check_starts()
-        self.step(round(SETTLING_TIME * self._step_rate))
-        for robot in self.robots:
-            robot.settle_here()
-        self._draw(True)
 
     def restart(self):
         """Put each robot at its start again, at rest; nothing else goes back.
@@ -106,7 +77,7 @@ class World:
             robot.place_at_start()
 
     def rebuild(self):
-        """Put everything back as it was after settle(), to the last bit.
+        """Put everything back as it was after __init__(), to the last bit.
 
         PyBullet's restoreState() does not: robots that have touched something then move
         differently in the last digits. PyBullet keeps the world file in memory.
@@ -114,25 +85,27 @@ class World:
         self._build()
         for robot in self.robots:
             robot.load()
-        self.settle()
+        self._settle()
 
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
         self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
 
     def _build(self):
-        """Empty the world but for the floor and what the world file adds."""
+        """Empty the world, then add the floor and the world file."""
         self._draw(False)
         self.client.resetSimulation()
         self._steps_at_once = 1
         self._configure()
-        self._add_floor()
+        floor = self.client.createMultiBody(
+            0, self.client.createCollisionShape(pybullet.GEOM_PLANE))
+        self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
         if self._world_file:
             with suppress_native_output():
                 load(self.client, self._world_file)
 
     def _draw(self, whether):
-        """Draw the window or not: if it is drawn, each shape that is loaded waits for a frame."""
+        """Draw the window or not; while it is drawn, loading a shape waits for a frame."""
         if self.window:
             self.client.configureDebugVisualizer(pybullet.COV_ENABLE_RENDERING, whether)
 
@@ -140,7 +113,7 @@ class World:
         client = self.client
         client.setGravity(0, 0, -GRAVITY)
         # The direct solver keeps the robot straighter than the iterative one in half the time.
-        # Its cost grows with the cube of its task, so each robot is a task of its own.
+        # Its cost grows with the cube of its task, so each robot is a separate task.
         with suppress_native_output():
             client.setPhysicsEngineParameter(
                 fixedTimeStep=1 / self._step_rate, numSubSteps=0,
@@ -154,10 +127,14 @@ class World:
         for robot in self.robots:
             robot.steps_at_once = steps
 
-    def _add_floor(self):
-        plane = self.client.createCollisionShape(pybullet.GEOM_PLANE)
-        floor = self.client.createMultiBody(0, plane)
-        self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
+    def _settle(self):
+        """Let the robots sink onto their wheels, then put each at its exact start."""
+        if self._world_file:
+            self._check_starts()
+        self.step(round(SETTLING_TIME * self._step_rate))
+        for robot in self.robots:
+            robot.settle_here()
+        self._draw(True)
 
     def _check_starts(self):
         self.client.performCollisionDetection()

@@ -1,11 +1,11 @@
-"""Poses at which somebody wants a robot to be, checked before it is put there."""
+"""Check poses that users request for a robot."""
 
 import math
 
 FRAMES = 'world', ''  # empty: not said
-MAX_COORDINATE = 1e4  # m; PyBullet's single precision shows farther away
+MAX_COORDINATE = 1e4  # m; farther away, single precision shows
 COORDINATES = f'from {-MAX_COORDINATE:.0f} to {MAX_COORDINATE:.0f} m'
-SHORTEST = 1e-100  # of a quaternion; shorter ones are as good as none
+SHORTEST = 1e-100  # of a quaternion; shorter ones count as zero
 
 
 def checked_pose(frame, position, orientation):
@@ -14,7 +14,7 @@ def checked_pose(frame, position, orientation):
     :param frame: frame_id of the pose
     :param position: x, y, z (m)
     :param orientation: quaternion x, y, z, w of any length
-    :raises ValueError: if a robot cannot be there, with what is wrong and what is allowed
+    :raises ValueError: if a robot cannot be there; the message says why, and what is allowed
     """
     if frame not in FRAMES:
         raise ValueError(f'frame_id is {frame!r}, but must be world, or empty')

@@ -10,8 +10,8 @@ ANSWER_TIMEOUT = 5.0  # s
 class RequestQueue(queue.Queue):
     """Functions without arguments, with the names of their senders, for the main thread to serve.
 
-    queue.SimpleQueue would be faster, but its get() may wait for ever: when the machine lets it
-    stand for longer than its timeout before it begins to wait.
+    queue.SimpleQueue would be faster, but its get() may never return, if the scheduler suspends it
+    for longer than its timeout just before it waits.
     """
 
     def put_and_wait(self, request, sender=''):

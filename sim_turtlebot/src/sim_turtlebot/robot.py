@@ -1,40 +1,56 @@
 """What a Kobuki's firmware does: obey within limits, stop when commands cease, keep odometry."""
 
 import math
+import random
 
 from odometry_common.geometry import height_of_z
 
 from odometry_common import kobuki
-from sim_turtlebot.odometry import STILL, true_motion
+from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry, true_motion
+from sim_turtlebot.scanner import Scanner
+from sim_turtlebot.sensors import Encoders, Gyro
 
-REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep of idle motors
+REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep with idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
 REST_TIME = 0.25  # s, until a slow robot counts as standing
 HOLD_SPEED = 1e-3  # m/s; a standing robot that is moved faster than this was pushed
-STANDING_HEIGHT = 1e-4  # m; a robot that is put this near to the floor, and
+STANDING_HEIGHT = 1e-4  # m; a robot that is placed this near to the floor and
 STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this straight (0.08 degrees), stands
 
 
 class Robot:
-    """One TurtleBot: commands in, motion, odometry and wheels out.
+    """One TurtleBot: commands in, motion, sensors and odometry out.
 
-    Times are counted in physics steps.
+    Times are counted in physics steps. Once per odometry period update() takes the ground truth
+    from the body, lets the sensors measure it and the odometry read the sensors.
     """
 
-    def __init__(self, body, step_rate, new_odometry, cmd_vel_timeout):
+    def __init__(self, body, step_rate, settings, index=0):
         """Take over a body.
 
         :param body: sim_turtlebot.turtlebot.TurtleBot, settled
         :param step_rate: physics steps per second (Hz)
-        :param new_odometry: function that returns a WorldOdometry or EncoderOdometry as it is at
-            the start
-        :param cmd_vel_timeout: stop when no command has come for this long (s); 0: never
+        :param settings: of sim_turtlebot.settings.read_settings()
+        :param index: of the robot; each has its own random numbers
         """
         self.body = body
         self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
-        self._timeout = _whole_steps(cmd_vel_timeout, step_rate) if cmd_vel_timeout else math.inf
+        timeout = settings.cmd_vel_timeout
+        self._timeout = _whole_steps(timeout, step_rate) if timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
-        self._new_odometry = new_odometry
+        self._seed = settings.seed + index
+        self._rng = random.Random()
+        self.gyro = Gyro(settings.gyro_noise, settings.gyro_drift, self._rng)
+        if settings.odometry_source == 'world':
+            self._encoders, self._estimator = None, WorldOdometry()
+        else:
+            self._encoders = Encoders(settings.wheel_slip, settings.wheel_noise, self._rng)
+            self._estimator = EncoderOdometry(self._encoders, self.gyro, settings.gyro)
+        self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
+        # Numpy's seeds are not negative.
+        self.scanner = Scanner(body, settings.scan_beams, settings.scan_fov, settings.scan_range_min,
+                               settings.scan_range_max, settings.scan_noise,
+                               (settings.seed % 2**32, index)) if settings.scan else None
         self.begin()
 
     @property
@@ -46,16 +62,6 @@ class Robot:
     def wheels(self):
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         return self._anchor[1] if self._anchor else self.body.wheels()
-
-    @property
-    def covariance(self):
-        """Variances of the odometry's x, y, z (m^2), roll, pitch and yaw (rad^2)."""
-        return self._odometry.covariance
-
-    @property
-    def gyro(self):
-        """The sim_turtlebot.gyro.Gyro, as it was at the last odometry; None if there is none."""
-        return self._odometry.gyro
 
     def command(self, linear, angular, now):
         """Move at `linear` m/s and `angular` rad/s, or as fast as the robot can.
@@ -75,27 +81,30 @@ class Robot:
         self._obey(0.0, 0.0)
 
     def is_steady_until(self, end):
-        """Return whether before_step() has nothing to do before the step `end`."""
+        """Return whether before_step() would do nothing until step `end`."""
         return self._driven == self._commanded and end <= self._deadline + 1
 
     def before_step(self, now):
-        """Accelerate, brake and time out; call it before each physics step."""
+        """Accelerate, brake or time out; call it before each physics step."""
         if now > self._deadline:
             self.stop()
         if self._driven != self._commanded:
             self._accelerate()
 
-    def tick(self, now, duration):
-        """Update the ground truth and the odometry, `duration` seconds after the last time."""
+    def update(self, now, duration):
+        """Update ground truth, sensors and odometry, `duration` seconds after the last time."""
         self.ground_truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
         elif self._commanded == self._driven == (0.0, 0.0):
             self._settle(now)
-        self.odometry = self._odometry.update(self.ground_truth, lambda: self.wheels[0], duration)
+        if self._encoders:  # reading the wheels takes as long as a physics step
+            self._encoders.update(self.wheels[0])
+        self.gyro.update(self.ground_truth.orientation, duration)
+        self.odometry = self._estimator.update(self.ground_truth, duration)
 
     def set_pose(self, position, orientation):
-        """Put the robot there, at rest; its wheels do not turn.
+        """Place the robot at rest, without turning its wheels.
 
         :param position: x, y, z (m) in the world; z is 0 where it stands on the floor
         :param orientation: quaternion x, y, z, w of length 1
@@ -108,22 +117,26 @@ class Robot:
         stands = (abs(position[2]) <= STANDING_HEIGHT
                   and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z)
         self._anchor = self._standing() if stands else None
-        self.odometry = self._odometry.carry(self.ground_truth)
+        self.gyro.carry(self.ground_truth.orientation)
+        self.odometry = self._estimator.carry(self.ground_truth)
 
     def reset_odometry(self):
-        """Let the odometry start from zero at the last known place."""
-        self.odometry = self._odometry.reset(self.ground_truth)
+        """Let odometry and gyro start from zero at the last known place."""
+        self.gyro.reset(self.ground_truth.orientation)
+        self.odometry = self._estimator.reset(self.ground_truth)
 
     def begin(self):
         """Start at rest where the body is, with the random numbers of the start."""
-        self._odometry = self._new_odometry()
+        self._rng.seed(self._seed)
         self._forget_commands()
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()
-        self.odometry = self._odometry.reset(self.ground_truth, self.wheels[0])
+        if self._encoders:
+            self._encoders.reset(self.wheels[0])
+        self.reset_odometry()
 
     def _forget_commands(self):
-        """Neither command the robot to move nor drive it."""
+        """Forget commands and timeout, and stop driving."""
         self._commanded = self._driven = (0.0, 0.0)
         self._deadline = math.inf
         self._slow_since = None
@@ -134,7 +147,7 @@ class Robot:
             self._anchor = self._slow_since = None
 
     def _accelerate(self):
-        """Bring both wheels nearer to their commanded speeds, by the same share of the change."""
+        """Change both wheels' speeds towards the command, each by the same share."""
         linear, angular = (wanted - now for wanted, now in zip(self._commanded, self._driven))
         change = abs(linear) + abs(angular) * kobuki.WHEEL_SEPARATION / 2  # of the faster wheel
         if change <= self._speed_step:
@@ -161,7 +174,7 @@ class Robot:
         return self.ground_truth, (angles, (0.0, 0.0), torques)
 
     def _hold(self, duration):
-        """Undo the creep of idle motors, as static friction would; let go when pushed."""
+        """Undo the creep with idle motors, as static friction would; release the robot if pushed."""
         ground_truth, wheels = self._anchor
         if math.dist(self.ground_truth.position, ground_truth.position) > HOLD_SPEED * duration:
             self._anchor = self._slow_since = None

@@ -1,133 +1,107 @@
-"""The topics of one robot."""
+"""The topics that a robot publishes."""
 
-from functools import partial
+import sys
 
-import rospy
-from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
+from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
+from odometry_common.geometry import about_z
+from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
-from sensor_msgs.msg import JointState
-from std_msgs.msg import Empty
+from sensor_msgs.msg import Imu, JointState, LaserScan
 
-from sim_turtlebot.imu_topic import ImuTopic
-from sim_turtlebot.link_frames import LinkFrames
-from sim_turtlebot.numbering import numbered, publish
-from sim_turtlebot.velocity_mux import INPUTS
+from sim_turtlebot.frames import WHEEL_JOINTS, fill_pose
+from sim_turtlebot.scanner import is_scan_due
 
-WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
-NumberedOdometry, NumberedJointState = numbered(Odometry), numbered(JointState)
+# About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the greatest
+# number where nothing is measured: kobuki_node/src/library/slot_callbacks.cpp.
+IMU_VARIANCES = sys.float_info.max, sys.float_info.max, 0.005
 
 
-class RobotTopics:
-    """Publishes the state of a Robot, and passes commands on."""
+class Topic:
+    """A topic whose messages carry the number of the odometry period they belong to.
 
-    def __init__(self, robot, namespace):
-        """Advertise.
+    rospy would count the messages that it sends. With our number, a message that is sent twice is
+    the same message, and two runs are the same bytes.
+    """
 
-        :param robot: sim_turtlebot.robot.Robot
-        :param namespace: '' or one that ends in a slash; topics and frames begin with it
-        """
-        self._robot = robot
-        self._namespace = namespace
-        self._odometry = _new_odometry(f'{namespace}odom', f'{namespace}base_footprint')
-        self._odometry.pose.covariance = _diagonal(robot.covariance)
-        self._ground_truth = _new_odometry('world', f'{namespace}base_footprint')
-        self._joints = NumberedJointState(name=WHEEL_JOINTS)
-        self._transform = TransformStamped(child_frame_id=self._odometry.child_frame_id)
-        self._transform.header.frame_id = self._odometry.header.frame_id
-        self._links = LinkFrames(namespace)
-        self._publishers = [
-            (self._odometry, advertise(f'{namespace}odom', Odometry)),
-            (self._ground_truth, advertise(f'{namespace}base_pose_ground_truth', Odometry))]
-        self._joint_publisher = advertise(f'{namespace}joint_states', JointState)
-        self._imu = ImuTopic(robot, namespace)
+    def __init__(self, name, message_class, frame, /, **fields):
+        """Advertise; `message` is there to be filled before publish()."""
+        # Without _has_header rospy leaves header.seq alone.
+        numbered = type(f'Numbered{message_class.__name__}', (message_class,), {'_has_header': False})
+        self.message = numbered(**fields)
+        self.message.header.frame_id = frame
+        self._publisher = advertise(name, message_class)
 
-    def subscribe(self, on_velocity, on_reset_odometry, on_set_pose):
-        """Listen for commands.
-
-        The first argument of each function is the message's sender, see sender_of().
-
-        :param on_velocity: function of linear (m/s) and angular (rad/s) velocity, and of the input
-            of the multiplexer that they came through; None if they bypass it
-        :param on_reset_odometry: function without more arguments
-        :param on_set_pose: function of a frame_id, a position and an orientation, as tuples
-        """
-        def on_twist(mux_input, message):
-            on_velocity(sender_of(message), message.linear.x, message.angular.z, mux_input)
-
-        def on_pose(message):
-            position, orientation = message.pose.position, message.pose.orientation
-            on_set_pose(sender_of(message), message.header.frame_id, (position.x, position.y, position.z),
-                        (orientation.x, orientation.y, orientation.z, orientation.w))
-
-        inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
-                  **{name: name for name in INPUTS}}
-        for topic, mux_input in inputs.items():
-            rospy.Subscriber(f'{self._namespace}{topic}', Twist, partial(on_twist, mux_input),
-                             tcp_nodelay=True)
-        rospy.Subscriber(f'{self._namespace}mobile_base/commands/reset_odometry', Empty,
-                         lambda message: on_reset_odometry(sender_of(message)))
-        rospy.Subscriber(f'~{self._namespace}set_pose', PoseStamped, on_pose, tcp_nodelay=True)
+    @property
+    def has_subscribers(self):
+        """Whether anyone receives the message."""
+        return self._publisher.get_num_connections() > 0
 
     def publish(self, stamp, number):
-        """Publish the robot's state, as far as anybody listens.
+        """Publish the message.
 
         :param stamp: rospy.Time
         :param number: how many odometry periods have passed
         """
-        motions = self._robot.odometry, self._robot.ground_truth
-        for motion, (message, publisher) in zip(motions, self._publishers):
-            if publisher.get_num_connections():
-                _fill(message, motion)
-                publish(publisher, message, stamp, number)
-        # To ask for the wheels costs as much as a physics step.
-        if self._joint_publisher.get_num_connections():
-            joints = self._joints
-            joints.position, joints.velocity, joints.effort = self._robot.wheels
-            publish(self._joint_publisher, joints, stamp, number)
-        self._imu.publish(stamp, number)
-
-    def fixed_frames(self, stamp):
-        """Return the transforms from base_footprint to all links but the wheels."""
-        return self._links.fixed(stamp)
-
-    def base_frame(self, stamp):
-        """Return the transform from odom to base_footprint."""
-        transform = self._transform.transform
-        self._transform.header.stamp = stamp
-        _fill_pose(transform.translation, transform.rotation, self._robot.odometry)
-        return self._transform
-
-    def wheel_frames(self, stamp):
-        """Return the transforms from base_link to the wheels."""
-        return self._links.moving(stamp, dict(zip(WHEEL_JOINTS, self._robot.wheels[0])))
+        self.message.header.stamp = stamp
+        self.message.header.seq = number
+        self._publisher.publish(self.message)
 
 
-def sender_of(message):
-    """Return the names of the node that has sent a message or a request, and of its topic or service."""
-    header = message._connection_header
-    return header['callerid'], header.get('topic') or header.get('service', '')
+class RobotTopics:
+    """Publishes the state of a Robot; skips topics without subscribers."""
 
+    def __init__(self, robot, namespace, scan_rate, odom_rate):
+        """Advertise.
 
-def _new_odometry(frame, child_frame):
-    message = NumberedOdometry(child_frame_id=child_frame)
-    message.header.frame_id = frame
-    return message
+        :param robot: sim_turtlebot.robot.Robot
+        :param namespace: '' or one that ends in a slash; topics and frames begin with it
+        :param scan_rate, odom_rate: Hz
+        """
+        self._robot = robot
+        base = f'{namespace}base_footprint'
+        self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom', child_frame_id=base)
+        self._odometry.message.pose.covariance[::7] = robot.covariance
+        self._ground_truth = Topic(f'{namespace}base_pose_ground_truth', Odometry, 'world',
+                                   child_frame_id=base)
+        self._joints = Topic(f'{namespace}joint_states', JointState, '', name=WHEEL_JOINTS)
+        self._imu = Topic(f'{namespace}mobile_base/sensors/imu_data', Imu, f'{namespace}gyro_link')
+        self._imu.message.orientation_covariance[::4] = IMU_VARIANCES
+        self._imu.message.angular_velocity_covariance[::4] = IMU_VARIANCES
+        self._scan_rates = scan_rate, odom_rate
+        if scanner := robot.scanner:
+            self._scan = Topic(
+                f'{namespace}scan', LaserScan, f'{namespace}{DEPTH_CAMERA_FRAME}',
+                angle_min=-scanner.field_of_view / 2, angle_max=scanner.field_of_view / 2,
+                angle_increment=scanner.field_of_view / (scanner.beams - 1), scan_time=1 / scan_rate,
+                range_min=scanner.range_min, range_max=scanner.range_max)
 
+    def publish(self, stamp, number):
+        """Publish all but the scan; parameters as for Topic.publish()."""
+        robot = self._robot
+        for topic, motion in ((self._odometry, robot.odometry),
+                              (self._ground_truth, robot.ground_truth)):
+            if topic.has_subscribers:
+                pose, twist = topic.message.pose.pose, topic.message.twist.twist
+                fill_pose(pose.position, pose.orientation, *motion[:2])
+                twist.linear.x, twist.linear.y, twist.linear.z = motion.linear
+                twist.angular.x, twist.angular.y, twist.angular.z = motion.angular
+                topic.publish(stamp, number)
+        # Reading the wheels takes as long as a physics step.
+        if self._joints.has_subscribers:
+            joints = self._joints.message
+            joints.position, joints.velocity, joints.effort = robot.wheels
+            self._joints.publish(stamp, number)
+        if self._imu.has_subscribers:
+            imu = self._imu.message
+            imu.orientation = Quaternion(*about_z(robot.gyro.heading))
+            imu.angular_velocity.z = robot.gyro.rate
+            self._imu.publish(stamp, number)
 
-def _diagonal(variances):
-    matrix = [0.0] * len(variances)**2
-    matrix[::len(variances) + 1] = variances
-    return matrix
-
-
-def _fill(message, motion):
-    pose, twist = message.pose.pose, message.twist.twist
-    _fill_pose(pose.position, pose.orientation, motion)
-    twist.linear.x, twist.linear.y, twist.linear.z = motion.linear
-    twist.angular.x, twist.angular.y, twist.angular.z = motion.angular
-
-
-def _fill_pose(position, orientation, motion):
-    position.x, position.y, position.z = motion.position
-    orientation.x, orientation.y, orientation.z, orientation.w = motion.orientation
+    def publish_scan(self, stamp, number):
+        """Publish a scan if one is due, with the odometry of the same moment."""
+        # Rays cost more than all else that happens between two odometries.
+        if (self._robot.scanner and self._scan.has_subscribers
+                and is_scan_due(number, *self._scan_rates)):
+            self._scan.message.ranges = self._robot.scanner.scan(number).tolist()
+            self._scan.publish(stamp, number)

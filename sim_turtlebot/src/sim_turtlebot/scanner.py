@@ -1,4 +1,4 @@
-"""The depth camera of a TurtleBot 2, turned into a laser scan by rays; no ROS."""
+"""The laser scan of a TurtleBot 2's depth camera, by ray casting; no ROS."""
 
 import math
 
@@ -15,7 +15,7 @@ RANGE_MAX = 10.0  # m; the default of depthimage_to_laserscan
 
 
 class Scanner:
-    """Measures how far it is from a robot to what is around it, in a fan of level beams."""
+    """Measures the distance to the robot's surroundings along a horizontal fan of beams."""
 
     def __init__(self, body, beams=BEAMS, field_of_view=FIELD_OF_VIEW, range_min=RANGE_MIN,
                  range_max=RANGE_MAX, noise=0.0, seed=(0,)):
@@ -42,13 +42,13 @@ class Scanner:
 
         +inf where there is nothing up to range_max, -inf where something is nearer than range_min.
 
-        :param number: of the odometry period, from 0. The noise follows from it alone: a scan that
-            is repeated is the same, whatever was taken before it.
+        :param number: of the odometry period, from 0. It alone seeds the noise: a repeated scan is
+            the same, whatever scans came before.
         """
         shares = numpy.array(self._cast_rays(self._starts, self._ends))
         ranges = self.range_max * shares
         if self._noise:
-            # Of all of numpy's generators this one is to give the same numbers for ever.
+            # numpy guarantees the sequence of this generator only.
             rng = numpy.random.RandomState([*self._seed, number])
             ranges += rng.normal(0.0, self._noise, self.beams)
         ranges[(shares == 1.0) | (ranges > self.range_max)] = math.inf

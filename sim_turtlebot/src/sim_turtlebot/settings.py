@@ -100,9 +100,9 @@ def read_settings():
 
 
 def _default_clock_rate(settings):
-    """Return the rate (Hz) that a client needs for loops of its own; 0: the coarsest.
+    """Return the rate (Hz) that clients need for their own loops; 0: the coarsest.
 
-    Where time is not paced, or not ours, more ticks would cost time and help nobody.
+    With unpaced or wall time, more ticks would only cost time.
     """
     pace = settings.real_time_factor
     if settings.lockstep:

@@ -1,41 +1,32 @@
 """Robots in a world, stepped through simulated time. The only place where they step; no ROS."""
 
 import math
-from functools import partial
 
-from odometry_common.kobuki import CMD_VEL_TIMEOUT
-
-from sim_turtlebot.odometry import WorldOdometry
-from sim_turtlebot.physics import settled_world
+from sim_turtlebot.physics import World
 from sim_turtlebot.robot import Robot
 from sim_turtlebot.timeline import Timeline
 from sim_turtlebot.velocity_mux import VelocityMux
 
 SPACING = 1.0  # m, from one robot's start to that of the next on its left
-AT_ZERO = (0.0, 0.0, 0.0)
 
 
 class Simulation:
     """TurtleBots that share a world and a timeline."""
 
-    def __init__(self, starts=(AT_ZERO,), new_odometry=lambda _: WorldOdometry(), odom_rate=20.0,
-                 cmd_vel_timeout=CMD_VEL_TIMEOUT, gui=False, world_file='', clock_rate=0.0,
-                 build_world=settled_world):
+    def __init__(self, settings, starts=None, build_world=World):
         """Put robots down.
 
-        :param starts: x, y (m) and yaw (rad) of each robot
-        :param new_odometry: function that returns the odometry of a robot (an index); it is called
-            again at each reset
-        :param odom_rate: Hz
-        :param cmd_vel_timeout: a robot stops when no command has come for this long (s); 0: never
-        :param gui, world_file: as for sim_turtlebot.physics.World, and what it raises
-        :param clock_rate: as for sim_turtlebot.timeline.Timeline
-        :param build_world: function of the first four parameters of settled_world()
+        :param settings: of sim_turtlebot.settings.read_settings()
+        :param starts: x, y (m) and yaw (rad) of each robot; None: where the settings put them
+        :param build_world: function of the parameters of World, whose errors it raises
         """
-        self.timeline = Timeline(odom_rate, clock_rate)
+        if starts is None:
+            starts = [(settings.x, settings.y + index * SPACING, settings.yaw)
+                      for index in range(settings.robots)]
+        self.timeline = Timeline(settings.odom_rate, settings.clock_rate)
         step_rate = self.timeline.step_rate
-        self.world = build_world(step_rate, starts, gui, world_file)
-        self.robots = [Robot(body, step_rate, partial(new_odometry, index), cmd_vel_timeout)
+        self.world = build_world(step_rate, starts, settings.gui, settings.world)
+        self.robots = [Robot(body, step_rate, settings, index)
                        for index, body in enumerate(self.world.robots)]
         self._muxes = [VelocityMux() for _ in self.robots]
 
@@ -77,7 +68,7 @@ class Simulation:
         if not timeline.odometry_is_due:
             return False
         for robot in robots:
-            robot.tick(timeline.steps, 1.0 / timeline.odom_rate)
+            robot.update(timeline.steps, 1.0 / timeline.odom_rate)
         return True
 
     def reset(self):
@@ -87,8 +78,3 @@ class Simulation:
         for robot, mux in zip(self.robots, self._muxes):
             robot.begin()
             mux.restart()
-
-
-def side_by_side(robots, x=0.0, y=0.0, yaw=0.0):
-    """Return the starts of so many robots, the first one at x, y (m) and yaw (rad)."""
-    return [(x, y + index * SPACING, yaw) for index in range(robots)]

@@ -1,32 +1,52 @@
 """The simulation in ROS: topics, services and pacing around the robots and their world.
 
-ROS calls back on threads of its own. They leave requests, which the main thread serves between two
-advances of the simulation; in lockstep once every node of the graph rests, in the order of their
-senders' names.
+The way of /odom: advance() steps the Simulation to the next tick, in which each Robot updates its
+sensors and its odometry; then SimulationTopics publishes them.
+
+rospy's threads leave requests, which the main thread serves between two advances of the simulation;
+in lockstep once every node of the graph rests, in the order of their senders' names.
 """
 
 import math
 from functools import partial
 
 import rospy
+from geometry_msgs.msg import PoseStamped, Twist
+from odometry_common.parameters import ParameterError
 from odometry_common.shutdown import LONGEST_WAIT
-from std_srvs.srv import Empty, EmptyResponse
+from std_msgs.msg import Empty
+from std_srvs import srv
 
-from sim_turtlebot.current_warnings import CurrentWarnings
 from sim_turtlebot.falls import Falls
 from sim_turtlebot.lockstep import Lockstep
 from sim_turtlebot.pacing import Pacer
 from sim_turtlebot.poses import checked_pose
 from sim_turtlebot.request_queue import RequestQueue
-from sim_turtlebot.robot_topics import sender_of
-from sim_turtlebot.simulation_topics import SimulationTopics, namespaces
+from sim_turtlebot.settings import read_settings
+from sim_turtlebot.simulation import Simulation
+from sim_turtlebot.simulation_topics import SimulationTopics
+from sim_turtlebot.velocity_mux import INPUTS
+from sim_turtlebot.window import NoScreenError
+from sim_turtlebot.world_file import WorldFileError
 
-SHORTEST_SLEEP = 0.001  # s; a shorter one would oversleep
-LOOK_PERIOD = 0.1  # s of wall time between two looks at a graph that is about to settle
+SHORTEST_SLEEP = 0.001  # s; shorter sleeps take longer than asked
+LOOK_PERIOD = 0.1  # s of wall time between two checks whether the graph has settled
+
+
+def simulate():
+    """Simulate until shutdown, as the parameters say."""
+    settings = read_settings()
+    try:
+        simulation = Simulation(settings)
+    except NoScreenError as error:
+        raise ParameterError('~gui', True, f'false where {error}') from None
+    except WorldFileError as error:
+        raise ParameterError('~world', settings.world, error) from None
+    Simulator(simulation, settings).run()
 
 
 class Simulator:
-    """Lets time pass in a Simulation, as the clock and the controllers allow."""
+    """Advances a Simulation at the pace of the wall clock, or of the nodes in lockstep."""
 
     def __init__(self, simulation, settings):
         """Advertise; time starts with run()."""
@@ -40,9 +60,10 @@ class Simulator:
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
         self._lockstep = Lockstep(lambda: self._stopping) if settings.lockstep else None
-        self._topics = SimulationTopics(simulation, settings)
-        self._warnings = CurrentWarnings(self._topics.warn)
-        self._falls = Falls(simulation.robots, self._report_fall)
+        self._namespaces = [''] if settings.robots == 1 else [
+            f'robot_{number}/' for number in range(1, settings.robots + 1)]
+        self._topics = SimulationTopics(simulation, settings, self._namespaces)
+        self._falls = Falls(simulation.robots)
         self._listen()
 
     def run(self):
@@ -64,7 +85,7 @@ class Simulator:
                 self._advance()
 
     def _serve(self, timeout):
-        """Wait (s of wall time) for a request and serve it, in lockstep all that come with it."""
+        """Wait (s of wall time) for a request and serve it; in lockstep, all that have arrived."""
         if self._paused or not self._lockstep:
             self._requests.serve(timeout)
         elif self._requests.wait(timeout):
@@ -73,10 +94,10 @@ class Simulator:
 
     def _serve_all(self):
         if self._requests.serve_all():
-            self._lockstep.wait()  # whoever was answered goes on
+            self._lockstep.wait()  # until the callers that were answered rest
 
     def _begin(self):
-        """Publish time zero; in lockstep once everybody is there."""
+        """Publish time zero; in lockstep, once the graph has settled."""
         if self._lockstep and not self._lockstep.has_settled():
             self._requests.wait(LOOK_PERIOD)
             return
@@ -85,8 +106,8 @@ class Simulator:
         self._pacer.restart(self._timeline.now)
 
     def _advance(self):
-        """Let time pass, and publish what is due then."""
-        # On the wall clock, a command is obeyed at the next step.
+        """Simulate to the next tick of the clock, and publish what is due."""
+        # Paced by the wall clock, obey commands at the next step.
         is_paced = self._settings.real_time_factor and not self._lockstep
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
         self._publish(new_odometry)
@@ -96,9 +117,9 @@ class Simulator:
             self._update_window()
 
     def _publish(self, new_odometry=True):
-        """Publish what is due; in lockstep wait for what comes of it.
+        """Publish what is due; in lockstep, wait after each until all nodes rest.
 
-        The odometry comes first there: a loop that the clock wakes then knows it.
+        Lockstep publishes the odometry first, so that a loop that the clock wakes has received it.
         """
         due = [self._topics.publish_clock] if self._timeline.clock_is_due else []
         if new_odometry:
@@ -110,7 +131,12 @@ class Simulator:
 
     def _publish_robots(self):
         self._topics.publish_robots()
-        self._falls.look()
+        for name, warning in self._falls.look():
+            if warning:
+                rospy.logwarn(warning)
+            else:
+                rospy.loginfo(f'{name} stands upright again')
+            self._topics.warn(name, warning)
 
     def _update_window(self):
         if self._simulation.world.window.closed:
@@ -120,51 +146,56 @@ class Simulator:
             self._simulation.world.look_at(self._simulation.robots[0].body)
 
     def _listen(self):
-        robots, put = self._simulation.robots, self._requests.put
-        self._topics.subscribe(
-            lambda index, sender, *command: put((sender, partial(self._command, index, *command))),
-            lambda index, sender: put((sender, robots[index].reset_odometry)),
-            lambda index, sender, *pose: put((sender, partial(self._set_pose, index, *pose))))
+        inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
+                  **{name: name for name in INPUTS}}
+        for robot, namespace in enumerate(self._namespaces):
+            for topic, mux_input in inputs.items():
+                self._subscribe(f'{namespace}{topic}', Twist, self._command, robot, mux_input)
+            self._subscribe(f'{namespace}mobile_base/commands/reset_odometry', Empty,
+                            self._reset_odometry, robot)
+            self._subscribe(f'~{namespace}set_pose', PoseStamped, self._set_pose, robot)
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
-            rospy.Service(name, Empty, partial(self._answer, action))
+            rospy.Service(name, srv.Empty, partial(self._answer, action))
+
+    def _subscribe(self, topic, message_class, action, *arguments):
+        """Have the main thread call action(message, *arguments) for each message."""
+        rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
+            (_sender_of(message), partial(action, message, *arguments))), tcp_nodelay=True)
 
     def _answer(self, action, request):
         try:
-            self._requests.put_and_wait(action, sender_of(request))
+            self._requests.put_and_wait(action, _sender_of(request))
         except TimeoutError as error:
             raise rospy.ServiceException(error) from None
-        return EmptyResponse()
+        return srv.EmptyResponse()
 
-    def _command(self, index, linear, angular, mux_input):
+    def _command(self, twist, robot, mux_input):
         if self._lockstep and not self._begun:
-            return  # whether it arrives, or comes before the connection, is chance
+            return  # whether it arrives before the connection is made is chance
         try:
-            self._simulation.command(linear, angular, index, mux_input)
+            self._simulation.command(twist.linear.x, twist.angular.z, robot, mux_input)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
 
-    def _set_pose(self, index, *pose):
-        """Put a robot elsewhere; while time stands still, show it there."""
+    def _reset_odometry(self, _message, robot):
+        self._simulation.robots[robot].reset_odometry()
+
+    def _set_pose(self, message, robot):
+        """Place a robot; while paused, publish its new pose."""
+        position, orientation = message.pose.position, message.pose.orientation
         try:
-            self._simulation.robots[index].set_pose(*checked_pose(*pose))
+            self._simulation.robots[robot].set_pose(*checked_pose(
+                message.header.frame_id, (position.x, position.y, position.z),
+                (orientation.x, orientation.y, orientation.z, orientation.w)))
         except ValueError as error:
-            namespace = namespaces(self._settings.robots)[index]
-            rospy.logwarn_throttle(1.0, f'~{namespace}set_pose refused: {error}')
+            rospy.logwarn_throttle(1.0, f'~{self._namespaces[robot]}set_pose refused: {error}')
             return
         if self._paused:
             self._publish_robots()
 
-    def _report_fall(self, name, text):
-        """Warn, in the log and for the page, of a robot on its side, or take that back."""
-        if text:
-            rospy.logwarn(text)
-        else:
-            rospy.loginfo(f'{name} stands upright again')
-        self._warnings.set(name, text)
-
     def _report_pace(self, reached):
-        """Warn, in the log and for the page, that the machine is too slow, or has caught up."""
+        """Warn, in the log and on ~warning, that the machine is too slow, or has caught up."""
         wanted = self._settings.real_time_factor
         if reached is None:
             text = ''
@@ -173,7 +204,7 @@ class Simulator:
             text = (f'this machine is too slow: it reaches a real-time factor of {reached:.2g} '
                     f'instead of {wanted:g}')
             rospy.logwarn(f'{text}; fewer robots, a lower ~odom_rate or ~real_time_factor help')
-        self._warnings.set('pace', text)
+        self._topics.warn('pace', text)
 
     def _pause(self):
         self._paused = True
@@ -191,3 +222,9 @@ class Simulator:
     def _stop(self):
         self._stopping = True
         self._requests.put((('', ''), lambda: None))
+
+
+def _sender_of(message):
+    """Return the sender of a message or request: the names of its node and of its topic or service."""
+    header = message._connection_header
+    return header['callerid'], header.get('topic') or header.get('service', '')

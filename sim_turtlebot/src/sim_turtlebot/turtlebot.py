@@ -1,4 +1,4 @@
-"""The body of a TurtleBot 2 in PyBullet: what its wheels, its pose and its contacts are."""
+"""The body of a TurtleBot 2 in PyBullet: wheels, pose and contacts."""
 
 import contextlib
 import os
@@ -31,7 +31,7 @@ class TurtleBot:
         self.load()
 
     def load(self):
-        """Put the robot into a world in which it is not yet, at its start."""
+        """Load the robot at its start, into a world without it."""
         client = self._client
         with _in_memory(without_frames(URDF.read_text())) as path, suppress_native_output():
             self._body = client.loadURDF(path, *self._start, flags=self._flags)
@@ -41,11 +41,11 @@ class TurtleBot:
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
         self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
-        # Bound once: the client makes such a function anew each time that it is asked for it.
+        # Bound once: the client creates such a function at each access.
         self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
         self._get_velocity = partial(client.getBaseVelocity, self._body)
         self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
-        # In a call of PyBullet, which reckons as if a torque had acted in a single one.
+        # Per call of PyBullet, which treats a torque as if it acted in a single step.
         self.steps_at_once = 1
         self.drive(0.0, 0.0)
 
@@ -83,7 +83,7 @@ class TurtleBot:
         return [hit[2] for hit in hits]
 
     def overlap(self):
-        """Return how deep (m) other bodies are in the robot, except for a floor that bears it."""
+        """Return how deep (m) other bodies overlap the robot, except a floor it stands on."""
         points = ((normal[2], -distance) for *_, normal, distance, _, _, _, _, _
                   in self._client.getContactPoints(self._body))
         return max((depth for up, depth in points
@@ -97,11 +97,11 @@ class TurtleBot:
             self._client.resetJointState(self._body, wheel, angle, 0.0)
 
     def put(self, position, orientation, wheel_angles):
-        """Put the robot there, at rest, unless there is no room; then stop it where it is.
+        """Place the robot at rest; if there is no room, stop it where it is.
 
         :param position: x, y, z (m); z is 0 where it stands on the floor
         :param orientation, wheel_angles: as for place()
-        :raises ValueError: if it would be in something
+        :raises ValueError: if it would overlap something
         """
         here = self.pose()
         x, y, z = position
@@ -117,8 +117,8 @@ class TurtleBot:
     def place_at_start(self):
         """Go back to where the robot was added, with its wheels at zero and at rest.
 
-        Through the air: to a body that it finds again near by, PyBullet leaves its contacts, and
-        the next drive would depend on the last one.
+        By way of the air: a body that moves only a little keeps its contacts in PyBullet, and the
+        next drive would depend on the last one.
         """
         (x, y, _), orientation = self._start
         self.place([x, y, AIR], orientation, [0.0, 0.0])
@@ -134,7 +134,7 @@ class TurtleBot:
 
 @contextlib.contextmanager
 def _in_memory(text):
-    """Yield the path of a file with this text that is on no disk: one may be full, or read-only."""
+    """Yield the path of a file with this text in memory: a disk may be full, or read-only."""
     with open(os.memfd_create('turtlebot2.urdf'), 'w', encoding='utf-8') as file:
         file.write(text)
         file.flush()

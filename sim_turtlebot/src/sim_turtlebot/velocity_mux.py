@@ -1,41 +1,32 @@
 """Which of several controllers a TurtleBot obeys, as yocs_cmd_vel_mux decides it on the robot."""
 
 import math
-from typing import NamedTuple
 
-
-class Input(NamedTuple):
-    """An input of the multiplexer."""
-
-    priority: int  # no two have the same
-    timeout: float  # s
-
-
-# By topic: turtlebot_bringup/param/mux.yaml in github.com/turtlebot/turtlebot, but for the safety
-# controller, which needs bumpers.
-INPUTS = {'cmd_vel_mux/input/teleop': Input(7, 1.0), 'cmd_vel_mux/input/navi': Input(5, 1.0)}
+# Priorities by topic, and what each has as its timeout: turtlebot_bringup/param/mux.yaml in
+# github.com/turtlebot/turtlebot, but for the safety controller, which needs bumpers.
+INPUTS = {'cmd_vel_mux/input/teleop': 7, 'cmd_vel_mux/input/navi': 5}
+TIMEOUT = 10**9  # ns
 
 
 class VelocityMux:
     """Passes on the commands of one input at a time.
 
-    The one that was passed on last keeps those of a lower priority out until it has been silent for
-    its timeout: yocs_cmd_vel_mux/src/cmd_vel_mux_nodelet.cpp in github.com/yujinrobot/yujin_ocs.
+    The active input blocks those of a lower priority until it has been silent for its timeout:
+    yocs_cmd_vel_mux/src/cmd_vel_mux_nodelet.cpp in github.com/yujinrobot/yujin_ocs.
     """
 
-    def __init__(self, inputs=None):
-        """Take Inputs by name; None: those of a TurtleBot 2."""
-        self._inputs = INPUTS if inputs is None else inputs
+    def __init__(self):
+        """Let every input through."""
         self.restart()
 
     def restart(self):
-        """Pass on whoever speaks first, as at the start."""
+        """Let every input through again."""
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):
-        """Return whether a command that comes from an input at a time (ns) goes on to the base."""
-        priority, timeout = self._inputs[name]
+        """Return whether a command from an input at a time (ns) reaches the base."""
+        priority = INPUTS[name]
         if now < self._end and priority < self._priority:
             return False
-        self._priority, self._end = priority, now + round(timeout * 1e9)
+        self._priority, self._end = priority, now + TIMEOUT
         return True

@@ -1,14 +1,14 @@
-"""PyBullet's window: whether there is a screen for it, and whether it has been closed."""
+"""PyBullet's window: check for a display, and notice when the window is closed."""
 
 import contextlib
 import ctypes
 import threading
 
-LIBRARIES = ['libX11.so.6', 'libGL.so.1']  # PyBullet loads them, and ends the process without
+LIBRARIES = ['libX11.so.6', 'libGL.so.1']  # without them PyBullet ends the process
 
 
 class NoScreenError(RuntimeError):
-    """There is no screen to open a window on; the message says what is missing."""
+    """There is no display for a window; the message says what is missing."""
 
 
 class Window:

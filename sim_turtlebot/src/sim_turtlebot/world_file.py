@@ -1,7 +1,7 @@
-"""Whether PyBullet can load a world file, tried in a process of its own.
+"""Check in a separate process whether PyBullet can load a world file.
 
 Some files make PyBullet end the whole process: a URDF with two root links, or a mesh that is a
-folder. With a mesh that is a pipe it waits for ever. Run as a program, this file is that process.
+folder. With a mesh that is a pipe it hangs. Run as a script, this file is that process.
 """
 
 import functools
@@ -13,7 +13,7 @@ from pathlib import Path
 
 SUFFIXES = '.urdf', '.sdf', '.world'
 REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
-NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in a remark of its own
+NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in another remark
 LONGEST_REASON = 300  # characters
 LONGEST_LOAD = 30  # s; the largest worlds take a few
 
@@ -22,7 +22,7 @@ class WorldFileError(ValueError):
     """A world file that cannot be used; the message says in one line what it must be."""
 
 
-@functools.lru_cache(maxsize=None)  # many simulations may follow each other in one world
+@functools.lru_cache(maxsize=None)  # a sweep builds many simulations from one file
 def check_world_file(path):
     """Raise WorldFileError if PyBullet cannot load the file."""
     if Path(path).suffix not in SUFFIXES:
@@ -30,7 +30,7 @@ def check_world_file(path):
     if not Path(path).is_file():
         what = 'is a folder' if Path(path).is_dir() else 'there is none'
         raise WorldFileError(f'a file that can be loaded ({what})')
-    # In a session of its own, Ctrl-C does not make it fail.
+    # In a separate session, Ctrl-C does not make it fail.
     trial = subprocess.run([sys.executable, __file__, path, str(LONGEST_LOAD)], capture_output=True,
                            text=True, errors='replace', start_new_session=True, check=False)
     if trial.returncode:

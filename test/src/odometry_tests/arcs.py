@@ -2,10 +2,15 @@
 
 import math
 
-from odometry_common.geometry import about_z
+from odometry_common.geometry import about_z, rotate
 from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 from sim_turtlebot.odometry import STILL, Motion
+from sim_turtlebot.robot import Robot as SimulatedRobot
 
+from odometry_tests.simulation import settings_of
+
+STEP_RATE = 240.0  # Hz
+SPEED = 0.1  # m/s
 PERIOD = 0.05  # s between two odometries at 20 Hz
 TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN  # m
 
@@ -30,10 +35,59 @@ def on_arc(speed, turn_speed, time):
     return radius * math.sin(yaw), radius * (1 - math.cos(yaw)), yaw
 
 
-def drive(odometry, speed, turn_speed=0.0, duration=10.0):
-    """Drive an arc; return the odometry after each period."""
-    odometry.reset(motion(), (0.0, 0.0))
+class Body:
+    """A body without physics: it is where the test puts it."""
+
+    def __init__(self):
+        """Stand at zero."""
+        self.motion, self.angles = motion(), (0.0, 0.0)
+
+    def pose(self):
+        """Return position and orientation."""
+        return self.motion[:2]
+
+    def velocity(self):
+        """Return the linear and the angular velocity, both in the world frame."""
+        return [rotate(self.motion.orientation, vector) for vector in self.motion[2:]]
+
+    def wheels(self):
+        """Return the wheels' angles (rad), and no velocities and torques."""
+        return self.angles, (0.0, 0.0), (0.0, 0.0)
+
+    def drive(self, _linear, _angular):
+        """Turn no wheel."""
+
+    def place(self, position, orientation, _wheel_angles):
+        """Stand there."""
+        self.motion = Motion(position, orientation, STILL, STILL)
+
+    put = place
+
+
+class Robot(SimulatedRobot):
+    """A robot on a Body, for its sensors and its odometry; parameters as the node's."""
+
+    def __init__(self, **parameters):
+        """Stand at zero."""
+        super().__init__(Body(), STEP_RATE, settings_of(**parameters))
+
+    def start(self, motion, angles=(0.0, 0.0)):
+        """Begin with this Motion and wheels at these angles (rad); return the odometry."""
+        self.body.motion, self.body.angles = motion, angles
+        self.begin()
+        return self.odometry
+
+    def move(self, motion, angles=(0.0, 0.0), duration=PERIOD):
+        """Be there `duration` seconds later, as a robot that drives; return the odometry."""
+        self.body.motion, self.body.angles = motion, angles
+        self.command(SPEED, 0.0, 0)  # else it would be held
+        self.update(0, duration)
+        return self.odometry
+
+
+def drive(robot, speed, turn_speed=0.0, duration=10.0):
+    """Drive an arc from a start at zero; return the odometry after each period."""
+    robot.start(motion())
     times = [number * PERIOD for number in range(1, round(duration / PERIOD) + 1)]
-    return [odometry.update(motion(*on_arc(speed, turn_speed, time)),
-                            lambda time=time: wheel_angles(speed * time, turn_speed * time), PERIOD)
-            for time in times]
+    return [robot.move(motion(*on_arc(speed, turn_speed, time)),
+                       wheel_angles(speed * time, turn_speed * time)) for time in times]

@@ -22,7 +22,7 @@ from odometry_tests.scripts import ROOT
 
 FORKS = multiprocessing.get_context('forkserver')
 FORKS.set_forkserver_preload([
-    'odometry_tests.forked', 'sim_turtlebot.node', 'tf.transformations', 'robot_view.address',
+    'odometry_tests.forked', 'sim_turtlebot.simulator', 'tf.transformations', 'robot_view.address',
     'run_plot.figure'])
 OUTPUTS = 1, 2  # descriptors
 PR_SET_PDEATHSIG = 1  # <linux/prctl.h>

@@ -4,8 +4,9 @@ import math
 from typing import NamedTuple
 
 from odometry_common.geometry import rotate
-from sim_turtlebot.odometry import WorldOdometry, true_motion
-from sim_turtlebot.simulation import AT_ZERO
+from odometry_common.parameters import read_from
+from sim_turtlebot.odometry import true_motion
+from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation as SteppedRobots
 
 
@@ -16,13 +17,18 @@ class Record(NamedTuple):
     odometry: list  # of each odometry message
 
 
+def settings_of(**parameters):
+    """Return the simulator's settings with these parameters, and defaults for all others."""
+    with read_from(parameters):
+        return read_settings()
+
+
 class Simulation(SteppedRobots):
     """A simulation for tests: commands last for ever, and each step is recorded."""
 
-    def __init__(self, *starts, odometry=WorldOdometry, cmd_vel_timeout=0.0, **others):
-        """Put robots down at their starts, or one at zero; `odometry()` is a robot's."""
-        super().__init__(starts or [AT_ZERO], lambda _: odometry(),
-                         cmd_vel_timeout=cmd_vel_timeout, **others)
+    def __init__(self, *starts, **parameters):
+        """Put robots down at their starts, or one at zero; parameters as the node's."""
+        super().__init__(settings_of(**{'cmd_vel_timeout': 0.0, **parameters}), starts or None)
         self.robot = self.robots[0]
 
     def run(self, duration):

@@ -1,0 +1,79 @@
+"""The sensors of a Kobuki that its odometry reads: wheel encoders and gyro, with their errors."""
+
+import math
+
+from odometry_common.geometry import yaw_of
+from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS
+
+METRES_PER_TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN
+
+
+class Encoders:
+    """Count the ticks of the left and right wheel."""
+
+    def __init__(self, slip, noise, rng):
+        """Choose the errors.
+
+        :param slip: share of each wheel's travel that does not move the robot
+        :param noise: standard deviation of a wheel's travel after one metre (m); it grows with the
+            square root of the travel
+        :param rng: random.Random
+        """
+        self._grip = 1.0 / (1.0 - slip)
+        self._noise = noise
+        self._rng = rng
+
+    def reset(self, wheel_angles):
+        """Count from these angles (rad)."""
+        self._ticks = [_ticks(angle) for angle in wheel_angles]
+        self.travel = 0.0, 0.0  # m, of each wheel in the last odometry period
+
+    def update(self, wheel_angles):
+        """Measure how far the wheels have turned since the last call; angles in rad."""
+        before, self._ticks = self._ticks, [_ticks(angle) for angle in wheel_angles]
+        self.travel = tuple(self._measured((ticks - last) * METRES_PER_TICK)
+                            for ticks, last in zip(self._ticks, before))
+
+    def _measured(self, travel):
+        return self._grip * travel + self._rng.gauss(0.0, self._noise * math.sqrt(abs(travel)))
+
+
+class Gyro:
+    """Integrates the robot's rotation, at rest too."""
+
+    def __init__(self, noise, drift, rng):
+        """Choose the errors.
+
+        :param noise: angle random walk (rad after one second)
+        :param drift: bias (rad/s) that remains after the calibration at power-on
+        :param rng: random.Random
+        """
+        self._noise = noise
+        self._drift = drift
+        self._rng = rng
+
+    def reset(self, orientation):
+        """Call this orientation (x, y, z, w) heading zero, as the driver does."""
+        self.heading = self.rate = 0.0  # rad, from -pi to pi; rad/s
+        self.rotation = 0.0  # rad, since the call before the last one
+        self._true_yaw = yaw_of(orientation)
+
+    def update(self, orientation, duration):
+        """Measure the rotation since the last call, `duration` seconds ago."""
+        error = self._rng.gauss(self._drift * duration, self._noise * math.sqrt(duration))
+        self._turn(orientation, error)
+        self.rate = self.rotation / duration
+
+    def carry(self, orientation):
+        """Measure the rotation of a robot that was moved in no time."""
+        self._turn(orientation, 0.0)
+        self.rate = 0.0
+
+    def _turn(self, orientation, error):
+        before, self._true_yaw = self._true_yaw, yaw_of(orientation)
+        self.rotation = math.remainder(self._true_yaw - before, 2 * math.pi) + error
+        self.heading = math.remainder(self.heading + self.rotation, 2 * math.pi)
+
+
+def _ticks(angle):
+    return math.floor(angle / (2 * math.pi) * TICKS_PER_TURN)
