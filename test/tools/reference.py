@@ -1,4 +1,4 @@
-"""Write docs/reference.md anew: ./ws python3 test/tools/reference.py.
+"""Regenerate docs/reference.md: ./ws python3 test/tools/reference.py.
 
 What stands under a heading that names a node, a launch file, the demo or the sweep comes from there.
 """

@@ -53,7 +53,7 @@ class Rest:
             look_begin = time.monotonic()
             try:
                 first_cpu_times = first_cpu_times or self._measure(Process.cpu_time)
-                # Before the look: whoever sleeps later may have heard of work in between.
+                # Before the look: a thread that sleeps later may have been given work in between.
                 polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
                 restless, work_times = self._look()
                 if not restless:

@@ -83,8 +83,8 @@ PARAMETERS = Parameters(
                     lambda value, _: value == 0 or 0.001 <= value <= 1000),
               'simulated seconds per second; 0 is as fast as the machine can'),
     Parameter('~lockstep', False, '', ANY,
-              'time goes on when every node on this machine has done what it has to do with the '
-              'odometry and the clock of this moment'),
+              'time advances only when every node on this machine has finished its work for the '
+              'current moment'),
     Parameter('~paused', False, '', ANY, 'time begins with ~unpause_physics'))
 USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
 
