@@ -19,6 +19,7 @@ from odometry_tests.tutorial import (
     REST_SPEED,
     Truth,
     detector,
+    forget_parameters,
     heading,
     mover,
     rotator,
@@ -171,6 +172,7 @@ def test_a_node_ends_whatever_its_threads_wait_for(master):
 @pytest.fixture(scope='module')
 def truth(master):
     """Record the motion of a robot whose own watchdog is off, in simulated time."""
+    forget_parameters()
     rosgraph.Master('/test').setParam('/use_sim_time', True)
     with simulator('_cmd_vel_timeout:=0'), detector():
         recorder = Truth()

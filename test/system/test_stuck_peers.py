@@ -21,6 +21,7 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscri
 from std_msgs.msg import Float64
 
 COUNT = 2000  # messages
+FULL_TIME = 60.0  # s, until a socket is full
 BATCH, MOST = 100, 100_000  # messages; a stuck subscriber's socket holds some hundreds or thousands
 WARNING = '/stuck does not keep up with {}: it loses messages'
 
@@ -74,9 +75,9 @@ def test_the_simulator_goes_on_for_others_and_ends(start):
             stuck.enter_context(stuck_subscriber(topic))
         truth.wait_for_publisher()
         call('unpause_physics')
-        numbers = [message.header.seq for message in truth.wait_for_count(COUNT)]
+        numbers = [message.header.seq for message in truth.wait_for_count(COUNT, FULL_TIME)]
         for topic in topics:
-            node.wait_for_output(WARNING.format(topic))
+            node.wait_for_output(WARNING.format(topic), FULL_TIME)
         assert_ends_at_once(node)
     assert numbers == list(range(numbers[0], numbers[0] + COUNT))
     assert node.output.count('does not keep up') == len(topics)
