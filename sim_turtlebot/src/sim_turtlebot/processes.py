@@ -22,8 +22,7 @@ class Thread:
     def __init__(self, pid, tid):
         """Open its files when they are needed."""
         self.pid, self.tid = pid, tid
-        # Whether it runs again and again without work, and looks for work then, as timers of roscpp do.
-        self.is_idle = self.polls = False
+        self.polls = False  # whether it looks for work all the time, as timers of roscpp do
         self.is_asleep = False  # when it was looked at last
         self.naps_seen = 0
         self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
@@ -127,9 +126,9 @@ class Process:
         return time.clock_gettime_ns(~self.pid << 3 | OF_PROCESS)
 
     def work_time(self):
-        """Return its CPU time (ns) without that of threads that run again and again without work."""
+        """Return its CPU time (ns) without that of threads that poll."""
         return self.cpu_time() - sum(thread.usage[0] for thread in self.threads.values()
-                                     if thread.is_idle)
+                                     if thread.polls)
 
     def awake_thread(self):
         """Return a thread that does not sleep, or None; those that poll may be awake."""

@@ -19,8 +19,7 @@ LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp ev
 PATIENCE = 2.0  # s of CPU time that a process may use before it rests
 STALL_TIMEOUT = 60.0  # s of wall time, for what neither computes nor sleeps
 SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
-# How often threads of roscpp run in that time without work: its server every 10 ms, its timers every 1 ms
-IDLE_RUNS, POLL_RUNS = 3, 20
+POLL_RUNS = 20  # in that time, without work; ros::Rate and ros::Timer poll every millisecond
 SPIN_TIME = 0.001  # s of wall time
 LOOK_PERIOD = 2e-5  # s of wall time, after that
 
@@ -151,7 +150,7 @@ class Rest:
                 if not thread.naps and not thread.polls:
                     continue
                 cpu_time, _, runs = thread.usage
-                if not thread.is_idle:
+                if not thread.polls:
                     others[process] -= cpu_time
                 limit = process.longest_poll
                 if limit and not (thread.is_asleep
@@ -164,8 +163,7 @@ class Rest:
         threads = {thread for process in self._awaited if process.is_cpp
                    for thread in process.threads.values()}
         for thread in threads - self._surveyed:
-            runs = _idle_runs(thread)
-            thread.is_idle, thread.polls = runs >= IDLE_RUNS, runs >= POLL_RUNS
+            thread.polls = _idle_runs(thread) >= POLL_RUNS
         self._surveyed = threads
 
     def _forget_ended(self):
