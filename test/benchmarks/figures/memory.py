@@ -15,5 +15,5 @@ def _late_and_early():
     with Graph(*UNPACED) as graph:
         graph.run_until(60.0)
         early = graph.memory()
-        graph.run_until(600.0, look_every=0.2)
+        graph.run_until(600.0)
         return graph.memory(), early
