@@ -68,6 +68,11 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
+        ends = dict.fromkeys([self._namespaces[0], self._namespaces[-1]])
+        odometry, commands = (' to '.join(rospy.resolve_name(namespace + topic) for namespace in ends)
+                              for topic in ('odom', 'cmd_vel'))
+        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, '
+                      f'listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
 
