@@ -189,14 +189,16 @@ class Simulator:
     def _set_pose(self, message, robot):
         """Place a robot; while paused, publish its new pose."""
         position, orientation = message.pose.position, message.pose.orientation
+        topic, refusal = f'~{self._namespaces[robot]}set_pose', ''
         try:
             self._simulation.robots[robot].set_pose(*checked_pose(
                 message.header.frame_id, (position.x, position.y, position.z),
                 (orientation.x, orientation.y, orientation.z, orientation.w)))
         except ValueError as error:
-            rospy.logwarn_throttle(1.0, f'~{self._namespaces[robot]}set_pose refused: {error}')
-            return
-        if self._paused:
+            refusal = f'{topic} refused: {error}'
+            rospy.logwarn_throttle(1.0, refusal)
+        self._topics.warn(topic, refusal)  # RViz and the page do not show the log
+        if self._paused and not refusal:
             self._publish_robots()
 
     def _report_pace(self, reached):
