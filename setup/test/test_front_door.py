@@ -86,8 +86,9 @@ def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
 def test_help_installs_nothing(fresh, arguments):
     """Before anything is set up it says what there is."""
     run = in_fresh(fresh, *arguments)
-    assert run.wait() == 0 and run.stdout.startswith('usage: ./ws ['), run.output
+    assert run.wait() == 0 and run.stdout.startswith('usage: ./ws '), run.output
     assert not run.stderr
+    assert ('--real-time-factor N' in run.stdout) == (arguments[0] == 'demo')
 
 
 def last_words(folder, commands, **variables):
