@@ -47,6 +47,7 @@ set_up() {
     fi
     add_extras "$@"
     is_ready || make_ready "$@"
+    tell_left_out
 }
 
 DEMO_HELP='
