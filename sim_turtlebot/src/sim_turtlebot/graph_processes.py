@@ -31,9 +31,8 @@ class GraphProcesses:
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
         self._state = None, None, None  # what the master said last: publishers, subscribers, services
-        self._cpu_time = None  # of the master, when it was asked last
+        self._usage = {}  # of the master's threads, when it was asked last
         self._find({MASTER: self._master_uri})
-        self._process = rest.processes.get(self._pids[MASTER])  # of the master, if it can be seen
 
     @property
     def names(self):
@@ -60,8 +59,10 @@ class GraphProcesses:
 
     def _was_asked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
-        before, self._cpu_time = self._cpu_time, self._rest.cpu_times.get(self._process)
-        return self._cpu_time is None or self._cpu_time != before
+        master = self._pids[MASTER]
+        before, self._usage = self._usage, {
+            thread: usage for thread, usage in self._rest.rested.items() if thread.pid == master}
+        return self._usage != before or master not in self._rest.processes
 
     def _refresh(self):
         """Take the nodes that have come, and forget those that have gone; return whether any has."""
