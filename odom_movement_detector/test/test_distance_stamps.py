@@ -107,3 +107,12 @@ def test_a_swapped_pair_counts_each_step_once(counter):
              for number in (0, 1, 2, 4, 3, 5, 6)]
     assert counter.distance == pytest.approx(0.06)
     assert [number for number, jump in enumerate(jumps) if jump] == [4]
+
+
+@pytest.mark.parametrize('stamp', [1.0, NO_STAMP])
+def test_exactly_the_largest_speed_is_counted(stamp):
+    """The limit itself is allowed, by stamps as by arrival."""
+    counter = DistanceCounter(max_speed=5.0)
+    counter.add(0, 0, NO_STAMP, arrival=0.0)
+    assert counter.add(5, 0, stamp, arrival=1.0) is None
+    assert counter.distance == 5.0

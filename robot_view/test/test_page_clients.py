@@ -77,14 +77,6 @@ def test_a_strangers_page_gets_no_connection(view, host, origin):
     assert refusal.value.response.status_code == 403
 
 
-@pytest.mark.parametrize('host, origin', [
-    (None, 'http://localhost:{port}'), ('robots.example', 'https://robots.example')])
-def test_the_page_itself_gets_one(view, host, origin):
-    """Also through a proxy; test_page_server has the other names."""
-    with connect(view, host, origin) as page:
-        page.find('forward')
-
-
 def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
     """A click that was meant for the page around the frame would drive."""
     assert fetch(view, f'evil.example:{view.port}')[0] == 403

@@ -9,7 +9,6 @@ from sim_turtlebot.world_file import WorldFileError
 
 STEP_RATE = 240  # Hz
 START = 0.0, 0.0, 0.0
-ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
 FILES = {
     'unclosed.urdf': '<robot name="r">\n<link name="a">\n</robot>',
@@ -106,11 +105,6 @@ def test_a_floor_of_the_worlds_own_bears_the_robot(tmp_path, height):
     assert z == pytest.approx(max(height, 0.0), abs=1e-3)
 
 
-def test_a_wall_beside_the_robot_is_no_overlap(tmp_path):
-    """A centimetre away."""
-    settled(tmp_path, box('0.1 4 0.5', '0.24 0 0.25'))
-
-
 def test_a_world_is_rebuilt_without_its_file(tmp_path):
     """Whatever has become of it since the start."""
     path = tmp_path / 'wall.urdf'
@@ -120,10 +114,3 @@ def test_a_world_is_rebuilt_without_its_file(tmp_path):
     world.rebuild()
     robot, = world.robots
     assert robot.cast_rays([[0, 0, 0.2]], [[1.9, 0, 0.2]]) == [pytest.approx(0.5)]
-
-
-def test_the_room_has_room():
-    """In its middle; the wall has not."""
-    World(STEP_RATE, [START], world_file=ROOM)
-    with pytest.raises(WorldFileError, match='robot_2, at x 2, y 0, is 0.13'):
-        World(STEP_RATE, [START, (2.0, 0.0, 0.0)], world_file=ROOM)

@@ -149,14 +149,6 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     assert (after.linear, after.angular) == (STILL, STILL)
 
 
-def test_world_odometry_jumps_with_the_robot():
-    """As Gazebo's does."""
-    robot = Robot()
-    robot.start(motion(1.0, 2.0, 0.0))
-    robot.set_pose((4.0, 2.0, 0.0), about_z(1.0))
-    assert robot.odometry.position == (3.0, 0.0, 0.0)
-
-
 @pytest.mark.parametrize('robot, variances', [
     (Robot(), (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)),
     (encoders(), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2)),

@@ -75,9 +75,3 @@ def test_with_the_gyro_the_yaw_is_that_of_the_body(gyro, believed):
     now = encoders(gyro=gyro).move(motion(yaw=0.25), wheel_angles(0.0, 1.0))
     assert yaw_of(now.orientation) == pytest.approx(believed, abs=2 * TICK / WHEEL_SEPARATION)
     assert now.angular[2] == pytest.approx(believed / PERIOD, rel=1e-3)
-
-
-def test_the_gyro_turns_on_past_half_a_circle():
-    """The yaw of the body leaps from pi to -pi, and its turn does not."""
-    for row in drive(encoders(), 0.0, 2.0):
-        assert row.angular[2] == pytest.approx(2.0)

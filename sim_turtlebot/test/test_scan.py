@@ -71,25 +71,6 @@ def test_the_parameters_shape_the_scan(simulated_time):
     assert first.ranges != second.ranges, 'they have no noise'
 
 
-def test_an_empty_world_is_out_of_range(simulated_time):
-    """The default world."""
-    with simulator('_scan:=true'):
-        assert set(Recorder('scan', LaserScan).wait_for().ranges) == {math.inf}
-
-
-def test_each_of_many_robots_has_a_scan_of_its_own(simulated_time):
-    """In its namespace; it sees the others, and not itself."""
-    with simulator('_scan:=true', '_robots:=2', '_scan_fov:=6.283', '_scan_beams:=361',
-                   '_scan_range_min:=0.1'):
-        scans = [Recorder(f'robot_{number}/scan', LaserScan).wait_for() for number in (1, 2)]
-    for number, scan, beam in [(1, scans[0], 270), (2, scans[1], 90)]:
-        assert scan.header.frame_id == f'robot_{number}/camera_depth_frame'
-        # A metre apart; the plates are 0.34 m wide, and the camera is beside the middle.
-        assert scan.ranges[beam] == pytest.approx(0.83, abs=0.02)
-        seen = [index for index, distance in enumerate(scan.ranges) if distance < math.inf]
-        assert max(abs(index - beam) for index in seen) < 15
-
-
 class CountingScanner:
     """A scanner that counts how often it looks."""
 

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from odometry_common.geometry import about_z, yaw_of
+from odometry_common.geometry import about_z
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.odometry import STILL
@@ -52,16 +52,6 @@ def test_it_drives_on_from_there(source):
     assert (x, y) == pytest.approx((3.0, -1.0 + 0.584), abs=2e-3)
     moved = math.dist(simulation.robot.odometry.position[:2], before.position[:2])
     assert moved == pytest.approx(0.584, abs=2e-3)
-
-
-def test_encoders_do_not_notice_and_a_gyro_only_the_turn():
-    """As of a real base that is carried; the world's odometry jumps."""
-    for source, believed in zip(SOURCES, [(3.0, -1.0, 1.2), (0.0, 0.0, 0.0), (0.0, 0.0, 1.2)]):
-        simulation = Simulation(**source)
-        simulation.robot.set_pose((3.0, -1.0, 0.0), about_z(1.2))
-        for motion in [simulation.robot.odometry, *simulation.run(1.0).odometry]:
-            assert (*motion.position[:2], yaw_of(motion.orientation)) == pytest.approx(believed)
-            assert (motion.linear, motion.angular) == (STILL, STILL)
 
 
 def test_in_the_air_it_falls_and_settles():
@@ -116,16 +106,6 @@ def test_beside_the_wall_there_is_room():
     simulation.robot.set_pose((1.81, 0.0, 0.0), LEVEL)
     simulation.run(1.0)
     assert simulation.robot.ground_truth.position[:2] == (1.81, 0.0)
-
-
-def test_a_standing_robot_that_is_not_put_elsewhere_stands_on():
-    """To the bit."""
-    simulation = Simulation(world=ROOM)
-    before = simulation.robot.ground_truth
-    with pytest.raises(ValueError, match='deep'):
-        simulation.robot.set_pose((2.0, 0.0, 0.0), LEVEL)
-    simulation.run(1.0)
-    assert simulation.robot.ground_truth == before
 
 
 @pytest.mark.parametrize('orientation', [
