@@ -9,7 +9,6 @@ NO_STAMP = 0.0
 
 @pytest.fixture
 def counter():
-    """Return a counter with the default parameters."""
     return DistanceCounter()
 
 
@@ -111,7 +110,6 @@ def test_a_swapped_pair_counts_each_step_once(counter):
 
 @pytest.mark.parametrize('stamp', [1.0, NO_STAMP])
 def test_exactly_the_largest_speed_is_counted(stamp):
-    """The limit itself is allowed, by stamps as by arrival."""
     counter = DistanceCounter(max_speed=5.0)
     counter.add(0, 0, NO_STAMP, arrival=0.0)
     assert counter.add(5, 0, stamp, arrival=1.0) is None

@@ -22,7 +22,6 @@ class Talk(Partner):
     """Headings to a turning node, commands from it."""
 
     def __init__(self, ns, clock):
-        """Talk to the node of a namespace, which follows a SteppedClock."""
         super().__init__(f'{ns}odom', Odometry, f'{ns}cmd_vel', Twist)
         self._target = rospy.Publisher(f'{ns}rotate_robot/target', Float64, queue_size=10)
         self.clock = clock
@@ -45,7 +44,6 @@ class Talk(Partner):
                               what=f'a turn at {speed} rad/s at a heading of {degrees} degrees')
 
     def aim(self, degrees):
-        """Send a new target."""
         wait_for_subscribers(self._target)
         self._target.publish(Float64(degrees))
 
@@ -64,7 +62,6 @@ def turns_at(command, speed):
 
 @pytest.fixture
 def talk(clock, ns):
-    """Talk to the node."""
     return Talk(ns, clock)
 
 

@@ -55,7 +55,6 @@ set_up_python
 
 @pytest.fixture
 def fresh(tmp_path):
-    """Make a checkout in which nothing is set up."""
     return make_checkout(tmp_path / 'fresh' / 'robot', made=())
 
 
@@ -76,7 +75,6 @@ def in_fresh(folder, *arguments):
     (['foo'], 'there is no command foo'),
     (['demoo'], 'there is no command demoo; did you mean ./ws demo?')])
 def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
-    """At once, instead of after a set-up."""
     run = in_fresh(fresh, *arguments)
     assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
 
@@ -84,7 +82,6 @@ def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
 @pytest.mark.parametrize('arguments', [
     ['--help'], ['demo', '--help'], ['test', '-h'], ['shell', '--help']])
 def test_help_installs_nothing(fresh, arguments):
-    """Before anything is set up it says what there is."""
     run = in_fresh(fresh, *arguments)
     assert run.wait() == 0 and run.stdout.startswith('usage: ./ws ['), run.output
     assert not run.stderr
@@ -125,7 +122,6 @@ def test_no_sudo(fresh):
 
 
 def test_a_checkout_of_another_user():
-    """Without `permission denied`."""
     nobody = ['setpriv', '--reuid', '65534', '--clear-groups'] if os.getuid() == 0 else []
     with tempfile.TemporaryDirectory(dir='/var/tmp') as name:
         folder = Path(name)

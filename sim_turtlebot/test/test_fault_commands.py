@@ -20,7 +20,6 @@ pytestmark = pytest.mark.usefixtures('simulated_time')
 
 @pytest.fixture
 def talk(master):
-    """Return what commands a robot and hears what it does."""
     return Partner('cmd_vel', Twist, 'base_pose_ground_truth', Odometry)
 
 
@@ -63,7 +62,6 @@ def drive(talk, command, expected):
 
 
 def test_strange_commands_leave_the_robot_finite_and_within_its_limits(talk):
-    """Whatever is in a Twist: the robot stands, or moves as fast as a TurtleBot 2 can."""
     with simulator('_real_time_factor:=20', '_cmd_vel_timeout:=0') as node:
         talk.wait_for_listener()
         talk.answers.wait_for_count(STEADY)

@@ -44,7 +44,6 @@ def test_the_heading_of_the_encoders_is_that_of_the_gyro():
 
 
 def test_the_odometry_of_the_world_does_not_mind_its_gyro():
-    """The true pose stays the true pose."""
     robot = Robot(**ERRORS)
     assert drive(robot, 0.3, 0.5) == drive(Robot(), 0.3, 0.5)
     assert robot.gyro.heading != 0.0

@@ -16,7 +16,6 @@ turn_speeds = st.floats(-math.pi, math.pi)
 
 
 def encoders(gyro=False):
-    """Return a robot with encoder odometry."""
     return Robot(odometry_source='encoder', gyro=gyro)
 
 
@@ -102,7 +101,6 @@ def test_on_an_arc_the_encoders_keep_to_the_closed_form(speed, turn_speed):
 
 
 def test_the_twist_is_that_of_the_last_period():
-    """Within a tick per period."""
     for row in drive(encoders(), 0.5, 1.0):
         assert row.linear == (pytest.approx(0.5, abs=TICK / PERIOD), 0.0, 0.0)
         error = 2 * TICK / PERIOD / WHEEL_SEPARATION
@@ -111,7 +109,6 @@ def test_the_twist_is_that_of_the_last_period():
 
 @pytest.mark.parametrize('gyro', [False, True])
 def test_a_reset_starts_from_zero_wherever_the_wheels_are(gyro):
-    """And the next odometry counts from there."""
     robot = encoders(gyro)
     drive(robot, 0.5, 1.0)
     first = robot.start(motion(3.0, 4.0, 2.0), (1000.0, -50.0))

@@ -48,7 +48,6 @@ def test_it_is_there_and_nothing_counts_it(ns, source, believed):
 
 
 def test_while_time_stands_still_it_is_shown_there_at_once(ns):
-    """And stays there when time goes on."""
     with simulator():
         truth = Truth(ns)
         pause(truth, namespace=ns)
@@ -72,7 +71,6 @@ REFUSED = {
 
 
 def test_what_is_no_place_for_it_is_refused_in_one_line(ns):
-    """The robot stays as it was, and can be put elsewhere later."""
     with simulator() as node:
         truth = Truth(ns)
         truth.wait_for()

@@ -85,7 +85,6 @@ def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
 
 
 def test_a_pushed_robot_still_obeys():
-    """What has been pushed away drives back."""
     simulation = Simulation((0, 0, 0), (-0.6, 0, 0))
     simulation.command(0.2, 0.0, robot=1)
     simulation.run(3.0)

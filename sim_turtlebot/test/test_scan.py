@@ -21,12 +21,10 @@ UNPACED = '_real_time_factor:=0'  # and without a queue from which messages coul
 
 
 def published():
-    """Return the topics that have a publisher."""
     return [topic for topic, _ in rosgraph.Master('/test').getSystemState()[0]]
 
 
 def test_without_the_parameter_there_is_no_scan(simulated_time):
-    """As ever."""
     with simulator():
         Recorder('odom', Odometry).wait_for()
         assert '/scan' not in published()
@@ -57,7 +55,6 @@ def test_a_scan_is_that_of_the_depth_camera(simulated_time):
 
 
 def test_the_parameters_shape_the_scan(simulated_time):
-    """A laser all round, at another rate and with other ranges."""
     with simulator('_scan:=true', ROOM, UNPACED, '_scan_beams:=361', '_scan_fov:=6.283', '_scan_rate:=4',
                    '_scan_range_min:=0.1', '_scan_range_max:=2.2', '_scan_noise:=0.01', '_seed:=5'):
         first, second = Recorder('scan', LaserScan).wait_for_count(2)
@@ -77,11 +74,9 @@ class CountingScanner:
     field_of_view, beams, range_min, range_max = 1.0, 3, 0.1, 1.0
 
     def __init__(self):
-        """Begin at zero."""
         self.looks = 0
 
     def scan(self, _number):
-        """Return what a scanner does."""
         self.looks += 1
         return numpy.ones(self.beams)
 

@@ -45,7 +45,6 @@ def range_in_room(x, y, angle):
     (0.0, 0.0, 0.0), (0.0, 0.0, 0.7), (1.0, -1.0, -2.0), (-1.0, 0.0, math.pi), (0.3, 1.2, 3.0)])
 @pytest.mark.parametrize('beams, field_of_view', [(640, 1.012), (361, ALL_ROUND), (2, 0.01)])
 def test_walls_and_boxes_are_seen_where_they_are(x, y, yaw, beams, field_of_view):
-    """Each beam, to a centimetre, from any place and in any direction."""
     seen = scan_in('room.urdf', (x, y, yaw), beams=beams, field_of_view=field_of_view,
                    range_min=0.01)
     sensor_x = x + CAMERA[0] * math.cos(yaw) - CAMERA[1] * math.sin(yaw)
@@ -81,7 +80,6 @@ def test_robots_see_each_other():
 
 
 def test_to_look_changes_nothing():
-    """A robot that is watched drives to the same bit."""
     ends = []
     for look in (False, True):
         simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0),
@@ -111,7 +109,6 @@ def test_noise_is_as_wide_as_it_is_said_to_be():
 
 
 def test_noise_takes_no_range_beyond_its_limits():
-    """A range is within them, or infinite."""
     seen = scan_in('room.urdf', beams=1000, field_of_view=0.02, range_min=2.05, range_max=2.12,
                    noise=0.05)
     finite = seen[numpy.isfinite(seen)]

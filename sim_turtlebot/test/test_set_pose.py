@@ -43,7 +43,6 @@ def test_it_stands_where_it_was_put(source):
 
 @pytest.mark.parametrize('source', SOURCES)
 def test_it_drives_on_from_there(source):
-    """Straight ahead, by as much as from its start."""
     simulation = driving(source)
     simulation.robot.set_pose((3.0, -1.0, 0.0), about_z(math.pi / 2))
     before = simulation.robot.odometry
@@ -68,7 +67,6 @@ def test_in_the_air_it_falls_and_settles():
 
 
 def test_it_can_be_laid_on_its_side_and_put_upright():
-    """It settles there, too, and its wheels take it nowhere."""
     simulation = Simulation()
     simulation.robot.set_pose((1.0, 1.0, 0.3), ON_ITS_SIDE)
     simulation.run(3.0)
@@ -87,7 +85,6 @@ def test_it_can_be_laid_on_its_side_and_put_upright():
     ((0.0, 0.0, -0.06), LEVEL), ((0.0, 0.0, -100.0), LEVEL), ((-0.7, 0.0, 0.0), LEVEL)],
     ids=['wall', 'side', 'upside down', 'floor', 'depth', 'other robot'])
 def test_where_there_is_no_room_it_is_not_put(position, orientation):
-    """It stops where it is."""
     simulation = Simulation((0, 0, 0), (-1.0, 0, 0), world=ROOM)
     simulation.drive(0.3, 0.0, 1.0)
     robot = simulation.robot
@@ -101,7 +98,6 @@ def test_where_there_is_no_room_it_is_not_put(position, orientation):
 
 
 def test_beside_the_wall_there_is_room():
-    """A few millimetres away."""
     simulation = Simulation(world=ROOM)
     simulation.robot.set_pose((1.81, 0.0, 0.0), LEVEL)
     simulation.run(1.0)
@@ -111,7 +107,6 @@ def test_beside_the_wall_there_is_room():
 @pytest.mark.parametrize('orientation', [
     (0.0, 0.0, 3.0, 4.0), (0.0, 0.0, 3e-50, 4e-50), (0.0, 0.0, 3e150, 4e150)])
 def test_an_orientation_may_have_any_length(orientation):
-    """It comes back with length one."""
     position, unit = checked_pose('world', (1, 2, 3), orientation)
     assert position == (1, 2, 3)
     assert unit == pytest.approx((0.0, 0.0, 0.6, 0.8), abs=1e-15)
@@ -126,7 +121,6 @@ def test_an_orientation_may_have_any_length(orientation):
     ('', STILL, (0, math.nan, 0, 1), r'the orientation is \[0 nan 0 1\], but must be'),
     ('', STILL, (0, 0, math.inf, 1), r'the orientation is \[0 0 inf 1\], but must be')])
 def test_what_is_no_pose_is_refused_with_what_is_allowed(frame, position, orientation, wrong):
-    """In one line."""
     with pytest.raises(ValueError, match=f'^{wrong}') as refusal:
         checked_pose(frame, position, orientation)
     assert len(str(refusal.value).splitlines()) == 1

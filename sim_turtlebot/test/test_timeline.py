@@ -20,7 +20,6 @@ clock_rates = st.one_of(st.just(0.0), st.floats(0.1, 1000))
     (1000.0, 1000.0, 1, 1), (0.1, 240.0, 2400, 200)])
 def test_the_physics_runs_at_240_hz_or_little_more(
         odom_rate, step_rate, steps_per_odometry, ticks_per_odometry):
-    """As many whole steps as fit between two odometries, and a clock as coarse as can be."""
     timeline = Timeline(odom_rate)
     assert timeline.step_rate == pytest.approx(step_rate)
     assert timeline.steps_per_odometry == steps_per_odometry
@@ -38,7 +37,6 @@ def test_physics_and_clock_are_fast_enough_for_any_odometry(odom_rate):
 
 @given(odom_rates, clock_rates)
 def test_the_rate_of_the_clock_changes_nothing_else(odom_rate, clock_rate):
-    """Neither the physics nor a stamp of odometry, to the nanosecond."""
     coarse, fine = Timeline(odom_rate), Timeline(odom_rate, clock_rate)
     assert fine.step_rate == coarse.step_rate
     assert times(fine, 3, 'odometry_is_due') == times(coarse, 3, 'odometry_is_due')
@@ -103,7 +101,6 @@ def test_a_second_has_as_many_messages_as_promised(odom_rate, clock_rate):
 
 @pytest.mark.parametrize('odom_rate', [20.0, 50.0, 3.0, 1.0, 1000.0])
 def test_time_goes_from_tick_to_tick_or_to_the_last_step_before(odom_rate):
-    """Whichever comes first."""
     timeline, stepped = Timeline(odom_rate), Timeline(odom_rate)
     for _ in range(20):
         timeline.advance()
@@ -115,7 +112,6 @@ def test_time_goes_from_tick_to_tick_or_to_the_last_step_before(odom_rate):
 
 
 def test_time_starts_at_zero_and_can_start_again():
-    """As after a reset of the simulation."""
     timeline = Timeline(20.0)
     assert (timeline.now, timeline.odometry_count) == (0, 0)
     timeline.advance(12)

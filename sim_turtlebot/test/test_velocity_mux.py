@@ -15,7 +15,6 @@ def test_the_inputs_are_those_of_turtlebot_bringup():
 
 
 def test_after_a_restart_nobody_is_kept_out():
-    """Time has gone back, and so has the multiplexer."""
     mux = VelocityMux()
     mux.passes(TELEOP, 100 * SECOND)
     mux.restart()

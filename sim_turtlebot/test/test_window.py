@@ -15,7 +15,6 @@ def test_a_missing_library_is_named(monkeypatch, library):
 
 
 def test_a_missing_screen_is_named(monkeypatch):
-    """Most machines that run this have none."""
     monkeypatch.setenv('DISPLAY', '')
     with pytest.raises(NoScreenError, match='DISPLAY'), screen():
         pass

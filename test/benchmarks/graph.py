@@ -46,11 +46,9 @@ class Graph:
                            f'a subscriber of {topic}')
 
     def __enter__(self):
-        """Use it as a context."""
         return self
 
     def __exit__(self, *_):
-        """End all processes."""
         self._stack.close()
 
     @contextlib.contextmanager

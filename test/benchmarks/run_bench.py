@@ -24,7 +24,6 @@ WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
 
 
 def main():
-    """Measure, report, and exit 0 if all targets are met."""
     options = parse(sys.argv[1:])
     print(f'on {machine()}; medians of {options.runs} runs')
     print(WIDTHS.format('name', 'value', 'unit', 'limit', 'ratio', 'target'), flush=True)
@@ -49,7 +48,6 @@ def measure(name, options):
 
 
 def machine():
-    """Return what this run was measured on, in a line."""
     with open('/proc/cpuinfo') as file:
         models = {line.partition(':')[2].strip() for line in file if line.startswith('model name')}
     return (f'{" and ".join(models) or platform.machine()}, {os.cpu_count()} processors, '

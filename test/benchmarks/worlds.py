@@ -14,7 +14,6 @@ class BareWorld:
     """A robot that drives, and nothing but physics steps, with a call of PyBullet for each."""
 
     def __init__(self):
-        """Build the simulator's world and let the wheels turn."""
         simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
         self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
         self._world.step()  # from here on there is one step in a call
@@ -41,7 +40,6 @@ class RobotWorld:
     """A robot that is commanded after each odometry, as a controller in lockstep would."""
 
     def __init__(self):
-        """Put the robot down and let it drive."""
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
         self.robot = self._simulation.robots[0]
         self.command(SPEED)

@@ -23,7 +23,6 @@ pytestmark = pytest.mark.usefixtures('simulated_time')
 
 @pytest.fixture
 def screen():
-    """Let everything draw on a screen that nobody sees."""
     if not shutil.which('Xvfb'):
         pytest.skip('Xvfb is not installed')
     with Screen(800, 600) as virtual:

@@ -18,12 +18,10 @@ class DistanceCheck:
     """The sum of one detector's steps, computed here once more, without the detector's own code."""
 
     def __init__(self):
-        """Begin with a detector that has not heard anything yet."""
         self._total = 0.0
         self._last = None
 
     def reset(self):
-        """Take note that the detector has been told to count from zero."""
         self._total = 0.0
 
     def check(self, odometry, distance):
@@ -46,7 +44,6 @@ class PoseCheck:
     """The world odometry against the truth, seen from where the odometry has begun."""
 
     def __init__(self):
-        """Begin with a robot at its start."""
         self.start()
 
     def start(self):

@@ -42,7 +42,6 @@ def x(recorder):
 
 @pytest.mark.parametrize('factor, distance', [(0.05, 0.01), (1, 0.1), (100, 1.0)])
 def test_the_robot_arrives_at_any_speed_of_time(master, factor, distance):
-    """The detector and the mover need no particular pace."""
     moved, truth = Distance(), Truth()
     with simulator_in_step(f'_real_time_factor:={factor}'), detector(), \
             mover(f'_distance:={distance}') as driver:

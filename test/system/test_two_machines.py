@@ -19,7 +19,6 @@ CABLE = 'cable'
 
 
 def ip(*arguments):
-    """Run iproute2's command."""
     subprocess.run(['ip', *arguments], check=True, capture_output=True, text=True)
 
 

@@ -32,7 +32,6 @@ sys.exit(main())
 
 
 def main():
-    """Print a line for each Python; exit 1 if one cannot install them."""
     argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
     found = [can_install(*version) for version in SYSTEM_NUMPY.items()]
     sys.exit(0 if all(found) else 1)

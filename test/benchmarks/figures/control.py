@@ -15,7 +15,6 @@ TIMEOUT = 60.0  # s of wall time
 
 
 def measure(options):
-    """Return pairs of a delay in lockstep and one without."""
     ideal = _distance_after_arrival(stop_after(DISTANCE))  # while it brakes
 
     def delay(arguments):

@@ -7,7 +7,6 @@ NAME, UNIT, TARGET = 'memory after 10 simulated minutes', 'MB', Target('<=', 1.0
 
 
 def measure(options):
-    """Return pairs of the memory late and early."""
     return [_late_and_early() for _ in range(options.runs)]
 
 

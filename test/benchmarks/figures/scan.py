@@ -8,7 +8,6 @@ NAME, UNIT, TARGET = 'graph unpaced, with a scan', SPEED_UNIT, Target('>=', 20)
 
 
 def measure(options):
-    """Return pairs of a speed and 1."""
     with Graph(*UNPACED, '_scan:=true') as graph:
         subscriber = rospy.Subscriber('/scan', rospy.AnyMsg)
         pairs = in_slices(options, graph.speed, lambda _: 1.0)

@@ -18,7 +18,6 @@ TIMEOUT = 60.0  # s
 
 
 def measure(options):
-    """Return pairs of a time to the first /odom and of one in which a bare node sees a message."""
     return in_turns(options, _start_simulator, _start_bare)
 
 

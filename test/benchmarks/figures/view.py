@@ -8,7 +8,6 @@ NAME, UNIT, TARGET = 'graph unpaced, view without a page', SPEED_UNIT, Target('>
 
 
 def measure(options):
-    """Return pairs of speeds."""
     with Graph(*UNPACED) as graph:
         def speed_with_view():
             with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}') as view:

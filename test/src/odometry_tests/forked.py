@@ -46,7 +46,6 @@ class Forked:
 
     @property
     def pid(self):
-        """Its process id."""
         return self._process.pid
 
     def poll(self):
@@ -61,13 +60,11 @@ class Forked:
         return self.poll()
 
     def send_signal(self, signum):
-        """Send it a signal."""
         if self.poll() is None:
             with suppress(ProcessLookupError):
                 os.kill(self.pid, signum)
 
     def terminate(self):
-        """Have it ended; return at once."""
         self._process.kill()
 
 

@@ -44,17 +44,14 @@ class Process:
 
     @property
     def pid(self):
-        """Process id of the command itself."""
         return self._process.pid
 
     @property
     def stdout(self):
-        """What the command has printed so far."""
         return '\n'.join(self._lines['stdout'])
 
     @property
     def stderr(self):
-        """What the command has complained about so far."""
         return '\n'.join(self._lines['stderr'])
 
     @property
@@ -64,12 +61,10 @@ class Process:
 
     @property
     def running(self):
-        """Whether the command has not ended yet."""
         return self._process.poll() is None
 
     @property
     def state(self):
-        """Whether it runs, or how it has ended, in words."""
         return 'is running' if self.running else f'has ended with status {self._process.poll()}'
 
     def wait_for_output(self, text, timeout=TIMEOUT):
@@ -82,7 +77,6 @@ class Process:
             f'{self.command} {how} without {text!r}; it printed:\n{self.output}'
 
     def send(self, signum):
-        """Send a signal to the command itself."""
         self._process.send_signal(signum)
 
     def wait(self, timeout=TIMEOUT):
@@ -107,7 +101,6 @@ class Process:
         return self.wait(timeout)
 
     def __enter__(self):
-        """Use it as a context, at whose end it is no longer running."""
         return self
 
     def __exit__(self, kind=None, *_):
@@ -168,7 +161,6 @@ class Master(Process):
         rosgraph.Master('/test').setParam('/use_sim_time', use_sim_time)
 
     def __exit__(self, *exception):
-        """End it and let go of its port."""
         super().__exit__(*exception)
         self._port.close()
 

@@ -40,7 +40,6 @@ class Reader:
         self._idle = []
 
     def __enter__(self):
-        """Begin without a terminal."""
         return self
 
     def __exit__(self, kind=None, *_):

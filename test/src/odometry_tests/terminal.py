@@ -45,7 +45,6 @@ class Terminal:
         self.wait_for_prompt()
 
     def __enter__(self):
-        """Use it as a context."""
         return self
 
     def __exit__(self, *_):
@@ -61,7 +60,6 @@ class Terminal:
 
     @property
     def pid(self):
-        """Process id of the shell."""
         return self._bash.pid
 
     @property
@@ -96,7 +94,6 @@ class Terminal:
                    lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
 
     def type(self, line):
-        """Type a line at the prompt."""
         self._typed, self._line = len(self._bytes), line
         os.write(self._screen, f'{line}\n'.encode())
 
@@ -116,7 +113,6 @@ class Terminal:
         os.write(self._screen, f'{words}\t'.encode())
 
     def press_ctrl_c(self):
-        """Interrupt what runs."""
         os.write(self._screen, CTRL_C)
 
     @property
