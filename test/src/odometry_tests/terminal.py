@@ -11,7 +11,6 @@ import termios
 import threading
 
 from odometry_tests.forms import plain_lines
-from odometry_tests.processes import ATTEMPTS, GAVE_UP
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 MARK = '\x1e'
@@ -96,16 +95,6 @@ class Terminal:
     def type(self, line):
         self._typed, self._line = len(self._bytes), line
         os.write(self._screen, f'{line}\n'.encode())
-
-    def launch(self, line, text):
-        """Type a line with roslaunch or roscore, again if it gives up; return after a text."""
-        for _ in range(ATTEMPTS):
-            self.type(line)
-            wait_until(lambda: text in self.output or self.status is not None, TIMEOUT,
-                       lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
-            if GAVE_UP not in self.text:
-                break
-        assert text in self.output, self.output
 
     def press_tab_after(self, words):
         """Type the beginning of a line, and have the shell complete it."""
