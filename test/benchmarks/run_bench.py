@@ -1,4 +1,4 @@
-"""Measure speed, delay, memory and start, each beside the limit of this machine.
+"""Measure speed, latency, start and end, each beside the limit of this machine.
 
 Each figure is a file in the folder test/benchmarks/figures. Its limit is measured in turns with it;
 their ratio is what tells, since absolute values belong to the machine. The exit status is 1 if a

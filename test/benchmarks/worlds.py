@@ -1,6 +1,5 @@
 """TurtleBots without ROS: PyBullet alone, which is the limit, and the simulator's robots."""
 
-import math
 import time
 
 from odometry_tests.simulation import settings_of
@@ -62,17 +61,3 @@ class RobotWorld:
             ticks += 1
             duration = time.perf_counter() - start
         return ticks / ODOM_RATE / duration
-
-
-def stop_after(distance):
-    """Drive a robot whose controller answers without delay, until it has stopped.
-
-    :return: metres moved at each odometry, added up as the detector does
-    """
-    world, moved, position = RobotWorld(), [0.0], (0.0, 0.0, 0.0)
-    while not world.robot.resting:
-        world.run_to_odometry()
-        (x, y, _), position = position, world.robot.odometry.position
-        moved.append(moved[-1] + math.hypot(position[0] - x, position[1] - y))
-        world.command(SPEED if moved[-1] < distance else 0.0)
-    return moved
