@@ -4,9 +4,7 @@ import math
 
 import numpy
 import pytest
-import rosgraph
 import rospy
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
@@ -15,12 +13,6 @@ from odometry_tests.waiting import TIMEOUT, wait_until
 from viewer import ROBOT_PIXELS, Motion, View, wait_for_robot
 
 SCAN_PIXELS = 100
-
-
-def viewers(topic='/odom'):
-    """Return the viewers that subscribe to a topic."""
-    _, subscriptions, _ = rosgraph.Master('/test').getSystemState()
-    return [node for node in dict(subscriptions).get(topic, []) if node.startswith('/view')]
 
 
 def count_pixels(page, more, less):
@@ -73,27 +65,6 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
     start = robot.wait_for(lambda m: m.header.seq == 0, what='a robot at its start')
     assert abs(start.pose.pose.position.x) < 1e-3
     page.wait_for_reading('true_distance', lambda metres: metres == 0)
-
-
-def test_stop_commands_zero(robot, page):
-    page.wait_for_reading('speed', lambda speed: speed == 0)
-    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1, latch=True)
-    command = Twist()
-    command.linear.x = 0.2
-    publisher.publish(command)
-    robot.wait_until_moving()
-    publisher.unregister()
-    page.click('stop')
-    robot.wait_until_resting()
-
-
-def test_the_viewer_subscribes_only_while_a_page_is_open(robot, page):
-    """The simulation then pays for no subscriber."""
-    wait_until(viewers, TIMEOUT, 'a viewer on /odom')
-    page.close()
-    for topic in ('/odom', '/base_pose_ground_truth', '/joint_states', '/moved_distance'):
-        wait_until(lambda topic=topic: not viewers(topic), TIMEOUT, f'no viewer on {topic}')
-    assert not viewers('/clock')
 
 
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):

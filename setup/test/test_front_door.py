@@ -72,9 +72,11 @@ def in_fresh(folder, *arguments):
 @pytest.mark.parametrize('arguments, answer', [
     (['--foo', 'demo'], '--foo is not one of --host ADDRESS, --set-up, --help'),
     (['--host', '192.0.2.1', '--view'], '--view is not one of --host ADDRESS, --set-up, --help'),
+    (['sweep', 'move'], './ws sweep needs the package odometry_sweep, which is not here'),
     (['foo'], 'there is no command foo'),
     (['demoo'], 'there is no command demoo; did you mean ./ws demo?')])
 def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
+    (fresh / 'odometry_sweep').unlink()
     run = in_fresh(fresh, *arguments)
     assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
 

@@ -1,18 +1,14 @@
 """The laser scan over ROS: what a client gets, and when there is nobody to get it."""
 
 import math
-from types import SimpleNamespace
 
-import numpy
 import pytest
 import rosgraph
-import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder, wait_until
 from sensor_msgs.msg import LaserScan
-from sim_turtlebot.robot_topics import RobotTopics
 
 ROOM = f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'
 CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
@@ -66,32 +62,3 @@ def test_the_parameters_shape_the_scan(simulated_time):
         assert first.ranges[beam] == pytest.approx(expected, abs=0.05)
     assert math.inf in first.ranges, 'the corners of the room are farther'
     assert first.ranges != second.ranges, 'they have no noise'
-
-
-class CountingScanner:
-    """A scanner that counts how often it looks."""
-
-    field_of_view, beams, range_min, range_max = 1.0, 3, 0.1, 1.0
-
-    def __init__(self):
-        self.looks = 0
-
-    def scan(self, _number):
-        self.looks += 1
-        return numpy.ones(self.beams)
-
-
-def test_nobody_looks_where_nobody_listens(master):
-    """The rays are what a scan costs."""
-    scanner = CountingScanner()
-    robot = SimpleNamespace(scanner=scanner, covariance=[0.0] * 6)
-    topics = RobotTopics(robot, 'counted/', 10.0, 20.0)
-    for number in range(10):
-        topics.publish_scan(rospy.Time(), number)
-    assert scanner.looks == 0
-    scans = Recorder('counted/scan', LaserScan)
-    scans.wait_for_publisher()
-    for number in range(10):
-        topics.publish_scan(rospy.Time(), number)
-    assert scanner.looks == 5
-    assert [scan.header.seq for scan in scans.wait_for_count(5)] == [0, 2, 4, 6, 8]

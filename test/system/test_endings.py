@@ -26,24 +26,6 @@ from odometry_tests.tutorial import (
 )
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
 
-# Its topics are closed, by rosnode kill, while it publishes the time.
-CLOSING_NODE = f"""
-import runpy
-import threading
-import rospy
-publish = rospy.Publisher.publish
-
-def close_and_publish(publisher, *arguments):
-    if publisher.name == '/clock':
-        threading.Thread(target=rospy.signal_shutdown, args=['killed']).start()
-        while not rospy.core.is_shutdown_requested():
-            pass
-        raise rospy.ROSException('publish() to a closed topic')
-    publish(publisher, *arguments)
-
-rospy.Publisher.publish = close_and_publish
-runpy.run_path({str(ROOT / 'sim_turtlebot/script/sim_turtlebot_node.py')!r}, run_name='__main__')
-"""
 # With each 25th module that a script imports, a copy of its process gets Ctrl-C.
 IMPORTING = """
 import itertools
@@ -132,12 +114,6 @@ def test_a_node_that_waits_ends_quietly(ns, package, program):
     with rosrun(package, program, '__name:=waiting') as node:
         wait_until(lambda: f'{ns}waiting' in rosnode.get_node_names(), 20.0, 'a node', period=0.1)
         assert node.end() == 0, node.output
-
-
-def test_a_simulator_that_is_ended_while_it_publishes_ends_quietly(simulated_time):
-    """Rospy raises what would be a traceback."""
-    with Process(sys.executable, '-c', CLOSING_NODE, '_real_time_factor:=0') as node:
-        assert node.wait() == 0, node.output
 
 
 @pytest.fixture(scope='module')

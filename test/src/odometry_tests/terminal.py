@@ -96,11 +96,6 @@ class Terminal:
         self._typed, self._line = len(self._bytes), line
         os.write(self._screen, f'{line}\n'.encode())
 
-    def press_tab_after(self, words):
-        """Type the beginning of a line, and have the shell complete it."""
-        self._typed, self._line = len(self._bytes), words
-        os.write(self._screen, f'{words}\t'.encode())
-
     def press_ctrl_c(self):
         os.write(self._screen, CTRL_C)
 
