@@ -90,7 +90,6 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
 @pytest.mark.parametrize('commands', [
     INTERRUPT, FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready'])
 def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, commands):
-    """The next call builds."""
     run = in_checkout(checkout, commands)
     assert run.wait() == 0 and run.stderr == './ws: building the packages ...', run.output
 
@@ -106,7 +105,6 @@ def test_it_notices_a_deleted_or_interrupted_python(tmp_path, damage):
 
 
 def test_a_failed_step_shows_its_last_lines(checkout):
-    """And only its own."""
     run = in_checkout(checkout, FAIL)
     assert run.wait() == 1
     shown = run.stderr.splitlines()

@@ -35,7 +35,6 @@ class Entry(NamedTuple):
 
 
 def main():
-    """Write the page, unless asked for help."""
     argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
     PAGE.write_text(updated(PAGE.read_text()))
 

@@ -1,19 +1,27 @@
 """What a test is to a node that runs alone: the one it talks with, and the keeper of its time."""
 
 import rospy
+from odometry_common.rospy_fixes import fix_rospy
+from odometry_common.transport import wait_for_subscribers as be_patient
 from rosgraph_msgs.msg import Clock, Log
 
-from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
 
 QUEUE_SIZE = 5000  # messages; nothing that a test says is lost
 START_TIME = 1000  # s
+
+
+def join(name, **init_node_options):
+    """Become a node that, unlike the nodes under test, waits for slow subscribers."""
+    fix_rospy()
+    be_patient(TIMEOUT * PATIENCE)
+    rospy.init_node(name, **init_node_options)
 
 
 class Partner:
     """Publishes what a node listens to, and hears what it answers."""
 
     def __init__(self, topic, kind, answer_topic, answer_kind):
-        """Take both topics with their message classes."""
         self._publisher = rospy.Publisher(topic, kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
         self.answers = Recorder(answer_topic, answer_kind)
 
@@ -22,7 +30,6 @@ class Partner:
         wait_for_subscribers(self._publisher)
 
     def say(self, *messages):
-        """Publish messages."""
         for message in messages:
             self._publisher.publish(message)
 
@@ -71,7 +78,6 @@ class SteppedClock:
         wait_for_subscribers(self._publisher, listeners)
 
     def close(self):
-        """Stop publishing."""
         self._publisher.unregister()
 
     def advance(self, *durations):

@@ -11,7 +11,7 @@ OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['sk
 
 
 def pytest_configure(config):
-    """Keep the order of pytest.ini, and take a file by its name alone: test_drive, detector.test."""
+    """Keep the order of pytest.ini, and take a file by its name alone."""
     config.option.loadscopereorder = False  # those that take longest come first already
     config.args = [_path_of(argument, config.rootpath) for argument in config.args]
 
@@ -19,8 +19,7 @@ def pytest_configure(config):
 def _path_of(argument, root):
     name, *case = argument.split('::')
     found = [] if Path(name).exists() else [
-        path for pattern in (f'{name}.py', name) for folder in ('test', '*/test')
-        for path in root.glob(f'{folder}/**/{pattern}')]
+        path for folder in ('test', '*/test') for path in root.glob(f'{folder}/**/{name}.py')]
     return '::'.join([str(found[0]) if found else name, *case])
 
 
