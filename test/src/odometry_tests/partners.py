@@ -1,21 +1,12 @@
 """What a test is to a node that runs alone: the one it talks with, and the keeper of its time."""
 
 import rospy
-from odometry_common.rospy_fixes import fix_rospy
-from odometry_common.transport import wait_for_subscribers as be_patient
 from rosgraph_msgs.msg import Clock, Log
 
-from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 
 QUEUE_SIZE = 5000  # messages; nothing that a test says is lost
 START_TIME = 1000  # s
-
-
-def join(name, **init_node_options):
-    """Become a node that, unlike the nodes under test, waits for slow subscribers."""
-    fix_rospy()
-    be_patient(TIMEOUT * PATIENCE)
-    rospy.init_node(name, **init_node_options)
 
 
 class Partner:

@@ -11,7 +11,7 @@ OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['sk
 
 
 def pytest_configure(config):
-    """Keep the order of pytest.ini, and take a file by its name alone."""
+    """Keep the order of pytest.ini, and take a file by its name alone: test_drive, detector.test."""
     config.option.loadscopereorder = False  # those that take longest come first already
     config.args = [_path_of(argument, config.rootpath) for argument in config.args]
 
@@ -19,7 +19,8 @@ def pytest_configure(config):
 def _path_of(argument, root):
     name, *case = argument.split('::')
     found = [] if Path(name).exists() else [
-        path for folder in ('test', '*/test') for path in root.glob(f'{folder}/**/{name}.py')]
+        path for pattern in (f'{name}.py', name) for folder in ('test', '*/test')
+        for path in root.glob(f'{folder}/**/{pattern}')]
     return '::'.join([str(found[0]) if found else name, *case])
 
 

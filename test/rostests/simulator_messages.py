@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""What the simulator publishes, by the contract."""
+
+import math
+import unittest
+
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from odometry_tests.robots import Robot, place
+from odometry_tests.rostests import run_rostest
+from odometry_tests.tutorial import simulator
+from odometry_tests.waiting import Recorder
+from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
+
+START = 1.0, -2.0, 1.5  # m, m, rad; where the robot in the corner starts
+TUTORIAL_VARIANCES = [1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001]
+
+
+class SimulatorMessagesTest(unittest.TestCase):
+    """Given commands, the simulator's messages are those of a TurtleBot 2."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.clock, cls.tf = Recorder('/clock', Clock), Recorder('/tf', TFMessage)
+        cls.alone, cls.corner = Robot('alone/'), Robot('corner/')
+        cls.pair = Robot('shared/robot_1/'), Robot('shared/robot_2/')
+        for robot in (cls.alone, cls.corner, *cls.pair):
+            robot.wait_until_ready()
+
+    def step(self, count, *speeds):
+        """Command the robot so many times; return the odometry that follows each command."""
+        seen = [self.alone.odometry.last]
+        for _ in range(count):
+            self.alone.drive(*speeds)
+            seen.append(self.alone.odometry.wait_for(
+                lambda m: m.header.seq > seen[-1].header.seq))
+        return seen[1:]
+
+    def test_odometry_has_the_fields_of_the_tutorial(self):
+        """Frames, covariances, and a robot at rest at zero."""
+        message, _ = self.corner.restart()
+        self.assertEqual(message.header.frame_id, 'odom')
+        self.assertEqual(message.child_frame_id, 'base_footprint')
+        self.assertEqual(list(message.pose.covariance[::7]), TUTORIAL_VARIANCES)
+        self.assertEqual(sum(map(abs, message.pose.covariance)), sum(TUTORIAL_VARIANCES))
+        self.assertEqual(set(message.twist.covariance), {0.0})
+        self.assertEqual(place(message), (0.0, 0.0, 0.0))
+        orientation = message.pose.pose.orientation
+        self.assertAlmostEqual(math.hypot(
+            orientation.x, orientation.y, orientation.z, orientation.w), 1.0)
+        self.assertEqual(message.twist.twist, Twist())
+
+    def test_number_and_stamp_advance_twenty_times_a_second(self):
+        """The number is the stamp's: 20 for each second since the start."""
+        stepped = self.step(40, 0.0)
+        for message in stepped + self.corner.odometry.messages:
+            self.assertEqual(message.header.stamp.to_nsec(), message.header.seq * 50_000_000)
+        numbers = [message.header.seq for message in stepped]
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
+
+    def test_it_starts_where_it_is_told_and_odometry_starts_at_zero(self):
+        """Ground truth is in the world, odometry from the start on."""
+        message, truth = self.corner.restart()
+        self.assertEqual((truth.header.frame_id, truth.child_frame_id), ('world', 'base_footprint'))
+        self.assertEqual(place(truth), START)
+        self.assertEqual(place(message), (0.0, 0.0, 0.0))
+        self.corner.drive(0.5)
+        self.corner.odometry.wait_for(lambda m: place(m)[0] >= 0.5, what='half a metre')
+        self.assertEqual(place(self.corner.odometry.last)[1:], (0.0, 0.0))
+
+    def test_tf_repeats_the_odometry(self):
+        """From odom to base_footprint, with the same stamp; the wheels are behind it."""
+        message = self.step(3, 0.2, 0.5)[-1]
+        found = self.tf.wait_for(lambda m: sender(m) == '/alone/sim_turtlebot' and
+                                 m.transforms[0].header.stamp == message.header.stamp)
+        transform, pose = found.transforms[0], message.pose.pose
+        self.assertEqual(transform.header.frame_id, 'odom')
+        self.assertEqual(transform.child_frame_id, 'base_footprint')
+        self.assertEqual(transform.transform.rotation, pose.orientation)
+        for axis in 'xyz':
+            self.assertEqual(getattr(transform.transform.translation, axis),
+                             getattr(pose.position, axis))
+
+    def test_the_clock_runs_with_the_odometry(self):
+        """At least as fine, and it never goes back."""
+        node = '/alone/sim_turtlebot'
+        start = self.step(1, 0.0)[-1].header.stamp
+        stamps = {message.header.stamp for message in self.step(20, 0.0)}
+        self.clock.wait_for(lambda m: sender(m) == node and m.clock >= max(stamps))
+        times = [m.clock for m in self.clock.messages if sender(m) == node and m.clock > start]
+        self.assertEqual(times, sorted(set(times)))
+        self.assertLessEqual(stamps, set(times))
+
+    def test_two_robots_share_a_world(self):
+        """Each with its own namespace and frames; each obeys its own commands only."""
+        first, second = self.pair
+        frames = [(robot.odometry.last.header.frame_id, robot.odometry.last.child_frame_id)
+                  for robot in self.pair]
+        self.assertEqual(frames, [('robot_1/odom', 'robot_1/base_footprint'),
+                                  ('robot_2/odom', 'robot_2/base_footprint')])
+        found = self.tf.wait_for(lambda m: sender(m) == '/shared/sim_turtlebot')
+        self.assertEqual(frames, [(transform.header.frame_id, transform.child_frame_id)
+                                  for transform in found.transforms[:2]])
+        self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
+        self.assertEqual(place(second.truth.last), (0.0, 1.0, 0.0))
+        second.drive(0.3)
+        second.truth.wait_until_moving()
+        self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
+
+    def test_without_simulated_time_the_stamps_are_the_walls(self):
+        """And it publishes no clock."""
+        rospy.set_param('/use_sim_time', False)
+        self.addCleanup(rospy.set_param, '/use_sim_time', True)
+        start = rospy.Time.now()
+        with simulator(env={'ROS_NAMESPACE': 'wall'}):
+            stamp = Recorder('/wall/odom', Odometry).wait_for(timeout=20.0).header.stamp
+            publishers, _, _ = rosgraph.Master('/test').getSystemState()
+        self.assertTrue(start < stamp < rospy.Time.now(), stamp)
+        self.assertIn('/wall/sim_turtlebot', dict(publishers)['/wall/odom'])
+        self.assertNotIn('/wall/sim_turtlebot', dict(publishers)['/clock'])
+
+
+def sender(message):
+    """Return the name of the node that has published a message."""
+    return message._connection_header['callerid']
+
+
+if __name__ == '__main__':
+    run_rostest('simulator_messages', SimulatorMessagesTest, disable_rostime=True)
