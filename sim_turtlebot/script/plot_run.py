@@ -21,7 +21,7 @@ def main():
     parser.add_argument('bag', metavar='BAG')
     parser.add_argument('-o', '--output', metavar='PNG', default='run.png',
                         help='where to draw (default: %(default)s)')
-    parser.add_argument('--topic', default='/odom', help='the odometry (default: %(default)s)')
+    parser.add_argument('--topic', help='the odometry (default: /odom, or the only odometry in the bag)')
     options = parser.parse_args()
     try:
         run = read_run(options.bag, options.topic)

@@ -47,3 +47,13 @@ def test_the_odometry_of_the_world_does_not_mind_its_gyro():
     robot = Robot(**ERRORS)
     assert drive(robot, 0.3, 0.5) == drive(Robot(), 0.3, 0.5)
     assert robot.gyro.heading != 0.0
+
+
+@pytest.mark.parametrize('turn_speed', [0.5, -0.5])
+def test_a_wrong_scale_counts_in_proportion_and_the_correction_ends_it(turn_speed):
+    """To either side."""
+    for correction, factor in [(1.0, 1.02), (1 / 1.02, 1.0)]:
+        robot = Robot(gyro_scale_error=0.02, gyro_scale_correction=correction)
+        drive(robot, 0.0, turn_speed, duration=4.0)
+        assert robot.gyro.heading == pytest.approx(4 * turn_speed * factor)
+        assert robot.gyro.rate == pytest.approx(turn_speed * factor)

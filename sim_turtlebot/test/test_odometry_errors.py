@@ -7,6 +7,7 @@ import pytest
 from odometry_common.geometry import yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, wheel_angles
+from odometry_tests.simulation import Simulation
 
 RUNS = 400  # seeds, for a standard deviation within about a tenth
 ERRORS = {'wheel_slip': 0.01, 'wheel_noise': 0.01, 'gyro_noise': 0.01}
@@ -73,3 +74,21 @@ def test_with_the_gyro_the_yaw_is_that_of_the_body(gyro, believed):
     now = encoders(gyro=gyro).move(motion(yaw=0.25), wheel_angles(0.0, 1.0))
     assert yaw_of(now.orientation) == pytest.approx(believed, abs=2 * TICK / WHEEL_SEPARATION)
     assert now.angular[2] == pytest.approx(believed / PERIOD, rel=1e-3)
+
+
+@pytest.mark.parametrize('speed, turn_speed, true_yaw', [
+    (0.3, 0.0, 4 * 0.3 * 0.02 / 2.01 / WHEEL_SEPARATION), (0.0, 0.5, 4 * 0.5 / 1.02)])
+def test_what_the_driver_believes_bends_the_path_and_shows_in_no_wheel(speed, turn_speed, true_yaw):
+    """It commands by the same wrong numbers as it counts; E_d is 1.01 and E_b 1.02."""
+    simulation = Simulation(odometry_source='encoder', gyro=False, wheel_diameter_ratio=1.01,
+                            wheel_separation_ratio=1.02)
+    simulation.drive(speed, turn_speed, 4.0)
+    record = simulation.drive(0.0, 0.0, 1.0)
+    assert yaw_of(record.odometry[-1].orientation) == pytest.approx(4 * turn_speed, abs=0.003)
+    assert yaw_of(record.ground_truth[-1].orientation) == pytest.approx(true_yaw, abs=0.004)
+
+
+def test_the_gyro_turns_on_past_half_a_circle():
+    """The yaw of the body leaps from pi to -pi, and its turn does not."""
+    for row in drive(encoders(), 0.0, 2.0):
+        assert row.angular[2] == pytest.approx(2.0)

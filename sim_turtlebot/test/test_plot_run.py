@@ -2,6 +2,7 @@
 
 import math
 
+import numpy
 import pytest
 import rosbag
 import rospy
@@ -25,11 +26,11 @@ def metre():
     return messages
 
 
-def record(path, messages):
+def record(path, messages, topic='/odom'):
     """Write a bag as a real robot's: without commands or the robot's true position."""
     with rosbag.Bag(str(path), 'w') as bag:
         for number, message in enumerate(messages):
-            bag.write('/odom', message, rospy.Time.from_sec(START + PERIOD * number))
+            bag.write(topic, message, rospy.Time.from_sec(START + PERIOD * number))
     return path
 
 
@@ -43,30 +44,38 @@ def plot(*arguments, **options):
 def test_it_draws_any_bag_with_odometry(tmp_path):
     """A real robot's bag has neither truth nor commands. Jupyter and editors set MPLBACKEND.
 
-    A driver's NaN is no position, and no top speed.
+    A driver's NaN is no position, and no top speed. The only odometry in a bag is taken by any name.
     """
     messages = metre()
     messages[0].pose.pose.position.x = math.nan
     messages[40].twist.twist.linear.x = math.nan
     messages[50].pose.pose.orientation.w = math.nan
     picture = tmp_path / 'real.png'
-    run = plot(record(tmp_path / 'real.bag', messages), '-o', picture, env={'MPLBACKEND': 'nonsense'})
+    messages.append(messages[60])  # late
+    bag = record(tmp_path / 'real.bag', messages, '/robot_1/odom')
+    run = plot(bag, '-o', picture, env={'MPLBACKEND': 'nonsense'})
     assert run.wait() == 0, run.output
     assert number_after('distance', run.stdout) == 0.99
     assert number_after('duration', run.stdout) == 9.9
     assert number_after('mean speed', run.stdout) == 0.1
     assert number_after('top speed', run.stdout) == 0.1
+    assert 'odometry    /robot_1/odom\n' in run.stdout
+    assert 'left out    4 messages ignored\n' in run.stdout
     assert picture.read_bytes().startswith(PNG)
 
 
 def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path):
-    """The robot is carried 50 m away and back. A recording goes on after the arrival."""
+    """The robot is carried 50 m away and back; no line joins the places. A recording goes on."""
     messages = metre()
     for message in messages[20:30]:
         message.pose.pose.position.y = 50.0
     run = read_run(record(tmp_path / 'carried.bag', messages), end=START + 5.0)
     assert run.odometry.time[-1] == pytest.approx(5.0)
     assert run.odometry.distance[-1] == pytest.approx(0.48)
+    assert 'left out    2 jumps not counted' in run.summary()
+    _, drawn = make_figure(run).axes[0].lines[0].get_data()
+    assert [len(part) for part in numpy.split(drawn, numpy.flatnonzero(numpy.isnan(drawn)))] == [
+        20, 11, 22]
 
 
 @pytest.mark.parametrize('length, drawn', [(0.5, False), (2.005, True), (100, False)])
@@ -91,6 +100,17 @@ def test_a_file_without_a_run_is_refused(tmp_path, make):
     run = plot(path, '-o', tmp_path / 'no.png')
     assert run.wait() == 2
     assert len(run.stderr.splitlines()) == 1 and str(path) in run.stderr, run.stderr
+
+
+def test_of_several_odometries_the_user_has_to_choose(tmp_path):
+    """All are named, if there is no /odom among them."""
+    path = record(tmp_path / 'two.bag', metre(), '/b/odom')
+    with rosbag.Bag(str(path), 'a') as bag:
+        bag.write('/a/odom', odometry(stamp=START))
+    with pytest.raises(BagError, match='no messages on /odom; topics of type nav_msgs/Odometry: '
+                                       '/a/odom, /b/odom$'):
+        read_run(path)
+    assert read_run(path, '/b/odom').odometry.distance[-1] == pytest.approx(1.0)
 
 
 def test_a_topic_of_another_type_is_refused(tmp_path):

@@ -27,7 +27,7 @@ def test_without_the_parameter_there_is_no_scan(simulated_time):
 
 
 def test_a_scan_is_that_of_the_depth_camera(simulated_time):
-    """640 beams in 58 degrees, ten times a second, each with an odometry of the same moment."""
+    """640 beams in 60 degrees, ten times a second, each with an odometry of the same moment."""
     with simulator('_scan:=true', CORRIDOR, UNPACED):
         odometry = Recorder('odom', Odometry)
         odometry.wait_for()  # it is heard from before the first scan on
@@ -39,12 +39,14 @@ def test_a_scan_is_that_of_the_depth_camera(simulated_time):
     assert (scan.range_min, scan.range_max) == pytest.approx((0.45, 10.0))
     assert (scan.scan_time, scan.time_increment) == pytest.approx((0.1, 0.0))
     assert len(scan.ranges) == 640 and not scan.intensities
-    assert scan.angle_max - scan.angle_min == pytest.approx(math.radians(58), abs=1e-3)
+    assert scan.angle_max - scan.angle_min == pytest.approx(math.radians(60), abs=3e-3)
+    side = math.ceil(math.radians(30) / scan.angle_increment)  # as clients count beams
+    assert 320 + side <= 639, 'a client that looks 30 degrees to a side reads past the end'
     assert scan.angle_min + 639 * scan.angle_increment == pytest.approx(scan.angle_max, abs=1e-5)
     assert scan.ranges[320] == pytest.approx(5.087, abs=0.01), 'the end of the corridor'
     # The left wall comes last: angles are counted to the left.
-    assert scan.ranges[0] == pytest.approx((0.75 + 0.0135) / math.sin(0.506), abs=0.01)
-    assert scan.ranges[-1] == pytest.approx((0.75 - 0.0135) / math.sin(0.506), abs=0.01)
+    assert scan.ranges[0] == pytest.approx((0.75 + 0.0135) / math.sin(0.525), abs=0.01)
+    assert scan.ranges[-1] == pytest.approx((0.75 - 0.0135) / math.sin(0.525), abs=0.01)
     stamps = [message.header.stamp.to_nsec() for message in seen]
     assert {after - before for before, after in zip(stamps, stamps[1:])} == {10**8}
     assert set(stamps[1:]) <= {message.header.stamp.to_nsec() for message in odometry.messages}

@@ -17,7 +17,7 @@ class BareWorld:
         self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
         self._world.step()  # from here on there is one step in a call
         self._step = self._world.client.stepSimulation
-        simulation.robots[0].body.drive(SPEED, 0.0)
+        simulation.robots[0].body.drive(SPEED, SPEED)
 
     def step_to_odometry(self):
         """Step for an odometry period."""

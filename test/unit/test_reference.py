@@ -1,6 +1,7 @@
 """docs/reference.md says what nodes, launch files, the demo and the sweep say of themselves."""
 
 from odometry_tests.scripts import ROOT, load_script
+from sim_turtlebot.settings import PARAMETERS
 
 reference = load_script('test/tools/reference.py')
 
@@ -9,6 +10,14 @@ def test_the_page_is_up_to_date():
     """The page is written by a tool, so that nothing is described twice."""
     page = reference.PAGE.read_text()
     assert page == reference.updated(page), 'type ./ws python3 test/tools/reference.py'
+
+
+def test_every_parameter_of_the_simulator_is_an_argument_of_the_launch_files():
+    """With the same default; those that include sim.launch hand on all arguments."""
+    arguments = {name: default for name, (default, _) in reference._arguments('sim.launch').items()}
+    defaults = {row.name[1:]: str(row.default) for row in PARAMETERS.rows}
+    assert arguments.items() >= {name: {'False': 'false', 'True': 'true'}.get(default, default)
+                                 for name, default in defaults.items()}.items()
 
 
 def test_every_node_and_launch_file_has_a_heading():

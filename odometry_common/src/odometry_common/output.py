@@ -21,8 +21,6 @@ class LineOutput:
         self._on_closed = on_closed
         self._line = ''
         self._timeout = PATIENCE
-        self._poll = select.poll()
-        self._poll.register(self._stream.fileno(), select.POLLOUT)
 
     def write(self, text):
         """Write text; without a reader this is no error."""
@@ -46,7 +44,9 @@ class LineOutput:
 
     def _has_room(self):
         """Return whether a write of PIPE_BUF bytes would not wait; wait only while it helps."""
-        has_room = bool(self._poll.poll(self._timeout))
+        poll = select.poll()  # one for each call: two threads may print
+        poll.register(self._stream.fileno(), select.POLLOUT)
+        has_room = bool(poll.poll(self._timeout))
         self._timeout = PATIENCE if has_room else 0
         return has_room
 

@@ -114,11 +114,15 @@ def run_parameters(tutorial, values):
         return TUTORIALS[tutorial](), read_settings()
 
 
-def run(tutorial, parameters):
-    """Run a tutorial with parameter values by their names; return its metrics by name."""
+def run(tutorial, parameters, build_world=None):
+    """Run a tutorial with parameter values by their names; return its metrics by name.
+
+    :param build_world: as for sim_turtlebot.simulation.Simulation; None: PyBullet's, which is kept
+        for the next run
+    """
     with _one_at_a_time:
         part, settings = run_parameters(tutorial, parameters)
-        simulation = Simulation(settings, build_world=_world)
+        simulation = Simulation(settings, build_world=build_world or _world)
         return follow(part, _ticks(simulation), simulation.command)
 
 

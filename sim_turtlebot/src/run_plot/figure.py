@@ -39,7 +39,9 @@ def make_figure(run):
 
 def _draw_track(all_axes, track, style, label):
     path, distance, speed, heading = all_axes
-    path.plot(track.x, track.y, style, label=label)
+    # Nobody knows the way of a jump: the line has a gap there.
+    path.plot(*(numpy.insert(values, track.jumps, numpy.nan) for values in (track.x, track.y)), style,
+              label=label)
     distance.plot(track.time, track.distance, style, label=label)
     speed.plot(track.time, track.speed, style, label=label)
     heading.plot(track.time, numpy.degrees(track.yaw), style, label=label)

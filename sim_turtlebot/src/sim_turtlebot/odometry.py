@@ -4,7 +4,6 @@ import math
 from typing import NamedTuple
 
 from odometry_common.geometry import about_z, compose, inverse, mean_twist, rotate, yaw_of
-from odometry_common.kobuki import WHEEL_SEPARATION
 
 STILL = (0.0, 0.0, 0.0)
 LONGEST_MEAN = 0.1  # s; the mean velocity of a longer time says little of the present one
@@ -68,14 +67,16 @@ class WorldOdometry:
 class EncoderOdometry:
     """Dead reckoning from what the sensors measured last; methods as those of WorldOdometry."""
 
-    def __init__(self, encoders, gyro, use_gyro):
+    def __init__(self, encoders, gyro, geometry, use_gyro):
         """Read these sensors, Encoders and a Gyro of sim_turtlebot.sensors.
 
+        :param geometry: sim_turtlebot.drive_geometry.DriveGeometry
         :param use_gyro: take the yaw from the gyro, as kobuki_node's use_imu_heading does by
             default; else from the wheels
         """
         self._encoders = encoders
         self._gyro = gyro
+        self._geometry = geometry
         self._use_gyro = use_gyro
         # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if use_gyro else 0.2)
@@ -87,9 +88,9 @@ class EncoderOdometry:
 
     def update(self, _ground_truth, duration):
         """Add the travel and the rotation of the last period."""
-        left, right = self._encoders.travel
-        rotation = self._gyro.rotation if self._use_gyro else (right - left) / WHEEL_SEPARATION
-        travel = (left + right) / 2
+        travel, rotation = self._geometry.motion(*self._encoders.travel)
+        if self._use_gyro:
+            rotation = self._gyro.rotation
         self._x += travel * math.cos(self._yaw + rotation / 2)
         self._y += travel * math.sin(self._yaw + rotation / 2)
         self._yaw = math.remainder(self._yaw + rotation, 2 * math.pi)

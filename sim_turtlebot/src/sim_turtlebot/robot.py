@@ -6,6 +6,7 @@ import random
 from odometry_common.geometry import height_of_z
 
 from odometry_common import kobuki
+from sim_turtlebot.drive_geometry import DriveGeometry
 from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry, true_motion
 from sim_turtlebot.scanner import Scanner
 from sim_turtlebot.sensors import Encoders, Gyro
@@ -40,12 +41,15 @@ class Robot:
         self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._seed = settings.seed + index
         self._rng = random.Random()
-        self.gyro = Gyro(settings.gyro_noise, settings.gyro_drift, self._rng)
+        self._geometry = DriveGeometry.from_settings(settings)
+        self.gyro = Gyro(settings.gyro_noise, settings.gyro_drift, settings.gyro_scale_error,
+                         settings.gyro_scale_correction, self._rng)
         if settings.odometry_source == 'world':
             self._encoders, self._estimator = None, WorldOdometry()
         else:
             self._encoders = Encoders(settings.wheel_slip, settings.wheel_noise, self._rng)
-            self._estimator = EncoderOdometry(self._encoders, self.gyro, settings.gyro)
+            self._estimator = EncoderOdometry(self._encoders, self.gyro, self._geometry,
+                                              settings.gyro)
         self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
         # Numpy's seeds are not negative.
         self.scanner = Scanner(body, settings.scan_beams, settings.scan_fov, settings.scan_range_min,
@@ -155,7 +159,7 @@ class Robot:
         else:
             share = self._speed_step / change
             self._driven = (self._driven[0] + share * linear, self._driven[1] + share * angular)
-        self.body.drive(*self._driven)
+        self.body.drive(*self._geometry.wheel_speeds(*self._driven))
 
     def _settle(self, now):
         """Hold the robot once it has come to rest."""

@@ -9,7 +9,9 @@ from odometry_common.kobuki import DEPTH_CAMERA
 # 10 of them in a second.
 BEAMS = 640
 RATE = 10.0  # Hz
-FIELD_OF_VIEW = 1.012  # rad; 58 degrees, data sheet of the Asus Xtion Pro; a Kinect has 57
+# rad; 60.2 degrees. The camera in Gazebo has 60, the data sheet of the Asus Xtion Pro 58. The rest is
+# for clients that count 30 degrees in beams to each side: rounded, the last one must be in the scan.
+FIELD_OF_VIEW = 1.05
 RANGE_MIN = 0.45  # m; turtlebot_bringup/launch/3dsensor.launch
 RANGE_MAX = 10.0  # m; the default of depthimage_to_laserscan
 

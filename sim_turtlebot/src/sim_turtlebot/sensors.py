@@ -41,15 +41,19 @@ class Encoders:
 class Gyro:
     """Integrates the robot's rotation, at rest too."""
 
-    def __init__(self, noise, drift, rng):
+    def __init__(self, noise, drift, scale_error, correction, rng):
         """Choose the errors.
 
         :param noise: angle random walk (rad after one second)
         :param drift: bias (rad/s) that remains after the calibration at power-on
+        :param scale_error: share by which it measures too much
+        :param correction: what the driver multiplies the measured rate by
         :param rng: random.Random
         """
         self._noise = noise
         self._drift = drift
+        self._scale = 1.0 + scale_error
+        self._correction = correction
         self._rng = rng
 
     def reset(self, orientation):
@@ -71,7 +75,8 @@ class Gyro:
 
     def _turn(self, orientation, error):
         before, self._true_yaw = self._true_yaw, yaw_of(orientation)
-        self.rotation = math.remainder(self._true_yaw - before, 2 * math.pi) + error
+        rotation = math.remainder(self._true_yaw - before, 2 * math.pi)
+        self.rotation = self._correction * (self._scale * rotation + error)
         self.heading = math.remainder(self.heading + self.rotation, 2 * math.pi)
 
 

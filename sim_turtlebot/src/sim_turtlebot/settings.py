@@ -21,6 +21,7 @@ CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets 
 MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
 
 FROM_0_TO_1 = between(0, 1)
+FACTOR = between(0.5, 2)
 COORDINATE = between(-MAX_COORDINATE, MAX_COORDINATE)
 START = 'where the robot starts; odom is zero there'
 
@@ -57,6 +58,22 @@ PARAMETERS = Parameters(
     Parameter('~gyro_noise', 0.0, 'rad', FROM_0_TO_1,
               "standard deviation of the gyro's yaw after one second"),
     Parameter('~gyro_drift', 0.0, 'rad/s', between(-1, 1), 'bias of the gyro, also at rest'),
+    Parameter('~wheel_diameter_ratio', 1.0, '', FACTOR,
+              "E_d of UMBmark: the right wheel's diameter divided by the left one's, which the driver "
+              'believes to be equal; their average is as it believes'),
+    Parameter('~wheel_separation_ratio', 1.0, '', FACTOR,
+              'E_b of UMBmark: the true distance between the wheels divided by the one that the '
+              'driver believes'),
+    Parameter('~gyro_scale_error', 0.0, '', between(-0.5, 0.5),
+              'share by which the gyro measures too much'),
+    Parameter('~left_wheel_radius_multiplier', 1.0, '', FACTOR,
+              "the driver's correction of that wheel's size, as diff_drive_controller's"),
+    Parameter('~right_wheel_radius_multiplier', 1.0, '', FACTOR, 'likewise'),
+    Parameter('~wheel_separation_multiplier', 1.0, '', FACTOR,
+              "the driver's correction of the distance between the wheels, as "
+              "diff_drive_controller's"),
+    Parameter('~gyro_scale_correction', 1.0, '', FACTOR,
+              "the driver's correction of the gyro's rate, as turtlebot_node's"),
     Parameter('~scan', False, '', ANY,
               'publish scans; their beams meet whatever a robot can run into'),
     Parameter('~scan_rate', scanner.RATE, 'Hz',

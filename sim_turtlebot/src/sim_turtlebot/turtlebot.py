@@ -4,7 +4,7 @@ import contextlib
 import os
 from functools import partial
 
-from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_SEPARATION, WHEEL_TORQUE
+from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
 
 from sim_turtlebot.description import URDF, without_frames
 from sim_turtlebot.native_output import suppress_native_output
@@ -49,13 +49,11 @@ class TurtleBot:
         self.steps_at_once = 1
         self.drive(0.0, 0.0)
 
-    def drive(self, linear, angular):
-        """Turn the wheels so as to move at `linear` m/s and `angular` rad/s."""
-        difference = angular * WHEEL_SEPARATION / 2
+    def drive(self, left, right):
+        """Turn the wheels so that their rims move at these speeds (m/s)."""
         self._client.setJointMotorControlArray(
             self._body, self._wheels, pybullet.VELOCITY_CONTROL,
-            targetVelocities=[(linear - difference) / WHEEL_RADIUS,
-                              (linear + difference) / WHEEL_RADIUS],
+            targetVelocities=[left / WHEEL_RADIUS, right / WHEEL_RADIUS],
             forces=[WHEEL_TORQUE / self.steps_at_once] * 2)
 
     def pose(self):

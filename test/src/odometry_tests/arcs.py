@@ -53,7 +53,7 @@ class Body:
         """Return the wheels' angles (rad), and no velocities and torques."""
         return self.angles, (0.0, 0.0), (0.0, 0.0)
 
-    def drive(self, _linear, _angular):
+    def drive(self, _left, _right):
         """Turn no wheel."""
 
     def place(self, position, orientation, _wheel_angles):

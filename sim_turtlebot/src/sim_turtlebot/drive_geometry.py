@@ -1,0 +1,43 @@
+"""The wheels as the driver of the base believes them to be."""
+
+from typing import NamedTuple
+
+from odometry_common.kobuki import WHEEL_SEPARATION
+
+
+class DriveGeometry(NamedTuple):
+    """What the driver believes, where the wheels are as the URDF has them.
+
+    The driver turns commands into wheel speeds, and wheel travel into odometry, by the same numbers:
+    a Kobuki's are built into its firmware and its driver (kobuki_driver/src/driver/diff_drive.cpp). So
+    a wrong belief bends the true path, and the wheels' odometry does not show it (Borenstein and Feng,
+    Measurement and correction of systematic odometry errors in mobile robots, IEEE Transactions on
+    Robotics and Automation 12(6), 1996).
+    """
+
+    left: float  # believed radius of the left wheel, as a share of the true one
+    right: float
+    separation: float  # believed distance between the wheels (m)
+
+    @classmethod
+    def from_settings(cls, settings):
+        """Return it for the settings of sim_turtlebot.settings.read_settings().
+
+        With E_d = D_right / D_left and the average diameter kept, UMBmark has D_left = 2 / (E_d + 1)
+        and D_right = 2 / (1 / E_d + 1) of what the driver assumes for both.
+        """
+        diameters = settings.wheel_diameter_ratio
+        return cls(settings.left_wheel_radius_multiplier * (diameters + 1) / 2,
+                   settings.right_wheel_radius_multiplier * (1 / diameters + 1) / 2,
+                   settings.wheel_separation_multiplier * WHEEL_SEPARATION
+                   / settings.wheel_separation_ratio)
+
+    def wheel_speeds(self, linear, angular):
+        """Return the true speeds (m/s) of the left and right rim for a command (m/s, rad/s)."""
+        difference = angular * self.separation / 2
+        return (linear - difference) / self.left, (linear + difference) / self.right
+
+    def motion(self, left, right):
+        """Return the believed travel (m) and rotation (rad) of wheels that roll this far (m)."""
+        left, right = self.left * left, self.right * right
+        return (left + right) / 2, (right - left) / self.separation
