@@ -84,7 +84,9 @@ def _launch_part(name):
     if own == base:
         intro, new = '', own
     else:
-        intro = f'Every argument of {BASE_LAUNCH}, and:\n\n'
+        missing = ', '.join(_code(argument) for argument in base if argument not in own)
+        but = f' but {missing}' if missing else ''
+        intro = f'Every argument of {BASE_LAUNCH}{but}, and:\n\n'
         new = {argument: own[argument] for argument in own if argument not in base}
     return intro + _table('argument | default | meaning', [
         (_code(argument), _code(default), meaning) for argument, (default, meaning) in new.items()])
