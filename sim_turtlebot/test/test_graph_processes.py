@@ -67,3 +67,18 @@ def test_a_node_on_another_machine_is_named_once(graph, unseen):
     finally:
         for name, master in masters.items():
             master.unregisterPublisher('/elsewhere', addresses[name])
+
+
+def test_the_master_has_told_everybody_of_a_node_that_was_started_again(graph, monkeypatch):
+    """It has the name and the topics of one that was killed: only its address is new."""
+    rest, processes = graph
+    told = []
+    monkeypatch.setattr(rest, 'wait_for_naps', told.append)
+    master = rosgraph.Master('/again')
+    addresses = [f'http://{TEST_NET}:{port}' for port in (1, 2)]
+    for address in addresses:
+        master.registerPublisher('/elsewhere', 'std_msgs/Empty', address)
+        told.clear()
+        processes.wait()
+        assert told
+    master.unregisterPublisher('/elsewhere', addresses[-1])

@@ -65,15 +65,19 @@ class GraphProcesses:
         return self._usage != before or master not in self._rest.processes
 
     def _refresh(self):
-        """Take the nodes that have come, and forget those that have gone; return whether any has."""
-        before, self._state = self._state, self._master.getSystemState(self._own_name)[ANSWER]
+        """Take the nodes that have come, and forget those that have gone; return whether any has.
+
+        One that was killed and started again has the same name and topics at another address.
+        """
+        before = self._state, {**self._addresses}
+        self._state = self._master.getSystemState(self._own_name)[ANSWER]
         for name in self._addresses.keys() - self.names:
             del self._addresses[name]
         addresses = {name: self._master.lookupNode(self._own_name, name)[ANSWER]
                      for name in self.names if self._pids.get(name) not in self._rest.processes}
         self._find({name: address for name, address in addresses.items()
                     if address and self._addresses.get(name) != address})
-        return self._state != before
+        return (self._state, self._addresses) != before
 
     def add_starting(self):
         """Take the processes that roslaunch has started and that are no nodes yet."""
