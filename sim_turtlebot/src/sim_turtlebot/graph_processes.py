@@ -1,5 +1,6 @@
 """Which processes the nodes of a graph are."""
 
+import socket
 from urllib.parse import urlparse
 
 import psutil
@@ -12,6 +13,7 @@ from sim_turtlebot.rest import LONGEST_POLL, PATIENCE
 
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
+ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
 LOG = '/rosout'  # a node, and its topic; it only writes down what others say
 ROSLAUNCHED = '__name:='  # is in the command line of a node that roslaunch has started
 STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
@@ -95,12 +97,13 @@ class GraphProcesses:
         if not addresses:
             return
         self._addresses.update(addresses)
-        pids = {socket.laddr.port: socket.pid for socket in psutil.net_connections('tcp')
-                if socket.status == psutil.CONN_LISTEN}
+        pids = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
+                if connection.status == psutil.CONN_LISTEN}
         for name, address in addresses.items():
             host, port = urlparse(address).hostname, urlparse(address).port
             # Nobody serves the address of a node that was killed.
-            pid = pids.get(port, 0) if is_local_address(host) else None
+            pid = next((pids[ip, port] for ip in (*_ips(host), *ANY_IP) if (ip, port) in pids),
+                       0) if is_local_address(host) else None
             self._pids[name] = pid
             if pid is None:
                 self._on_unseen(name)
@@ -117,6 +120,10 @@ class GraphProcesses:
             self._on_unseen(name)
         except (FileNotFoundError, ProcessLookupError):  # it has ended
             pass
+
+
+def _ips(host):
+    return {address[0] for *_, address in socket.getaddrinfo(host, None)}
 
 
 def _names(*states):
