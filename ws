@@ -71,6 +71,8 @@ main() {
     done
     $only_set_up || [ $# != 0 ] || { usage; exit 1; }
     [[ ${1:-} != shell || ${2:-} != -h && ${2:-} != --help ]] || { usage; exit; }
+    [[ ${1:-} != sweep || -d $CHECKOUT/odometry_sweep ]] ||
+        refuse './ws sweep needs the package odometry_sweep, which is not here'
     set_up "$@"
     ! $only_set_up || exit 0
     export ODOMETRY_ROOT=$ROOT

@@ -68,8 +68,7 @@ add_extras() {
             'test test' | *screenshots.py)
                 PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
                 EXTRAS+=(tests sweep cluster view) ;;
-            'bench bench') EXTRAS+=(sweep view) ;;
-            'sweep sweep') EXTRAS+=(sweep) ;;
+            'bench bench' | 'sweep sweep') EXTRAS+=(sweep) ;;
             'sweep --cluster'* | 'dask dask') EXTRAS+=(sweep cluster) ;;
             *' pytest') EXTRAS+=(tests sweep cluster view) ;;
             *' ruff' | *' vermin' | *' pre-commit') PARTS+=(catkin-lint) EXTRAS+=(tests) ;;

@@ -19,7 +19,6 @@ def start(port, *arguments):
 
 
 def demo(*arguments):
-    """Run a demo to its end and return its process."""
     with hold_port() as port:
         process = start(port, *arguments)
         assert process.wait(90.0) == 0, process.output
@@ -48,7 +47,6 @@ def test_two_turns_print_the_same_of_their_arrival():
 
 
 def arrival(run):
-    """Return what a demo has printed of its arrival."""
     lines = re.sub(', .* real$', '', run.stdout, flags=re.MULTILINE).splitlines()
     return lines[-5:-1]  # then comes the picture
 

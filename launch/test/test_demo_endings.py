@@ -62,7 +62,6 @@ def assert_that_nobody_listens(port):
 
 @pytest.mark.parametrize('moment, signum', STARTING)
 def test_nothing_is_left_of_a_demo_that_is_ended_while_it_starts(moment, signum):
-    """From its first moment on."""
     with demo() as (process, output, _):
         time.sleep(moment)
         end(process, signum, output)
@@ -70,7 +69,6 @@ def test_nothing_is_left_of_a_demo_that_is_ended_while_it_starts(moment, signum)
 
 @pytest.mark.parametrize('moment, signum', DRIVING)
 def test_nothing_is_left_of_a_demo_that_is_ended_while_it_drives(moment, signum):
-    """Neither of the robot."""
     with demo() as (process, output, mark):
         wait_until(lambda: PROGRESS in output(), 60.0, output)
         time.sleep(moment)
@@ -80,7 +78,6 @@ def test_nothing_is_left_of_a_demo_that_is_ended_while_it_drives(moment, signum)
 
 
 def test_ctrl_c_on_a_terminal_leaves_a_line_for_the_prompt_and_nothing_else():
-    """Pressed five times, as learners do."""
     mark = new_mark()
     with hold_port() as port:
         with Terminal(ROOT, {**os.environ, **mark,

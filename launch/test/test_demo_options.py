@@ -9,7 +9,6 @@ from odometry_launch.options import launch_arguments, parse
     ['--real-time-factor', 'nan'], ['--real-time-factor', '0.0001'], ['--target', '45'],
     ['rotate', '--speed', '-0.1'], ['dance']])
 def test_bad_options_get_one_clear_line(arguments, capsys):
-    """Exit status 2, and below the usage one line about the argument."""
     with pytest.raises(SystemExit) as ending:
         parse(arguments)
     assert ending.value.code == 2
@@ -19,6 +18,5 @@ def test_bad_options_get_one_clear_line(arguments, capsys):
 @pytest.mark.parametrize('factor, lockstep', [('1', 'false'), ('0', 'true'), ('0.5', 'true')])
 @pytest.mark.parametrize('tutorial', ['move', 'rotate'])
 def test_at_each_pace_but_real_time_it_runs_in_lockstep(tutorial, factor, lockstep):
-    """A run then gives the same however fast it is."""
     options = parse([tutorial, '--real-time-factor', factor])
     assert launch_arguments(options)[1]['lockstep'] == lockstep

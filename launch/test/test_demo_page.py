@@ -23,7 +23,6 @@ pytest.importorskip('viser', reason='viser is not installed')
 
 
 def assert_the_page_is_served(url):
-    """Fetch it, as a browser does."""
     with urllib.request.urlopen(url, timeout=TIMEOUT * PATIENCE) as answer:
         assert b'viser' in answer.read().lower()
 

@@ -11,13 +11,11 @@ from odometry_launch.launch_log import LaunchLog
 
 @pytest.fixture
 def launch(monkeypatch):
-    """Return a Launch whose nodes run well."""
     monkeypatch.setattr(Launch, 'check', lambda self: None)
     return Launch('sim.launch', {})
 
 
 def test_an_unexpected_error_ends_a_wait_at_once(launch):
-    """With a line that names it, instead of three minutes in which nothing happens."""
     def condition():
         raise AttributeError('no such thing')
 
@@ -26,7 +24,6 @@ def test_an_unexpected_error_ends_a_wait_at_once(launch):
 
 
 def test_a_master_that_is_suspended_ends_a_wait(launch, monkeypatch):
-    """It accepts a connection, and never answers."""
     monkeypatch.setattr('odometry_launch.launch.START_TIMEOUT', 0.1)
     monkeypatch.setattr(launch, '_log', LaunchLog(), raising=False)
     with pytest.raises(DemoError, match='^no answer within 0.1 s; '):

@@ -14,7 +14,6 @@ from std_msgs.msg import Float64
 
 @pytest.mark.parametrize('factor, patience', [(1.0, 10.0), (0.0, 10.0), (0.001, 200.0)])
 def test_a_silent_robot_is_worth_one_line(monkeypatch, capsys, factor, patience):
-    """At the slowest pace too, and once again after it has gone on."""
     clock = SimpleNamespace(monotonic=lambda: wall)
     monkeypatch.setattr('odometry_launch.following.time', clock)
     silence = Silence(factor)
@@ -49,7 +48,6 @@ def play(monkeypatch):
 
 @pytest.fixture
 def run(play):
-    """Return a function that plays a robot's distances to a monitor and returns it."""
     def played(moved, true=None, **options):
         truth = [odometry(x=x, stamp=0.05 * step) for step, x in enumerate(true or moved)]
         for message, distance, before in zip(truth, moved, [0.0, *moved]):
@@ -61,7 +59,6 @@ def run(play):
 
 
 def shown(monitor):
-    """Return all that is printed in the end."""
     return monitor.progress(), monitor.result(), monitor.duration
 
 
@@ -88,7 +85,6 @@ def test_a_robot_that_moves_or_stands_too_early_has_not_arrived(run, moved, true
 
 @pytest.mark.parametrize('late', ORDERS)
 def test_a_drive_is_shown_as_it_was_on_arrival(run, late):
-    """Whichever topic comes first, and however the robot is pushed afterwards."""
     pushed = [2.002 + 0.01 * step for step in range(40)]
     monitor = run([*DRIVE, *AT_ONCE, *[2.002] * 40, *pushed], late=late)
     summary, complaint = monitor.result()

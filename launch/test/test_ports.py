@@ -7,7 +7,6 @@ from odometry_launch.ports import HeldPort, next_port, usual_master_port
 
 
 def listen(port):
-    """Listen as ROS's and asyncio's servers do."""
     return socket.create_server(('localhost', port))
 
 
@@ -25,7 +24,6 @@ def test_a_held_port_is_given_to_nobody_else():
 
 
 def test_a_port_with_a_server_cannot_be_held():
-    """Of any program."""
     with listen(0) as server, pytest.raises(OSError):
         HeldPort(server.getsockname()[1])
 
@@ -34,6 +32,5 @@ def test_a_port_with_a_server_cannot_be_held():
     ('http://localhost:1234', 1234), ('', 11311), ('localhost', 11311), ('[', 11311),
     ('http://localhost:none', 11311), ('http://localhost:123456', 11311)])
 def test_the_master_goes_where_rostopic_looks_for_it(address, port, monkeypatch):
-    """An address without a valid port means the usual one."""
     monkeypatch.setenv('ROS_MASTER_URI', address)
     assert usual_master_port() == port

@@ -33,7 +33,6 @@ reaper.os.kill, reaper.GIVE_UP_AFTER = refuse, 0.6
 
 @pytest.fixture
 def mark(monkeypatch):
-    """Mark the processes that a test starts."""
     made = new_mark()
     for name, value in made.items():
         monkeypatch.setenv(name, value)
@@ -45,13 +44,11 @@ def mark(monkeypatch):
     (['sh', '-c', 'kill -SEGV $$'], -signal.SIGSEGV, ''),
     (['no-such-command'], 127, 'no-such-command: No such file or directory\n')])
 def test_it_ends_as_the_command_ended(command, status, error, capfd):
-    """By exit status or by signal; a command that does not exist has the shell's status."""
     assert GuardedProcess(*command).wait() == status
     assert capfd.readouterr().err == error
 
 
 def test_it_outlasts_a_timeout_for_new_sockets():
-    """As rospy sets it."""
     before = socket.getdefaulttimeout()
     socket.setdefaulttimeout(60.0)
     try:
@@ -74,7 +71,6 @@ def test_signals_reach_the_command(signum):
 
 
 def test_everything_ends_when_the_starter_is_killed(mark):
-    """Also processes with a session of their own."""
     with subprocess.Popen([sys.executable, '-c', STARTER, 'bash', '-c',
                            'setsid sleep 1000 & setsid setsid sleep 1001; sleep 1002']) as starter:
         wait_until(lambda: len(marked(mark)) >= 5, 10.0, 'the processes')
@@ -83,7 +79,6 @@ def test_everything_ends_when_the_starter_is_killed(mark):
 
 
 def test_orphans_end_with_the_command(mark):
-    """Its exit status is reported all the same."""
     script = 'setsid sleep 1000 & (setsid sleep 1001 &) ; exit 3'
     assert GuardedProcess('bash', '-c', script).wait() == 3
     assert not marked(mark)
@@ -98,7 +93,6 @@ def reaper(program, *command, **popen_options):
 
 
 def test_a_process_that_ignores_sigterm_is_killed(mark):
-    """With everything that it goes on starting."""
     process, lifeline = reaper('', 'bash', '-c',
                                'trap : TERM INT; while :; do setsid sleep 1000; done')
     wait_until(lambda: len(marked(mark)) >= 3, 10.0, 'the processes')
@@ -108,7 +102,6 @@ def test_a_process_that_ignores_sigterm_is_killed(mark):
 
 
 def test_a_process_that_cannot_be_killed_is_named_and_left():
-    """Instead of a wait without end."""
     process, lifeline = reaper(POWERLESS, 'sleep', '1000', stderr=subprocess.PIPE, text=True)
     command = psutil.Process(int(lifeline.recv(64)))
     process.terminate()

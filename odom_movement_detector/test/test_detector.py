@@ -21,7 +21,6 @@ class Talk(Partner):
     """Positions to a detector, distances from it."""
 
     def __init__(self, ns):
-        """Talk to the detector of a namespace."""
         super().__init__(f'{ns}odom', Odometry, f'{ns}moved_distance', Float64)
 
     def meet(self):
@@ -38,14 +37,12 @@ class Talk(Partner):
 
 @pytest.fixture
 def node(request, ns):
-    """Start a detector, with the arguments that a test gives."""
     with detector(*getattr(request, 'param', [])) as process:
         yield process
 
 
 @pytest.fixture
 def talk(node, ns):
-    """Talk to the detector, which has counted FIRST."""
     made = Talk(ns)
     made.meet()
     return made
@@ -67,7 +64,6 @@ def test_it_publishes_the_sum_of_the_steps_once_per_message(talk):
 
 
 def test_a_reset_counts_from_zero(talk, ns):
-    """From the position of the last message on."""
     reset = rospy.Publisher(f'{ns}moved_distance/reset', Empty, queue_size=1)
     wait_for_subscribers(reset)
     reset.publish(Empty())
@@ -92,7 +88,6 @@ def test_parameters_change_what_counts(node, ns):
 
 
 def test_strange_odometry_is_ignored_and_the_sum_stays_finite_and_never_falls(node, ns):
-    """No message ends the node, and positions that are not finite are warned of."""
     talk = Talk(ns)
     talk.say_until(odometry, lambda m: m.data == 0.0, 'a distance')
     talk.say(*strange_odometry())

@@ -25,7 +25,6 @@ class DetectorMachine(RuleBasedStateMachine):
 
     @initialize(min_step=limits, max_speed=st.one_of(st.just(5.0), limits))
     def start(self, min_step, max_speed):
-        """Set the parameters; no message has come yet."""
         self.min_step, self.max_speed = min_step, max_speed
         self.counter = DistanceCounter(min_step, max_speed)
         self.stamp = self.arrival = 100.0
@@ -37,7 +36,6 @@ class DetectorMachine(RuleBasedStateMachine):
 
     @rule(duration=durations)
     def time_passes(self, duration):
-        """Leave a gap between two messages."""
         self.arrival += duration
         if self.stamped:
             self.stamp += duration
@@ -49,7 +47,6 @@ class DetectorMachine(RuleBasedStateMachine):
 
     @rule()
     def the_driver_changes(self):
-        """From one that stamps its messages to one that does not, or the other way."""
         self.stamped = not self.stamped
 
     @rule(speed=st.floats(0, 10), direction=st.floats(0, math.tau), duration=durations)
@@ -62,13 +59,11 @@ class DetectorMachine(RuleBasedStateMachine):
 
     @rule(x=any_number, y=any_number)
     def jump(self, x, y):
-        """Be anywhere, or nowhere."""
         self.hear(x, y)
 
     @precondition(lambda self: self.reference)
     @rule()
     def drive_exactly_min_step(self):
-        """Go just far enough to be counted."""
         self.time_passes(1.0)
         self.hear(self.reference[0] + self.min_step, self.reference[1])
 
@@ -80,7 +75,6 @@ class DetectorMachine(RuleBasedStateMachine):
 
     @rule()
     def reset(self):
-        """Start counting from zero."""
         self.counter.reset()
         self.steps.clear()
         self.previous = 0.0
@@ -88,7 +82,6 @@ class DetectorMachine(RuleBasedStateMachine):
 
     @invariant()
     def it_never_falls_and_is_always_a_number(self):
-        """But for a reset."""
         distance = self.counter.distance
         assert self.previous <= distance < math.inf
         self.previous = distance
@@ -102,7 +95,6 @@ class DetectorMachine(RuleBasedStateMachine):
         assert self.counter.distance == (total if total >= 1e-6 else 0.0)
 
     def hear(self, x, y):
-        """Pass a message to the detector and to the model."""
         message = x, y, self.stamp, self.arrival
         try:
             refused = self.counter.add(*message)
@@ -138,7 +130,6 @@ class DetectorMachine(RuleBasedStateMachine):
         return False if needed <= max(interval, min(usual)) else None
 
     def count(self, x, y, refused):
-        """Add the step to the list, or only go to its end."""
         if refused or self.reference is None:
             self.reference = x, y
             return

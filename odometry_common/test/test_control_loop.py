@@ -46,7 +46,6 @@ class Controller:
 
 @pytest.fixture
 def start(monkeypatch):
-    """Return what starts a Controller."""
     return lambda **options: Controller(monkeypatch, **options)
 
 
@@ -59,7 +58,6 @@ def test_without_a_period_each_input_is_answered_and_nothing_else_is_done(start)
 
 
 def test_input_that_comes_faster_is_answered_once_in_a_period(start):
-    """By its stamps, though it all arrives at once."""
     controller = start()
     controller.now += 1.0
     answers = [controller.receive(number, START + number * PERIOD / 2)[:] for number in range(6)]
@@ -78,7 +76,6 @@ def test_slow_input_is_controlled_on_at_the_period(start):
 
 @pytest.mark.parametrize('period', [0.0, PERIOD])
 def test_silence_stops_the_controller_until_input_returns(start, period):
-    """After its timeout, and not before."""
     controller = start(period=period)
     controller.receive('a')
     assert 'stop' not in controller.look_on(*[PERIOD] * 9)
@@ -88,7 +85,6 @@ def test_silence_stops_the_controller_until_input_returns(start, period):
 
 
 def test_without_a_timeout_silence_stops_nothing(start):
-    """It is controlled on for ever."""
     controller = start(timeout=0.0)
     controller.receive('a')
     assert controller.look_on(HOUR, PERIOD) == ['a', 'a']
@@ -121,7 +117,6 @@ def test_a_stamp_that_cannot_be_right_puts_no_stop_off(start, wallclock, ahead):
 
 
 def test_time_that_goes_back_starts_a_new_silence(start):
-    """And stops nothing at once."""
     controller = start(period=0.0)
     controller.receive('a')
     assert controller.look_on(-90.0, 0.9) == []

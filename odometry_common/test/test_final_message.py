@@ -19,17 +19,14 @@ class WatchedLock:
     """A lock that tells when a thread waits for it."""
 
     def __init__(self, awaited):
-        """Begin unlocked; set the Event `awaited`."""
         self._lock, self._awaited = threading.Lock(), awaited
 
     def __enter__(self):
-        """Lock."""
         if not self._lock.acquire(blocking=False):
             self._awaited.set()
             self._lock.acquire()
 
     def __exit__(self, *_):
-        """Unlock."""
         self._lock.release()
 
 
@@ -37,7 +34,6 @@ class Wire(Transport):
     """A node that commands, and its connection to a subscriber: what has been written."""
 
     def __init__(self):
-        """Connect a subscriber to a publisher of velocities."""
         super().__init__(OUTBOUND)
         self.commands, self._meanwhile = [], None
         advertise(TOPIC, Twist).impl.add_connection(self)
@@ -70,14 +66,12 @@ class Wire(Transport):
 
 @pytest.fixture
 def wire(master):
-    """Connect a Wire."""
     made = Wire()
     yield made
     made.close()
 
 
 def test_zero_follows_all_commands_and_no_command_follows_zero(wire):
-    """In their order."""
     wire.publish(0.1, 0.5)
     wire.publish(angular=-1.0)
     wire.shut_down()
@@ -86,12 +80,10 @@ def test_zero_follows_all_commands_and_no_command_follows_zero(wire):
 
 
 def test_zero_follows_a_command_that_is_being_written(wire):
-    """At the end of the node."""
     wire.during(lambda: wire.publish(0.1), wire.shut_down)
     assert wire.commands == [(0.1, 0.0), ZERO]
 
 
 def test_no_command_overtakes_the_final_zero_or_follows_it(wire):
-    """From another thread."""
     wire.during(wire.shut_down, lambda: wire.publish(0.1))
     assert wire.commands == [ZERO]

@@ -43,7 +43,6 @@ def close(values, scale=1.0):
 @example(-math.pi)
 @example(3 * math.pi)
 def test_a_wrapped_angle_is_the_same_direction_within_half_a_turn(angle):
-    """No turn is longer than half a circle, and it ends where the long way would."""
     wrapped = wrap_to_pi(angle)
     assert -math.pi < wrapped <= math.pi
     assert math.cos(wrapped) == pytest.approx(math.cos(angle), abs=1e-6)
@@ -66,14 +65,12 @@ def test_a_quaternion_of_any_length_has_its_yaw(length):
 
 @pytest.mark.parametrize('parts', [(0, 0, 0, 0), (math.nan, 0, 0, 1), (0, 0, 0, -math.inf)])
 def test_a_quaternion_that_is_no_rotation_is_refused(parts):
-    """The message names the numbers."""
     with pytest.raises(ValueError, match='is no rotation'):
         euler_from_orientation(Quaternion(*parts))
 
 
 @given(coordinates, coordinates, st.floats(-3, 3))
 def test_a_planar_pose_is_where_the_robot_is_and_looks(x, y, yaw):
-    """Its height does not matter."""
     orientation = Quaternion(*tf.quaternion_from_euler(0, 0, yaw))
     assert planar_pose(Pose(Point(x, y, 5.0), orientation)) == pytest.approx((x, y, yaw))
 
@@ -100,7 +97,6 @@ def test_rotations_are_those_of_tf(outer, inner, vector):
 
 @given(st.sampled_from([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0.0, -0.8)]), angles)
 def test_a_rotation_about_an_axis_is_that_of_tf(axis, angle):
-    """Also about one that is askew."""
     assert about(axis, angle) == close(tf.quaternion_about_axis(angle, axis))
     assert about_z(angle) == close(tf.quaternion_about_axis(angle, (0, 0, 1)))
 
@@ -131,5 +127,4 @@ def test_the_mean_twist_of_an_arc_is_the_one_that_was_driven(start, speed, turn_
 @pytest.mark.parametrize('degrees, upright', [(0, True), (59.9, True), (60.1, False), (180, False)])
 @pytest.mark.parametrize('axis', [(1, 0, 0), (0, -1, 0), (0.6, 0.8, 0)])
 def test_what_leans_more_than_60_degrees_is_not_upright(degrees, upright, axis):
-    """To any side, whichever way it looks."""
     assert is_upright(compose(about(axis, math.radians(degrees)), about_z(2.0))) == upright

@@ -25,7 +25,6 @@ def test_help_says_what_a_script_does_and_has(script):
 
 
 def warnings(node, text):
-    """Return what a node has warned of with this text."""
     return [line.partition(']: ')[2] for line in node.stderr.splitlines() if text in line]
 
 

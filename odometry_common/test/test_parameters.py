@@ -58,7 +58,6 @@ def test_the_line_names_the_parameter_its_value_and_what_is_allowed(name, value,
 
 
 def test_the_help_says_everything_about_each_parameter():
-    """And nothing if there are none."""
     assert TABLE.help.splitlines()[:2] == [
         'Parameters:', '    ~speed (float, 0.1 m/s, above 0): how fast']
     assert TABLE.help.splitlines()[-3:] == [
@@ -68,7 +67,6 @@ def test_the_help_says_everything_about_each_parameter():
 
 
 def test_afterwards_parameters_come_from_the_master_again(monkeypatch):
-    """Also after a bad one."""
     monkeypatch.setattr('rospy.get_param', lambda name, default: 0.3 if name == '~speed' else default)
     with pytest.raises(ParameterError), read_from({'speed': 'fast'}):
         TABLE.read()
@@ -77,13 +75,11 @@ def test_afterwards_parameters_come_from_the_master_again(monkeypatch):
 
 @given(st.text())
 def test_the_line_is_one_line_whatever_the_value(value):
-    """A line break in the value does not break it."""
     assert len(str(ParameterError('~speed', value, 'a number')).splitlines()) == 1
 
 
 @given(st.text())
 def test_no_text_ends_in_another_error(text):
-    """Whatever a user types after the :=, a node starts or says what is wrong."""
     try:
         check_command_line([f'_speed:={text}'])
     except ParameterError as error:

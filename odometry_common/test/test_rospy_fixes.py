@@ -20,7 +20,6 @@ class Handler:
     """Stands for rospy's connections: keeps what it is to connect."""
 
     def __init__(self):
-        """Begin without any."""
         self.done = False
         self.connected = set()
 

@@ -46,7 +46,6 @@ def test_time_that_leaps_begins_a_new_row(stamps, expected):
 
 @given(st.lists(st.floats(0, 1e9), min_size=1), st.floats(1e-3, 10))
 def test_after_any_sequence_of_times_a_beat_follows_within_a_period(sequence, period):
-    """Nothing that the clock does stops the metronome."""
     metronome = Metronome(period)
     beats(metronome, sequence)
     last = sequence[-1]
@@ -65,7 +64,6 @@ def test_a_value_is_at_rest_once_it_has_stayed_for_the_duration(rows, rests):
 
 
 def test_a_reset_forgets_the_rest():
-    """As when the robot is sent off again."""
     detector = RestDetector(BAND, DURATION)
     detector.at_rest(0.0, 0.0)
     detector.reset()

@@ -32,14 +32,12 @@ def connection(monkeypatch):
 
 @pytest.fixture
 def warnings(monkeypatch):
-    """Collect the warnings."""
     seen = []
     monkeypatch.setattr(transport.rospy, 'logwarn', seen.append)
     return seen
 
 
 def write(link, numbers):
-    """Write numbered messages of SIZE bytes."""
     for number in numbers:
         link.write_data(number.to_bytes(4, 'little').ljust(SIZE, b'.'))
 
@@ -66,7 +64,6 @@ def test_one_that_does_not_read_loses_messages_but_neither_their_order_nor_the_l
 
 
 def test_one_that_reads_again_loses_nothing_more(connection, warnings):
-    """And what was queued comes before what is new."""
     link, far = connection
     write(link, range(COUNT))
     read(far, COUNT - 1)
@@ -76,7 +73,6 @@ def test_one_that_reads_again_loses_nothing_more(connection, warnings):
 
 
 def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(connection, warnings):
-    """However much slower it reads."""
     wait_for_subscribers(TIMEOUT * PATIENCE)
     link, far = connection
     link._patience_left = link.patience
@@ -99,7 +95,6 @@ def test_a_publisher_waits_no_longer_than_it_says(connection, warnings):
 
 
 def test_one_that_has_gone_is_forgotten(connection):
-    """Also while messages are queued for it."""
     link, far = connection
     write(link, range(COUNT))
     far.close()

@@ -14,7 +14,6 @@ FRAME_RATE = 2.0  # Hz
 
 @pytest.fixture(scope='module')
 def open_page():
-    """Return a function that opens a page in a browser."""
     browser = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
     if not (browser.CHROMIUM and browser.DRIVER):
         pytest.skip('chromium and chromedriver are not installed')
@@ -39,7 +38,6 @@ def robot(master):
 
 @pytest.fixture(scope='module')
 def pages():
-    """Keep the viewer's pages that were opened."""
     return []
 
 

@@ -41,11 +41,9 @@ class PageClient:
         threading.Thread(target=self._read, daemon=True).start()
 
     def __enter__(self):
-        """Use it as a context, at whose end it is closed."""
         return self
 
     def __exit__(self, *_):
-        """Close it."""
         self._websocket.close()
 
     def show(self):
@@ -53,7 +51,6 @@ class PageClient:
         self.send(type='ViewerCameraMessage', **CAMERA)
 
     def hold(self, label):
-        """Say that a button is held."""
         self.send(type='GuiButtonHoldMessage', uuid=self.find(label), frequency=10.0)
 
     def set(self, label, value):
@@ -61,7 +58,6 @@ class PageClient:
         self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={'value': value})
 
     def send(self, **message):
-        """Send a message."""
         self.send_raw(msgspec.msgpack.encode(message))
 
     def send_raw(self, data):
@@ -75,7 +71,6 @@ class PageClient:
         return self._inputs[label]['uuid']
 
     def wait_for_text(self, text):
-        """Return once the page shows it."""
         wait_until(lambda: any(text in shown for shown in list(self._texts.values())), TIMEOUT,
                    lambda: f'{text!r} in the page, which shows {self._texts}')
 

@@ -4,9 +4,7 @@ import math
 
 import numpy
 import pytest
-import rosgraph
 import rospy
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
@@ -17,12 +15,6 @@ from viewer import ROBOT_PIXELS, Motion, View, wait_for_robot
 SCAN_PIXELS = 100
 
 
-def viewers(topic='/odom'):
-    """Return the viewers that subscribe to a topic."""
-    _, subscriptions, _ = rosgraph.Master('/test').getSystemState()
-    return [node for node in dict(subscriptions).get(topic, []) if node.startswith('/view')]
-
-
 def count_pixels(page, more, less):
     """Return how many pixels have clearly more of one colour (0 to 2) than of another."""
     colours = numpy.moveaxis(page.scene(), 2, 0)
@@ -30,7 +22,6 @@ def count_pixels(page, more, less):
 
 
 def test_a_page_without_a_robot_says_what_it_waits_for(page):
-    """The floor is there, and nothing on it."""
     page.wait_for_text('waiting for odometry on /odom')
     page.dismiss_notices()
     assert page.scene().std() > 1, 'the picture is blank'
@@ -38,7 +29,6 @@ def test_a_page_without_a_robot_says_what_it_waits_for(page):
 
 
 def test_the_page_shows_the_robot_drive_two_metres(robot, page):
-    """From the start mark to the two-metre mark, in numbers and in the picture."""
     page.wait_for_reading('moved_distance', lambda metres: metres == 0)
     rows, columns = wait_for_robot(page)
     with rosrun('test_movement', 'test_movement.py', '_speed:=0.5',
@@ -64,7 +54,6 @@ def test_the_page_shows_a_heading_and_its_target(robot, page):
 
 
 def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
-    """A paused robot's time stands still; a reset robot is where it began."""
     page.wait_for_text('pause')
     page.click('pause')
     page.wait_for_reading('real_time_factor', lambda rate: rate == 0)
@@ -78,30 +67,7 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
     page.wait_for_reading('true_distance', lambda metres: metres == 0)
 
 
-def test_stop_commands_zero(robot, page):
-    """Also if it was not the pad that drove."""
-    page.wait_for_reading('speed', lambda speed: speed == 0)
-    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1, latch=True)
-    command = Twist()
-    command.linear.x = 0.2
-    publisher.publish(command)
-    robot.wait_until_moving()
-    publisher.unregister()
-    page.click('stop')
-    robot.wait_until_resting()
-
-
-def test_the_viewer_subscribes_only_while_a_page_is_open(robot, page):
-    """The simulation then pays for no subscriber."""
-    wait_until(viewers, TIMEOUT, 'a viewer on /odom')
-    page.close()
-    for topic in ('/odom', '/base_pose_ground_truth', '/joint_states', '/moved_distance'):
-        wait_until(lambda topic=topic: not viewers(topic), TIMEOUT, f'no viewer on {topic}')
-    assert not viewers('/clock')
-
-
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):
-    """Without ground truth, detector and simulator the page says what it lacks and shows the rest."""
     with View('__ns:=real') as view:
         publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
         publisher.publish(odometry(x=1.0, y=0.5, yaw=math.radians(30), stamp=5.0))

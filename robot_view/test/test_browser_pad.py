@@ -24,14 +24,12 @@ def driven(robot, page):
 
 
 def test_the_pad_drives_while_it_is_held(driven, page):
-    """Pressed, it drives; released, the last command is zero and no other follows."""
     page.wait_for_reading('speed', lambda speed: speed == pytest.approx(0.2, abs=0.02))
     page.release()
     driven.wait_until_stopped()
 
 
 def test_an_arrow_key_drives_while_it_is_held(robot, page):
-    """As the pad does."""
     page.wait_for_reading('speed', lambda speed: speed == 0)
     robot.commands.clear()
     robot.clear()
@@ -49,7 +47,6 @@ def test_a_page_that_is_closed_in_mid_drive_stops_the_robot(driven, page):
 
 
 def test_the_robot_stops_when_the_viewer_exits(driven, view, page):
-    """Its last command is zero, also while a button is held; it exits at once."""
     assert view.process.end(signal.SIGTERM) == 0, view.process.output
     driven.wait_until_stopped()
     page.close()

@@ -34,7 +34,6 @@ def view(master):
 
 @pytest.fixture
 def commands():
-    """Record what each robot is commanded."""
     return {robot: Recorder(f'/strange/{robot}/cmd_vel', Twist) for robot in ROBOTS}
 
 
@@ -63,7 +62,6 @@ def drive(page, recorder, label='forward'):
 
 
 def driven():
-    """Return the topics on which somebody may command a robot."""
     topics, _, _ = rosgraph.Master('/test').getSystemState()
     return {topic for topic, _ in topics if topic.endswith('cmd_vel')}
 
@@ -77,14 +75,6 @@ def test_a_strangers_page_gets_no_connection(view, host, origin):
     assert refusal.value.response.status_code == 403
 
 
-@pytest.mark.parametrize('host, origin', [
-    (None, 'http://localhost:{port}'), ('robots.example', 'https://robots.example')])
-def test_the_page_itself_gets_one(view, host, origin):
-    """Also through a proxy; test_page_server has the other names."""
-    with connect(view, host, origin) as page:
-        page.find('forward')
-
-
 def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
     """A click that was meant for the page around the frame would drive."""
     assert fetch(view, f'evil.example:{view.port}')[0] == 403
@@ -94,7 +84,6 @@ def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
 
 
 def test_the_log_has_one_line_for_many_strangers(master):
-    """It names the first, in printable characters."""
     with View() as view:
         began = time.monotonic()
         for _ in range(20):
@@ -125,7 +114,6 @@ def test_a_command_stays_within_the_ends_of_the_slider(view, commands, slider, b
 
 @pytest.mark.parametrize('value', ['../evil', 'robot_3', 1])
 def test_only_listed_robots_are_driven(view, commands, value):
-    """And the pad goes on driving those."""
     with open_page(view) as page:
         page.set('robot', 'robot_2')
         assert drive(page, commands['robot_2']) != Twist()
@@ -157,7 +145,6 @@ def test_while_no_robot_is_listed_none_is_driven(master):
 @pytest.mark.parametrize('data', [
     'forward', b'\xc1\xff\x00', b'\x82\xa4type\xb0GuiUpdateMessage\xa4uuid\xa1x'], ids=repr)
 def test_noise_leaves_the_others_their_page(view, commands, data):
-    """At most the connection that it comes from ends."""
     with open_page(view) as page:
         with PageClient(view.port) as stranger:
             stranger.show()
@@ -184,7 +171,6 @@ def put(page, robot, x, y, heading):
 
 
 def test_the_chosen_robot_is_put_where_the_page_says(master):
-    """And no other; the simulator refuses what is no coordinate."""
     with simulator('__ns:=placed', '_robots:=2') as world, View('__ns:=placed') as view, \
             open_page(view) as page:
         first, second = (Truth(f'/placed/{robot}/') for robot in ROBOTS)

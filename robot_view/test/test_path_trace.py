@@ -11,7 +11,6 @@ PERIOD = 0.05  # s
 
 
 def follow(trace, poses, start=0.0, ground_truth=None):
-    """Add an odometry pose each period, and true poses with the same stamps."""
     for index, pose in enumerate(poses):
         stamp = start + PERIOD * index
         trace.add_odometry(stamp, pose)
@@ -20,7 +19,6 @@ def follow(trace, poses, start=0.0, ground_truth=None):
 
 
 def straight(metres, steps=20, scale=1.0):
-    """Return poses along the x axis."""
     return [PlanarPose(scale * metres * step / steps, 0.0, 0.0) for step in range(steps + 1)]
 
 
@@ -36,7 +34,6 @@ def test_samples_cover_the_whole_run_evenly_within_their_limit():
 
 
 def test_without_ground_truth_the_odometry_is_drawn():
-    """As of a real robot."""
     trace = PathTrace()
     follow(trace, straight(1.0))
     assert trace.true_distance is None
@@ -65,7 +62,6 @@ def test_slipping_wheels_show_as_drift():
 
 
 def test_poses_of_different_moments_are_not_compared():
-    """A robot that moves would seem to drift."""
     trace = PathTrace()
     follow(trace, straight(1.0), ground_truth=straight(1.0))
     trace.add_odometry(10.0, PlanarPose(1.2, 0.0, 0.0))
@@ -74,7 +70,6 @@ def test_poses_of_different_moments_are_not_compared():
 
 @pytest.mark.parametrize('stamp', [0.0, 1.05])
 def test_a_reset_begins_a_new_trace(stamp):
-    """Time goes back, or the robot jumps; with ground truth or without."""
     real, simulated = PathTrace(), PathTrace()
     follow(real, straight(1.0))
     follow(simulated, straight(1.0), ground_truth=straight(1.0))

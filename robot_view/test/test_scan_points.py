@@ -20,7 +20,6 @@ def scan(*ranges, frame='camera_depth_frame'):
 @pytest.mark.parametrize('frame', ['camera_depth_frame', '/camera_depth_frame',
                                    'robot_2/camera_depth_frame'])
 def test_each_range_is_a_point_seen_from_the_camera(frame):
-    """To the right, ahead, to the left."""
     expected = numpy.array([(0, -1, 0), (2, 0, 0), (0, 4, 0)]) + DEPTH_CAMERA
     assert scan_points(scan(1.0, 2.0, 4.0, frame=frame)) == pytest.approx(expected)
 
@@ -34,14 +33,12 @@ def test_where_nothing_was_seen_there_is_no_point(nothing):
 
 
 def test_a_scan_of_unknown_origin_has_no_points():
-    """As of a laser that a real robot carries somewhere."""
     assert scan_points(scan(1.0, 2.0, 3.0, frame='laser')).shape == (0, 3)
 
 
 @pytest.mark.parametrize('field', ['angle_min', 'angle_increment', 'range_max'])
 @pytest.mark.parametrize('value', [math.nan, math.inf])
 def test_every_point_is_finite(field, value):
-    """Whatever a message says."""
     message = scan(1.0, math.inf, 3.0)
     setattr(message, field, value)
     assert numpy.isfinite(scan_points(message)).all()

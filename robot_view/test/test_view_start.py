@@ -22,7 +22,6 @@ def assert_refused(viewer, *words):
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_prints_the_url_and_exits_quietly(master, signum):
-    """One line on stdout, nothing else, exit status 0; it listens on loopback only."""
     with View() as view:
         with socket.create_connection(('127.0.0.1', view.port)):
             pass
@@ -33,7 +32,6 @@ def test_it_prints_the_url_and_exits_quietly(master, signum):
 
 @pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])
 def test_an_environment_variable_sets_the_default_of_host(master, arguments, address):
-    """As in a container."""
     pytest.importorskip('viser', reason='viser is not installed')
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}', *arguments,
                                      env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
@@ -52,7 +50,6 @@ def test_a_port_that_is_taken_is_refused(master):
 
 
 def test_without_viser_it_says_what_to_install(master, tmp_path):
-    """requirements.txt is of this package only."""
     (tmp_path / 'viser.py').write_text("raise ModuleNotFoundError(name='viser')\n")
     path = f'{tmp_path}:{os.environ["PYTHONPATH"]}'
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}',

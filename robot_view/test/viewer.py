@@ -56,7 +56,6 @@ class View:
         return self
 
     def __exit__(self, *exception):
-        """End it."""
         return self._stack.__exit__(*exception)
 
 
@@ -64,7 +63,6 @@ class Motion(Truth):
     """The motion of a robot, and in `commands` what it is told."""
 
     def __init__(self, namespace=''):
-        """Record both."""
         super().__init__(namespace)
         self.commands = Recorder(f'{namespace}cmd_vel', Twist)
         self.wait_for()

@@ -18,18 +18,15 @@ class Printer:
     """main.py, what it is shown, and what it prints."""
 
     def __init__(self, ns, process, clock):
-        """Connect to a node in a namespace, which follows a SteppedClock."""
         self._odometry = rospy.Publisher(f'{ns}odom', Odometry, queue_size=1000)
         self.process, self.clock = process, clock
         wait_for_subscribers(self._odometry)
 
     def show(self, *messages):
-        """Publish odometry."""
         for message in messages:
             self._odometry.publish(message)
 
     def turn(self, quaternion):
-        """Publish odometry with this orientation."""
         message = odometry()
         message.pose.pose.orientation = quaternion
         self.show(message)
@@ -51,7 +48,6 @@ class Printer:
 
 @pytest.fixture
 def printer(ns, node, clock):
-    """Show odometry to main.py."""
     return Printer(ns, node, clock)
 
 

@@ -55,7 +55,6 @@ set_up_python
 
 @pytest.fixture
 def fresh(tmp_path):
-    """Make a checkout in which nothing is set up."""
     return make_checkout(tmp_path / 'fresh' / 'robot', made=())
 
 
@@ -73,10 +72,11 @@ def in_fresh(folder, *arguments):
 @pytest.mark.parametrize('arguments, answer', [
     (['--foo', 'demo'], '--foo is not one of --host ADDRESS, --set-up, --help'),
     (['--host', '192.0.2.1', '--view'], '--view is not one of --host ADDRESS, --set-up, --help'),
+    (['sweep', 'move'], './ws sweep needs the package odometry_sweep, which is not here'),
     (['foo'], 'there is no command foo'),
     (['demoo'], 'there is no command demoo; did you mean ./ws demo?')])
 def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
-    """At once, instead of after a set-up."""
+    (fresh / 'odometry_sweep').unlink()
     run = in_fresh(fresh, *arguments)
     assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
 
@@ -84,7 +84,6 @@ def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
 @pytest.mark.parametrize('arguments', [
     ['--help'], ['demo', '--help'], ['test', '-h'], ['shell', '--help']])
 def test_help_installs_nothing(fresh, arguments):
-    """Before anything is set up it says what there is."""
     run = in_fresh(fresh, *arguments)
     assert run.wait() == 0 and run.stdout.startswith('usage: ./ws '), run.output
     assert not run.stderr
@@ -126,7 +125,6 @@ def test_no_sudo(fresh):
 
 
 def test_a_checkout_of_another_user():
-    """Without `permission denied`."""
     nobody = ['setpriv', '--reuid', '65534', '--clear-groups'] if os.getuid() == 0 else []
     with tempfile.TemporaryDirectory(dir='/var/tmp') as name:
         folder = Path(name)

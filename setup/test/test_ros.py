@@ -44,7 +44,6 @@ SYSTEMS = {
 
 
 def run(system, commands, path='', **variables):
-    """Run lines of bash on a faked system."""
     return subprocess.run(['/bin/bash', '-euo', 'pipefail', '-c', commands], check=False, env={
         'SYSTEM': str(system), 'PATH': f'{path}{system}/bin', **variables},
         capture_output=True, text=True)
@@ -59,7 +58,6 @@ def system(tmp_path):
 
 
 def make_programs(folder, *names):
-    """Make programs that do nothing."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in names:
         (folder / name).symlink_to('/bin/true')
@@ -88,7 +86,6 @@ def test_the_choice(system, name):
 
 
 def test_a_system_without_ros_is_told_of_the_container(tmp_path):
-    """Such as Fedora."""
     found = run(tmp_path, FIND)
     assert (found.returncode, found.stdout) == (1, '')
     assert found.stderr == ('./ws: this system has no ROS 1. Here, as anywhere, the container runs: '
@@ -96,7 +93,6 @@ def test_a_system_without_ros_is_told_of_the_container(tmp_path):
 
 
 def test_what_an_existing_ros_lacks_is_named(system):
-    """In one line: it is not ours to change."""
     make_programs(system / NOETIC)
     (system / NOETIC / 'setup.bash').touch()
     found = run(system, FIND + CHECK, f'{os.environ["PATH"]}:')

@@ -109,7 +109,6 @@ def test_a_package_that_cannot_be_configured_is_left_out_and_named(checkout):
 @pytest.mark.parametrize('commands', [
     INTERRUPT, FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready'])
 def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, commands):
-    """The next call builds."""
     run = in_checkout(checkout, commands)
     assert run.wait() == 0 and run.stderr == './ws: building the packages ...', run.output
 
@@ -125,7 +124,6 @@ def test_it_notices_a_deleted_or_interrupted_python(tmp_path, damage):
 
 
 def test_a_failed_step_shows_its_last_lines(checkout):
-    """And only its own."""
     run = in_checkout(checkout, FAIL)
     assert run.wait() == 1
     shown = run.stderr.splitlines()

@@ -37,7 +37,6 @@ class Robot:
     """The robot as a client sees and commands it."""
 
     def __init__(self):
-        """Subscribe to its odometry."""
         self.x, self.moved = 0.0, threading.Event()  # m, and whether that is new
         self._publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10)
         rospy.Subscriber('odom', Odometry, self._on_odometry)
@@ -47,14 +46,12 @@ class Robot:
         self.moved.set()
 
     def drive(self, turn=None):
-        """Command a velocity."""
         command = Twist()
         command.linear.x, command.angular.z = 0.2, self.x if turn is None else turn
         self._publisher.publish(command)
 
 
 def rate(robot, hertz='10'):
-    """Command in a loop."""
     loop = rospy.Rate(float(hertz))
     while not rospy.is_shutdown():
         robot.drive()
@@ -62,26 +59,22 @@ def rate(robot, hertz='10'):
 
 
 def timer(robot):
-    """Command in a timer."""
     rospy.Timer(rospy.Duration(1 / 30), lambda _: robot.drive())
     rospy.spin()
 
 
 def sleep(robot):
-    """Command and sleep."""
     while not rospy.is_shutdown():
         robot.drive()
         rospy.sleep(0.07)
 
 
 def wait_for_message(robot):
-    """Command after each message that is waited for."""
     while not rospy.is_shutdown():
         robot.drive(rospy.wait_for_message('odom', Odometry).pose.pose.position.x)
 
 
 def tf_listener(robot):
-    """Command by tf."""
     transforms, loop = tf.TransformListener(), rospy.Rate(20)
     while not rospy.is_shutdown():
         if transforms.canTransform('odom', 'base_link', LATEST):
@@ -159,20 +152,17 @@ def reconfigure(robot):
 
 
 def busy(_robot):
-    """Never rest."""
     while not rospy.is_shutdown():
         pass
 
 
 def wall(robot):
-    """Sleep by wall time."""
     while not rospy.is_shutdown():
         robot.drive()
         time.sleep(0.1)
 
 
 def sleeper(robot):
-    """Sleep on the clock before any command."""
     rospy.sleep(2.0)
     print('awake', flush=True)
     robot.drive()
@@ -191,7 +181,6 @@ def action_server(_robot):
 
 
 def latching(_robot):
-    """Latch a gain."""
     rospy.Publisher('gain', Float64, latch=True, queue_size=1).publish(0.5)
     rospy.spin()
 

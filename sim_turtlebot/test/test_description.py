@@ -40,13 +40,6 @@ def test_the_scan_is_taken_where_its_frame_is():
     assert in_base_link(DEPTH_CAMERA_FRAME)[:3, 3] + base == pytest.approx(DEPTH_CAMERA)
 
 
-def test_the_tree_hangs_on_the_footprint():
-    """Every frame has one way to it."""
-    assert JOINTS['base_link'].parent == 'base_footprint'
-    assert {joint.parent for joint in JOINTS.values()} <= {'base_footprint', *JOINTS}
-    assert len(JOINTS) == len(read_joints(URDF.read_text()))
-
-
 def test_an_optical_frame_looks_along_z_and_has_x_to_the_right():
     """REP-103."""
     rotation = JOINTS['camera_depth_optical_frame'].rotation

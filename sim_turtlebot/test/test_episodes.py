@@ -48,7 +48,6 @@ class Controllers:
     """Two controllers that follow one after the other, and answer each odometry by its number."""
 
     def __init__(self):
-        """Return once the robot listens."""
         self._navi, self._teleop = (
             rospy.Publisher(f'cmd_vel_mux/input/{name}', Twist, queue_size=10, tcp_nodelay=True)
             for name in ('navi', 'teleop'))
@@ -62,7 +61,6 @@ class Controllers:
         publisher.publish(twist(0.4 * math.cos(number / 9), 2.0 * math.sin(number / 5)))
 
     def close(self):
-        """Command no more."""
         self._subscriber.unregister()
 
 

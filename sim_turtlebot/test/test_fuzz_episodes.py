@@ -37,7 +37,6 @@ class Episodes:
     """Two robots side by side, and all that there is to see of them."""
 
     def __init__(self, source, world):
-        """Put them down."""
         self._simulation = Simulation(
             settings_of(robots=2, odometry_source=source, world=world, **NOISE))
 
@@ -51,7 +50,6 @@ class Episodes:
         return self._seen
 
     def reset(self):
-        """Begin another episode."""
         self._simulation.reset()
 
     def _command(self, robot, linear, angular, mux_input):

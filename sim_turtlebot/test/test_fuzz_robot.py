@@ -51,7 +51,6 @@ class RobotMachine(RuleBasedStateMachine):
     @initialize(first=yaws, second=yaws, source=st.sampled_from(sorted(SOURCES)),
                 timeout=st.sampled_from([0.0, 0.6]))
     def start(self, first, second, source, timeout):
-        """Put the robots down."""
         self.source = source
         self.simulation = Simulation(
             (0.0, 0.0, first), (-0.6, 0.0, second), world=ROOM, cmd_vel_timeout=timeout,
@@ -77,7 +76,6 @@ class RobotMachine(RuleBasedStateMachine):
 
     @rule(robot=robots)
     def reset_odometry(self, robot):
-        """Call the robot's place zero."""
         self.simulation.robots[robot].reset_odometry()
         self.origins[robot] = self.simulation.robots[robot].ground_truth
         x, y, _ = self.simulation.robots[robot].odometry.position
@@ -98,7 +96,6 @@ class RobotMachine(RuleBasedStateMachine):
 
     @rule()
     def reset_simulation(self):
-        """Take everything back to the start, whatever has happened."""
         self.simulation.reset()
         for robot, start in zip(self.simulation.robots, ((0.0, 0.0), (-0.6, 0.0))):
             assert robot.ground_truth.position[:2] == start

@@ -1,15 +1,26 @@
 """Which processes lockstep finds behind the nodes that the master knows."""
 
 import contextlib
+import os
 import socket
+import sys
 
 import pytest
 import rosgraph
+from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector
 from odometry_tests.waiting import wait_until
 from sim_turtlebot.graph_processes import MASTER, GraphProcesses
 from sim_turtlebot.rest import Rest
 
+# Listens at the same port of many other addresses.
+NEIGHBOURS = '''
+import os, signal, socket, sys
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+servers = [socket.create_server((f'127.99.0.{number}', int(sys.argv[1]))) for number in range(1, 50)]
+print('listening', os.getpid(), flush=True)
+signal.pause()
+'''
 TEST_NET = '192.0.2.1'  # an address of no machine: RFC 5737
 
 
@@ -67,3 +78,34 @@ def test_a_node_on_another_machine_is_named_once(graph, unseen):
     finally:
         for name, master in masters.items():
             master.unregisterPublisher('/elsewhere', addresses[name])
+
+
+def test_a_node_is_the_process_at_its_address_and_not_one_at_the_same_port_of_another(graph):
+    """As where several graphs run on one machine, each at an address of loopback."""
+    rest, processes = graph
+    with socket.create_server(('127.0.0.1', 0)) as server:
+        port = server.getsockname()[1]
+        with Process(sys.executable, '-c', NEIGHBOURS, port) as other:
+            other.wait_for_output('listening')
+            address = f'http://127.0.0.1:{port}'
+            master = rosgraph.Master('/here')
+            master.registerPublisher('/elsewhere', 'std_msgs/Empty', address)
+            processes.wait()
+            assert os.getpid() in rest.processes
+            assert int(other.stdout.split()[-1]) not in rest.processes
+            master.unregisterPublisher('/elsewhere', address)
+
+
+def test_the_master_has_told_everybody_of_a_node_that_was_started_again(graph, monkeypatch):
+    """It has the name and the topics of one that was killed: only its address is new."""
+    rest, processes = graph
+    told = []
+    monkeypatch.setattr(rest, 'wait_for_naps', told.append)
+    master = rosgraph.Master('/again')
+    addresses = [f'http://{TEST_NET}:{port}' for port in (1, 2)]
+    for address in addresses:
+        master.registerPublisher('/elsewhere', 'std_msgs/Empty', address)
+        told.clear()
+        processes.wait()
+        assert told
+    master.unregisterPublisher('/elsewhere', addresses[-1])

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from odometry_common.geometry import about_z, yaw_of
+from odometry_common.geometry import about_z
 from odometry_tests.arcs import PERIOD, Robot, drive, motion
 
 ERRORS = {'gyro_noise': 0.02, 'gyro_drift': 0.01, 'seed': 3}
@@ -44,26 +44,9 @@ def test_the_heading_of_the_encoders_is_that_of_the_gyro():
 
 
 def test_the_odometry_of_the_world_does_not_mind_its_gyro():
-    """The true pose stays the true pose."""
     robot = Robot(**ERRORS)
     assert drive(robot, 0.3, 0.5) == drive(Robot(), 0.3, 0.5)
     assert robot.gyro.heading != 0.0
-
-
-def test_without_use_of_the_gyro_the_wheels_keep_their_yaw():
-    """And the gyro keeps its own."""
-    robot = Robot(odometry_source='encoder', gyro=False, gyro_drift=0.01)
-    assert yaw_of(drive(robot, 0.5)[-1].orientation) == 0.0
-    assert robot.gyro.heading == pytest.approx(0.1)
-
-
-def test_a_robot_that_is_carried_is_seen_to_turn_in_no_time():
-    """Without noise, and without a rate."""
-    robot = Robot(gyro_noise=0.1, gyro_drift=0.1)
-    robot.start(motion(yaw=0.2))
-    robot.set_pose((0.0, 0.0, 0.0), about_z(1.7))
-    assert robot.gyro.heading == pytest.approx(1.5)
-    assert robot.gyro.rate == 0.0
 
 
 @pytest.mark.parametrize('turn_speed', [0.5, -0.5])

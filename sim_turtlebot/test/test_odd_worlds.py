@@ -3,13 +3,11 @@
 import os
 
 import pytest
-from odometry_tests.scripts import ROOT
 from sim_turtlebot.physics import World
 from sim_turtlebot.world_file import WorldFileError
 
 STEP_RATE = 240  # Hz
 START = 0.0, 0.0, 0.0
-ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
 FILES = {
     'unclosed.urdf': '<robot name="r">\n<link name="a">\n</robot>',
@@ -27,7 +25,6 @@ FILES = {
 
 @pytest.fixture
 def folder(tmp_path):
-    """Fill a folder with worlds."""
     for name in ('x.urdf', 'x.sdf', 'mesh.obj'):
         (tmp_path / name).mkdir()
     os.mkfifo(tmp_path / 'pipe.obj')
@@ -92,27 +89,19 @@ def test_a_world_where_a_robot_starts_is_refused_with_the_depth(tmp_path, boxes,
 
 
 def test_the_robot_that_has_no_room_is_named(tmp_path):
-    """Of several, the first one."""
     with pytest.raises(WorldFileError, match='robot_2, at x 0, y 1, is 0.1'):
         settled(tmp_path, box('0.1 0.1 0.5', '0 1 0.25'), starts=(START, (0.0, 1.0, 0.0)))
 
 
 @pytest.mark.parametrize('height', [-0.5, 0.0, 0.03, 0.05])
 def test_a_floor_of_the_worlds_own_bears_the_robot(tmp_path, height):
-    """It stands at its start."""
     robot, = settled(tmp_path, box('10 10 1', f'0 0 {height - 0.5}'))
     (x, y, z), _ = robot.pose()
     assert (x, y) == (0.0, 0.0)
     assert z == pytest.approx(max(height, 0.0), abs=1e-3)
 
 
-def test_a_wall_beside_the_robot_is_no_overlap(tmp_path):
-    """A centimetre away."""
-    settled(tmp_path, box('0.1 4 0.5', '0.24 0 0.25'))
-
-
 def test_a_world_is_rebuilt_without_its_file(tmp_path):
-    """Whatever has become of it since the start."""
     path = tmp_path / 'wall.urdf'
     path.write_text(f'<robot name="r"><link name="a">{box("0.1 4 0.5", "1 0 0.25")}</link></robot>')
     world = World(STEP_RATE, [START], world_file=str(path))
@@ -120,10 +109,3 @@ def test_a_world_is_rebuilt_without_its_file(tmp_path):
     world.rebuild()
     robot, = world.robots
     assert robot.cast_rays([[0, 0, 0.2]], [[1.9, 0, 0.2]]) == [pytest.approx(0.5)]
-
-
-def test_the_room_has_room():
-    """In its middle; the wall has not."""
-    World(STEP_RATE, [START], world_file=ROOM)
-    with pytest.raises(WorldFileError, match='robot_2, at x 2, y 0, is 0.13'):
-        World(STEP_RATE, [START, (2.0, 0.0, 0.0)], world_file=ROOM)

@@ -16,7 +16,6 @@ turn_speeds = st.floats(-math.pi, math.pi)
 
 
 def encoders(gyro=False):
-    """Return a robot with encoder odometry."""
     return Robot(odometry_source='encoder', gyro=gyro)
 
 
@@ -102,7 +101,6 @@ def test_on_an_arc_the_encoders_keep_to_the_closed_form(speed, turn_speed):
 
 
 def test_the_twist_is_that_of_the_last_period():
-    """Within a tick per period."""
     for row in drive(encoders(), 0.5, 1.0):
         assert row.linear == (pytest.approx(0.5, abs=TICK / PERIOD), 0.0, 0.0)
         error = 2 * TICK / PERIOD / WHEEL_SEPARATION
@@ -111,7 +109,6 @@ def test_the_twist_is_that_of_the_last_period():
 
 @pytest.mark.parametrize('gyro', [False, True])
 def test_a_reset_starts_from_zero_wherever_the_wheels_are(gyro):
-    """And the next odometry counts from there."""
     robot = encoders(gyro)
     drive(robot, 0.5, 1.0)
     first = robot.start(motion(3.0, 4.0, 2.0), (1000.0, -50.0))
@@ -147,14 +144,6 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     after = robot.move(motion(-3.0, 7.0, 2.5), wheel_angles(0.5, 0.0))
     assert after == carried._replace(linear=after.linear, angular=after.angular)
     assert (after.linear, after.angular) == (STILL, STILL)
-
-
-def test_world_odometry_jumps_with_the_robot():
-    """As Gazebo's does."""
-    robot = Robot()
-    robot.start(motion(1.0, 2.0, 0.0))
-    robot.set_pose((4.0, 2.0, 0.0), about_z(1.0))
-    assert robot.odometry.position == (3.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize('robot, variances', [

@@ -14,7 +14,6 @@ ERRORS = {'wheel_slip': 0.01, 'wheel_noise': 0.01, 'gyro_noise': 0.01}
 
 
 def encoders(**errors):
-    """Return a robot with encoder odometry."""
     return Robot(odometry_source='encoder', **errors)
 
 
@@ -44,7 +43,6 @@ def test_without_noise_the_seed_makes_no_difference(gyro):
 
 
 def test_noise_is_the_same_with_the_same_seed_and_another_with_another():
-    """So that a run can be repeated."""
     def run(seed):
         return tuple(drive(encoders(seed=seed, **ERRORS), 0.3, 0.5))
 

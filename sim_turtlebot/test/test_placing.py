@@ -1,6 +1,5 @@
 """A robot that is put somewhere, by a topic or by RViz's button: upright, on its side, not at all."""
 
-import itertools
 import math
 
 import pytest
@@ -21,15 +20,8 @@ START = 0.0, 0.0, 0.0
 TABLE = """<robot name="table"><link name="top"><collision><origin xyz="3 0 0.15"/>
 <geometry><box size="1 1 0.3"/></geometry></collision></link></robot>"""
 PERIOD = 0.05  # s, of the odometry
-CASES = itertools.count(1)
 
-
-@pytest.fixture
-def ns(simulated_time, monkeypatch):
-    """Give each test's nodes a namespace of their own: no connection is left from another one."""
-    name = f'put_{next(CASES)}'
-    monkeypatch.setenv('ROS_NAMESPACE', name)
-    return f'/{name}/'
+pytestmark = pytest.mark.usefixtures('simulated_time')
 
 
 def wait_until_at(recorder, expected):
@@ -55,17 +47,7 @@ def test_it_is_there_and_nothing_counts_it(ns, source, believed):
         assert place(truth.last) == THERE
 
 
-def test_a_gyro_notices_the_turn(ns):
-    """As that of a real base that is carried."""
-    with simulator('_odometry_source:=encoder', '_gyro:=true'):
-        odometry = Recorder(f'{ns}odom', Odometry)
-        odometry.wait_for()
-        Placer(ns).put(*THERE[:2], yaw=THERE[2])
-        wait_until_at(odometry, (0.0, 0.0, THERE[2]))
-
-
 def test_while_time_stands_still_it_is_shown_there_at_once(ns):
-    """And stays there when time goes on."""
     with simulator():
         truth = Truth(ns)
         pause(truth, namespace=ns)
@@ -76,16 +58,6 @@ def test_while_time_stands_still_it_is_shown_there_at_once(ns):
         call('unpause_physics', ns)
         truth.wait_seconds(1.0)
         assert place(truth.last) == THERE
-
-
-def test_of_two_robots_only_the_one_is_moved(ns):
-    """Each has a topic of its own."""
-    with simulator('_robots:=2'):
-        first, second = (Truth(f'{ns}robot_{number}/') for number in (1, 2))
-        Placer(ns, 'robot_2/').put(*THERE[:2], yaw=THERE[2])
-        wait_until_at(second, THERE)
-        first.wait_seconds(0.5)
-        assert {place(m) for m in first.messages} == {START}
 
 
 REFUSED = {
@@ -99,7 +71,6 @@ REFUSED = {
 
 
 def test_what_is_no_place_for_it_is_refused_in_one_line(ns):
-    """The robot stays as it was, and can be put elsewhere later."""
     with simulator() as node:
         truth = Truth(ns)
         truth.wait_for()

@@ -17,19 +17,16 @@ WAITS = 200_000  # of a SimpleQueue one in some 40 000 had no end
 
 @pytest.fixture
 def requests():
-    """Return a queue whose requests this thread serves."""
     return RequestQueue()
 
 
 def run(target, *arguments):
-    """Return a thread that is under way."""
     thread = threading.Thread(target=target, args=arguments, daemon=True)
     thread.start()
     return thread
 
 
 def end(thread):
-    """Return once a thread has ended."""
     thread.join(PATIENCE)
     assert not thread.is_alive()
 
@@ -79,7 +76,6 @@ def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(reque
 
 
 def test_requests_are_served_by_their_senders_names_and_then_as_they_came(requests):
-    """However the threads that bring them take turns."""
     served = []
 
     def bring_all(name):
@@ -95,7 +91,6 @@ def test_requests_are_served_by_their_senders_names_and_then_as_they_came(reques
 
 
 def test_who_waits_goes_on_once_it_is_served(requests):
-    """And not before."""
     served = []
     thread = run(requests.put_and_wait, lambda: served.append(True))
     assert requests.wait(TIMEOUT)

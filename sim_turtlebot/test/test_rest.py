@@ -9,6 +9,7 @@ import time
 
 import pytest
 from odometry_tests.waiting import PATIENCE
+from sim_turtlebot.processes import Process
 from sim_turtlebot.rest import Rest
 
 from sim_turtlebot import rest
@@ -23,6 +24,19 @@ lines = queue.Queue()
 threading.Thread(target=lambda: [lines.put(line) for line in sys.stdin], daemon=True).start()
 while True:
     line = lines.get()
+    answer()
+'''
+RING = ANSWERS + '''
+import queue, sys, threading
+queues = [queue.SimpleQueue() for _ in range(8)]
+def pass_on(before, after):
+    while True: after.put(before.get())
+# Looks go the other way round.
+for pair in reversed([*zip(queues, queues[1:])]): threading.Thread(target=pass_on, args=pair, daemon=True).start()
+for line in sys.stdin:
+    for _ in range(9):
+        queues[0].put(line)
+        queues[-1].get()
     answer()
 '''
 POLLER = ANSWERS + '''
@@ -76,14 +90,14 @@ def start(resting):
         process.communicate()
 
 
-def answers_after_rest(resting, process):
+def answers_after_rest(resting, process, rounds=ROUNDS):
     """Ask again and again; return what has been answered whenever the process rests."""
     answers = []
     reader = threading.Thread(
         target=lambda: [answers.append(int(line)) for line in process.stdout], daemon=True)
     reader.start()
     resting.add('this process', os.getpid())
-    for number in range(ROUNDS):
+    for number in range(rounds):
         process.stdin.write(f'{number}\n')
         resting.wait()
         yield list(answers)
@@ -96,6 +110,13 @@ def test_who_rests_has_answered(resting, start, restless, code):
     for number, answers in enumerate(answers_after_rest(resting, start(code))):
         assert answers == list(range(1, number + 2))
     assert not restless
+
+
+def test_work_that_costs_no_cpu_time_is_waited_for(resting, start, monkeypatch):
+    """A virtual machine that was kept from its processor does not count what runs next on it."""
+    monkeypatch.setattr(Process, 'cpu_time', lambda _: 0)
+    for number, answers in enumerate(answers_after_rest(resting, start(RING), 1000)):
+        assert answers == list(range(1, number + 2))
 
 
 def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start, restless):

@@ -3,10 +3,7 @@
 import math
 
 import pytest
-from odometry_common.geometry import yaw_of
 from odometry_tests.simulation import Simulation
-
-STILL = (0.0, 0.0, 0.0)
 
 
 def speeds(simulation):
@@ -72,81 +69,6 @@ def test_its_twist_is_in_its_own_frame():
         assert motion.angular == pytest.approx((0.0, 0.0, 0.5), abs=0.005)
 
 
-def test_it_starts_where_it_is_put_and_its_odometry_at_zero():
-    """The truth is in the world, and the odometry in a frame of the robot's own."""
-    simulation = Simulation((12.5, -7.25, 1.2))
-    (x, y, z), orientation, *velocity = simulation.robot.ground_truth
-    assert (x, y) == (12.5, -7.25)
-    assert z == pytest.approx(0.0, abs=5e-4)
-    assert yaw_of(orientation) == pytest.approx(1.2, abs=1e-9)
-    assert velocity == [STILL, STILL]
-    assert simulation.robot.odometry.position[:2] == (0.0, 0.0)
-    simulation.drive(0.5, 0.0, 2.0)
-    assert simulation.robot.odometry.position[:2] == pytest.approx((1.0, 0.0), abs=0.05)
-
-
-def test_its_wheels_roll_as_far_as_it_moves():
-    """Left and right, forwards, and the outer one faster."""
-    simulation = Simulation()
-    simulation.drive(0.3, 0.4, 3.0)
-    angles, velocities, _ = simulation.robot.wheels
-    rim = [velocity * 0.035 for velocity in velocities]
-    assert rim == pytest.approx([0.3 - 0.4 * 0.115, 0.3 + 0.4 * 0.115], rel=0.01)
-    assert sum(angles) / 2 * 0.035 == pytest.approx(0.9, rel=0.05)
-
-
-@pytest.mark.parametrize('source', ['world', 'encoder'])
-def test_a_reset_of_the_odometry_makes_this_place_zero(source):
-    """Also while it drives; the robot itself is not affected."""
-    simulation = Simulation((3.0, 4.0, 1.0), odometry_source=source)
-    simulation.drive(0.3, 0.5, 2.0)
-    before = simulation.robot.ground_truth
-    simulation.robot.reset_odometry()
-    position, orientation, *_ = simulation.robot.odometry
-    assert position[:2] == (0.0, 0.0)
-    assert yaw_of(orientation) == pytest.approx(0.0, abs=1e-12)
-    simulation.run(0.05)
-    assert simulation.robot.ground_truth.position != before.position
-    assert speeds(simulation) == pytest.approx((0.3, 0.5), abs=0.01)
-    step = math.dist(simulation.robot.ground_truth.position, before.position)
-    assert math.hypot(*simulation.robot.odometry.position[:2]) == pytest.approx(step, abs=2e-4)
-
-
-@pytest.mark.parametrize('source', ['world', 'encoder'])
-def test_a_reset_of_the_simulation_takes_it_back_to_its_start(source):
-    """At rest, with its wheels and its odometry at zero, and able to take the same path again."""
-    simulation = Simulation((3.0, 4.0, 1.0), odometry_source=source)
-    robot = simulation.robot
-    at_start = robot.ground_truth, robot.odometry, robot.wheels[:2]
-    simulation.drive(0.5, 1.0, 3.0)
-    first = robot.ground_truth
-    simulation.reset()
-    assert (robot.ground_truth, robot.odometry, robot.wheels[:2]) == at_start
-    simulation.run(1.0)
-    assert (robot.ground_truth, robot.odometry, robot.wheels[:2]) == at_start
-    simulation.drive(0.5, 1.0, 3.0)
-    assert robot.ground_truth.position == pytest.approx(first.position, abs=0.001)
-
-
-def test_after_a_reset_it_moves_as_it_did_at_first():
-    """To the last bit, also after a motion so small that PyBullet could keep its contacts."""
-    simulation = Simulation()
-    records = []
-    for _ in range(3):
-        records.append(simulation.drive(0.0, 0.3, 0.2))
-        simulation.reset()
-    assert records == [records[0]] * 3
-
-
-def test_after_a_reset_an_old_command_is_forgotten():
-    """The robot and its motors wait for a new one, though another robot drives."""
-    simulation = Simulation((0, 0, 0), (0, 1, 0), cmd_vel_timeout=0.6)
-    simulation.drive(0.5, 0.0, 0.5)
-    simulation.reset()
-    simulation.command(0.5, 0.0, robot=1)
-    assert {motion.position[:2] for motion in simulation.run(0.5).odometry} == {(0.0, 0.0)}
-
-
 def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
     """Until the other one stops; then it stands again, where it has been pushed to."""
     simulation = Simulation((0, 0, 0), (-0.6, 0, 0))
@@ -163,7 +85,6 @@ def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
 
 
 def test_a_pushed_robot_still_obeys():
-    """What has been pushed away drives back."""
     simulation = Simulation((0, 0, 0), (-0.6, 0, 0))
     simulation.command(0.2, 0.0, robot=1)
     simulation.run(3.0)

@@ -120,29 +120,6 @@ def test_speeding_up_and_braking_are_as_fast_as_the_motors_can():
     assert (faster[fifth], slower[fifth]) == pytest.approx((0.5, 0.0), abs=0.01)
 
 
-@pytest.mark.parametrize('speed', [0.5, -0.5])
-def test_its_wheels_stay_on_the_floor_when_it_speeds_up_and_brakes(speed):
-    """It leans on its rear caster, which is a little off the floor, and on no more."""
-    simulation = Simulation()
-    motions = [*simulation.drive(speed, 0.0, 1.0).ground_truth,
-               *simulation.drive(0.0, 0.0, 1.0).ground_truth]
-    assert max(map(lean, motions)) <= REAR_CASTER_LEAN
-    heights = [motion.position[2] for motion in motions]
-    assert min(heights) >= SETTLED_HEIGHT - 5e-5
-    assert max(heights) <= SETTLED_HEIGHT + 2e-4
-
-
-@pytest.mark.parametrize('speed, limit', [(0.1, 0.1), (0.5, 0.3), (0.7, 0.4)])
-def test_it_stops_in_no_time(speed, limit):
-    """From the tutorial's 0.1 m/s within a tenth of a second."""
-    simulation = Simulation()
-    simulation.drive(speed, 0.0, 2.0)
-    motions = simulation.drive(0.0, 0.0, STOPPING).ground_truth
-    moving = [number for number, motion in enumerate(motions)
-              if math.hypot(*motion.linear) > 1e-3]
-    assert moving[-1] / STEP_RATE <= limit
-
-
 @pytest.mark.parametrize('odom_rate', [0.5, 50.0, 1000.0])
 def test_at_other_odometry_rates_it_moves_the_same(odom_rate):
     """The physics then runs at 240, 250 and 1000 Hz."""

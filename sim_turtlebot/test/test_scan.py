@@ -1,18 +1,14 @@
 """The laser scan over ROS: what a client gets, and when there is nobody to get it."""
 
 import math
-from types import SimpleNamespace
 
-import numpy
 import pytest
 import rosgraph
-import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder, wait_until
 from sensor_msgs.msg import LaserScan
-from sim_turtlebot.robot_topics import RobotTopics
 
 ROOM = f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'
 CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
@@ -21,12 +17,10 @@ UNPACED = '_real_time_factor:=0'  # and without a queue from which messages coul
 
 
 def published():
-    """Return the topics that have a publisher."""
     return [topic for topic, _ in rosgraph.Master('/test').getSystemState()[0]]
 
 
 def test_without_the_parameter_there_is_no_scan(simulated_time):
-    """As ever."""
     with simulator():
         Recorder('odom', Odometry).wait_for()
         assert '/scan' not in published()
@@ -59,7 +53,6 @@ def test_a_scan_is_that_of_the_depth_camera(simulated_time):
 
 
 def test_the_parameters_shape_the_scan(simulated_time):
-    """A laser all round, at another rate and with other ranges."""
     with simulator('_scan:=true', ROOM, UNPACED, '_scan_beams:=361', '_scan_fov:=6.283', '_scan_rate:=4',
                    '_scan_range_min:=0.1', '_scan_range_max:=2.2', '_scan_noise:=0.01', '_seed:=5'):
         first, second = Recorder('scan', LaserScan).wait_for_count(2)
@@ -71,53 +64,3 @@ def test_the_parameters_shape_the_scan(simulated_time):
         assert first.ranges[beam] == pytest.approx(expected, abs=0.05)
     assert math.inf in first.ranges, 'the corners of the room are farther'
     assert first.ranges != second.ranges, 'they have no noise'
-
-
-def test_an_empty_world_is_out_of_range(simulated_time):
-    """The default world."""
-    with simulator('_scan:=true'):
-        assert set(Recorder('scan', LaserScan).wait_for().ranges) == {math.inf}
-
-
-def test_each_of_many_robots_has_a_scan_of_its_own(simulated_time):
-    """In its namespace; it sees the others, and not itself."""
-    with simulator('_scan:=true', '_robots:=2', '_scan_fov:=6.283', '_scan_beams:=361',
-                   '_scan_range_min:=0.1'):
-        scans = [Recorder(f'robot_{number}/scan', LaserScan).wait_for() for number in (1, 2)]
-    for number, scan, beam in [(1, scans[0], 270), (2, scans[1], 90)]:
-        assert scan.header.frame_id == f'robot_{number}/camera_depth_frame'
-        # A metre apart; the plates are 0.34 m wide, and the camera is beside the middle.
-        assert scan.ranges[beam] == pytest.approx(0.83, abs=0.02)
-        seen = [index for index, distance in enumerate(scan.ranges) if distance < math.inf]
-        assert max(abs(index - beam) for index in seen) < 15
-
-
-class CountingScanner:
-    """A scanner that counts how often it looks."""
-
-    field_of_view, beams, range_min, range_max = 1.0, 3, 0.1, 1.0
-
-    def __init__(self):
-        """Begin at zero."""
-        self.looks = 0
-
-    def scan(self, _number):
-        """Return what a scanner does."""
-        self.looks += 1
-        return numpy.ones(self.beams)
-
-
-def test_nobody_looks_where_nobody_listens(master):
-    """The rays are what a scan costs."""
-    scanner = CountingScanner()
-    robot = SimpleNamespace(scanner=scanner, covariance=[0.0] * 6)
-    topics = RobotTopics(robot, 'counted/', 10.0, 20.0)
-    for number in range(10):
-        topics.publish_scan(rospy.Time(), number)
-    assert scanner.looks == 0
-    scans = Recorder('counted/scan', LaserScan)
-    scans.wait_for_publisher()
-    for number in range(10):
-        topics.publish_scan(rospy.Time(), number)
-    assert scanner.looks == 5
-    assert [scan.header.seq for scan in scans.wait_for_count(5)] == [0, 2, 4, 6, 8]

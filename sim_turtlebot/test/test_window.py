@@ -12,10 +12,3 @@ def test_a_missing_library_is_named(monkeypatch, library):
     with pytest.raises(NoScreenError, match=f'^no-{library} is not installed$'), \
             screen():
         pass
-
-
-def test_a_missing_screen_is_named(monkeypatch):
-    """Most machines that run this have none."""
-    monkeypatch.setenv('DISPLAY', '')
-    with pytest.raises(NoScreenError, match='DISPLAY'), screen():
-        pass

@@ -3,7 +3,6 @@
 import contextlib
 import time
 
-import psutil
 from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.links import has_listener
 from odometry_tests.pausing import call
@@ -17,40 +16,36 @@ FINE_LOCKSTEP = *UNPACED, '_lockstep:=true'  # its clock ticks at 100 Hz
 LOCKSTEP = *FINE_LOCKSTEP, '_clock_rate:=20'
 FAR = 1e6  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
-MEGABYTE = 2**20
 
 
 class Graph:
     """Processes around a simulator; simulated time stands still but for the measurements."""
 
-    def __init__(self, *arguments, movers=True, distance=FAR, client=None):
+    def __init__(self, *arguments, movers=True, client=None):
         """Start them; use it as a context.
 
         :param arguments: for the simulator, such as '_robots:=5'
-        :param movers: whether to start the detector and the mover, which drives so far (m)
+        :param movers: whether to start the detector and the mover
         :param client: command of a client that drives in their place
         """
         forget_parameters()
         self._stack = contextlib.ExitStack()
-        self._processes = [self._stack.enter_context(simulator(*arguments, start=GuardedProcess))]
+        self._stack.enter_context(simulator(*arguments, start=GuardedProcess))
         # Nothing may pass before it is measured.
         call('pause_physics')
         if client:
             self._stack.enter_context(Process(*client))
         elif movers:
-            for node in (detector(start=GuardedProcess),
-                         mover(f'_distance:={distance}', start=GuardedProcess)):
-                self._processes.append(self._stack.enter_context(node))
+            self._stack.enter_context(detector(start=GuardedProcess))
+            self._stack.enter_context(mover(f'_distance:={FAR}', start=GuardedProcess))
             for topic in ('/odom', '/moved_distance', '/cmd_vel'):
                 wait_until(lambda topic=topic: has_listener(topic), TIMEOUT,
                            f'a subscriber of {topic}')
 
     def __enter__(self):
-        """Use it as a context."""
         return self
 
     def __exit__(self, *_):
-        """End all processes."""
         self._stack.close()
 
     @contextlib.contextmanager
@@ -78,11 +73,6 @@ class Graph:
         """Let time pass until `simulated` s."""
         with _clock() as clock, self.running():
             clock.wait_for(lambda message: message.clock.to_sec() >= simulated, TIMEOUT)
-
-    def memory(self):
-        """Return the resident memory of all processes (MB)."""
-        return sum(psutil.Process(process.pid).memory_info().rss
-                   for process in self._processes) / MEGABYTE
 
 
 @contextlib.contextmanager

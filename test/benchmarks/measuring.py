@@ -1,13 +1,12 @@
 """How a figure is measured: in turns with its limit, so that a noisy moment hits both."""
 
-import math
 import operator
 from statistics import median
 from typing import NamedTuple
 
 SPEED_UNIT = 'simulated s/s'
 SLICES = 4  # of a window
-RELATIONS = {'>=': operator.ge, '<=': operator.le, '=': operator.eq}
+RELATIONS = {'>=': operator.ge, '<=': operator.le}
 
 
 class Options(NamedTuple):
@@ -21,11 +20,11 @@ class Target(NamedTuple):
     """What a figure should be."""
 
     relation: str  # a key of RELATIONS
-    bound: float  # of the ratio to the limit; with '=', of the value
+    bound: float  # of the ratio to the limit
 
     def __str__(self):
         """Return it as a table shows it."""
-        return f'{"value " if self.relation == "=" else ""}{self.relation} {self.bound:g}'
+        return f'{self.relation} {self.bound:g}'
 
 
 class Figure(NamedTuple):
@@ -44,14 +43,13 @@ class Figure(NamedTuple):
         pairs = module.measure(options)
         return cls(module.NAME, median(value for value, _ in pairs), module.UNIT,
                    median(limit for _, limit in pairs),
-                   median(value / limit if limit else math.nan for value, limit in pairs),
+                   median(value / limit for value, limit in pairs),
                    module.TARGET)
 
     @property
     def is_missed(self):
         """Whether it is not what it should be."""
-        seen = self.value if self.target.relation == '=' else self.ratio
-        return not RELATIONS[self.target.relation](seen, self.target.bound)
+        return not RELATIONS[self.target.relation](self.ratio, self.target.bound)
 
 
 def in_turns(options, measure, measure_limit):

@@ -1,4 +1,4 @@
-"""Measure speed, delay, memory and start, each beside the limit of this machine.
+"""Measure speed, latency, start and end, each beside the limit of this machine.
 
 Each figure is a file in the folder test/benchmarks/figures. Its limit is measured in turns with it;
 their ratio is what tells, since absolute values belong to the machine. The exit status is 1 if a
@@ -24,7 +24,6 @@ WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
 
 
 def main():
-    """Measure, report, and exit 0 if all targets are met."""
     options = parse(sys.argv[1:])
     print(f'on {machine()}; medians of {options.runs} runs')
     print(WIDTHS.format('name', 'value', 'unit', 'limit', 'ratio', 'target'), flush=True)
@@ -49,7 +48,6 @@ def measure(name, options):
 
 
 def machine():
-    """Return what this run was measured on, in a line."""
     with open('/proc/cpuinfo') as file:
         models = {line.partition(':')[2].strip() for line in file if line.startswith('model name')}
     return (f'{" and ".join(models) or platform.machine()}, {os.cpu_count()} processors, '

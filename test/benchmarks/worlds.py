@@ -1,6 +1,5 @@
 """TurtleBots without ROS: PyBullet alone, which is the limit, and the simulator's robots."""
 
-import math
 import time
 
 from odometry_tests.simulation import settings_of
@@ -14,7 +13,6 @@ class BareWorld:
     """A robot that drives, and nothing but physics steps, with a call of PyBullet for each."""
 
     def __init__(self):
-        """Build the simulator's world and let the wheels turn."""
         simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
         self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
         self._world.step()  # from here on there is one step in a call
@@ -41,7 +39,6 @@ class RobotWorld:
     """A robot that is commanded after each odometry, as a controller in lockstep would."""
 
     def __init__(self):
-        """Put the robot down and let it drive."""
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
         self.robot = self._simulation.robots[0]
         self.command(SPEED)
@@ -64,17 +61,3 @@ class RobotWorld:
             ticks += 1
             duration = time.perf_counter() - start
         return ticks / ODOM_RATE / duration
-
-
-def stop_after(distance):
-    """Drive a robot whose controller answers without delay, until it has stopped.
-
-    :return: metres moved at each odometry, added up as the detector does
-    """
-    world, moved, position = RobotWorld(), [0.0], (0.0, 0.0, 0.0)
-    while not world.robot.resting:
-        world.run_to_odometry()
-        (x, y, _), position = position, world.robot.odometry.position
-        moved.append(moved[-1] + math.hypot(position[0] - x, position[1] - y))
-        world.command(SPEED if moved[-1] < distance else 0.0)
-    return moved

@@ -13,7 +13,6 @@ class RobotsTest(unittest.TestCase):
     """Given two robots, both drive two metres."""
 
     def test_both_drive_two_metres(self):
-        """Side by side."""
         distances = {name: Distance(name) for name in ROBOTS}
         truths = {name: Truth(name) for name in ROBOTS}
         for name, left in ROBOTS.items():

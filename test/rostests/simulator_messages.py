@@ -24,7 +24,6 @@ class SimulatorMessagesTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        """Hear everything from the start on."""
         cls.clock, cls.tf = Recorder('/clock', Clock), Recorder('/tf', TFMessage)
         cls.alone, cls.corner = Robot('alone/'), Robot('corner/')
         cls.pair = Robot('shared/robot_1/'), Robot('shared/robot_2/')

@@ -23,7 +23,6 @@ class TurnsTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        """Reach the controller."""
         cls.odometry = Recorder('odom', Odometry)
         cls.target = rospy.Publisher('rotate_robot/target', Float64, queue_size=1)
         wait_for_subscribers(cls.target)

@@ -22,7 +22,6 @@ class TurtlebotTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        """Hear the robots from the start on."""
         cls.robots = cls.robot, _ = Robot('robot_2/'), Robot('robot_1/')
         cls.imu = Recorder('/robot_2/mobile_base/sensors/imu_data', Imu)
         cls.tf = Recorder('/tf', TFMessage)
@@ -94,7 +93,6 @@ class TurtlebotTest(unittest.TestCase):
             self.assertEqual(covariance[::4], (sys.float_info.max, sys.float_info.max, 0.005))
 
     def test_what_goes_to_the_base_directly_is_obeyed_whatever_the_multiplexer_keeps_out(self):
-        """Time goes on meanwhile."""
         self.step(lambda robot: robot.drive_through('teleop', 0.0))
         for _ in range(6):
             moving = self.step(lambda robot: robot.drive_through('navi', 0.2)).twist.twist.linear.x

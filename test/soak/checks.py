@@ -1,9 +1,8 @@
 """What must hold at every step: the distance is the sum, and the odometry is the truth."""
 
 import math
-from typing import NamedTuple
 
-from tf.transformations import euler_from_quaternion
+from odometry_common.geometry import PlanarPose, planar_pose
 
 MAX_SPEED = 5.0  # m/s, the detector's ~max_speed
 SMALLEST_DISTANCE = 1e-6  # m
@@ -18,12 +17,10 @@ class DistanceCheck:
     """The sum of one detector's steps, computed here once more, without the detector's own code."""
 
     def __init__(self):
-        """Begin with a detector that has not heard anything yet."""
         self._total = 0.0
         self._last = None
 
     def reset(self):
-        """Take note that the detector has been told to count from zero."""
         self._total = 0.0
 
     def check(self, odometry, distance):
@@ -46,12 +43,11 @@ class PoseCheck:
     """The world odometry against the truth, seen from where the odometry has begun."""
 
     def __init__(self):
-        """Begin with a robot at its start."""
         self.start()
 
     def start(self):
         """Take note that the simulation has been reset."""
-        self._origin = self._truth = Pose(0.0, 0.0, 0.0)
+        self._origin = self._truth = PlanarPose(0.0, 0.0, 0.0)
 
     def reset(self):
         """Take note that the odometry has been told to start from zero."""
@@ -59,37 +55,12 @@ class PoseCheck:
 
     def check(self, odometry, truth):
         """Compare two messages of the same step."""
-        self._truth, seen = pose_of(truth), pose_of(odometry)
-        expected = self._truth.seen_from(self._origin)
-        if seen.distance_to(expected) > POSE_TOLERANCE:
+        self._truth, seen = planar_pose(truth.pose.pose), planar_pose(odometry.pose.pose)
+        expected = self._origin.inverse().then(self._truth)
+        x, y, yaw = (one - other for one, other in zip(seen, expected))
+        if max(abs(x), abs(y), abs(math.remainder(yaw, math.tau))) > POSE_TOLERANCE:
             raise Violation(f'the odometry is {seen}, and the truth seen from its origin is '
                             f'{expected}')
-
-
-class Pose(NamedTuple):
-    """A place in the plane."""
-
-    x: float  # m
-    y: float  # m
-    yaw: float  # rad
-
-    def seen_from(self, origin):
-        """Return this pose in the frame of another one."""
-        x, y = self.x - origin.x, self.y - origin.y
-        cos, sin = math.cos(origin.yaw), math.sin(origin.yaw)
-        return Pose(x * cos + y * sin, y * cos - x * sin, self.yaw - origin.yaw)
-
-    def distance_to(self, other):
-        """Return the largest difference (m or rad)."""
-        turned = math.remainder(self.yaw - other.yaw, math.tau)
-        return max(abs(self.x - other.x), abs(self.y - other.y), abs(turned))
-
-
-def pose_of(message):
-    """Return the Pose in an Odometry."""
-    position, orientation = message.pose.pose.position, message.pose.pose.orientation
-    quaternion = [orientation.x, orientation.y, orientation.z, orientation.w]
-    return Pose(position.x, position.y, euler_from_quaternion(quaternion)[2])
 
 
 def _published(total):

@@ -31,7 +31,6 @@ class Stream:
     """The messages on a topic, one after the other."""
 
     def __init__(self, topic, message_class):
-        """Subscribe."""
         self._topic = topic
         self._messages = queue.Queue()
         rospy.Subscriber(topic, message_class, self._messages.put, tcp_nodelay=True)
@@ -56,7 +55,6 @@ class Nodes:
     """A context in which the simulator and the detector run, and this process is a node."""
 
     def __init__(self):
-        """Begin with nothing started."""
         self._master = self._log = self._simulator = self._detector = None
 
     def __enter__(self):
@@ -74,7 +72,6 @@ class Nodes:
         return self
 
     def __exit__(self, *_):
-        """End everything."""
         rospy.signal_shutdown('the soak has ended')
         for process in (self._detector, self._simulator, self._log, self._master):
             if process is not None:
@@ -87,29 +84,23 @@ class Nodes:
                 'rosmaster': self._master.pid, 'rosout': self._log.pid, 'this program': os.getpid()}
 
     def command(self, linear, angular):
-        """Command the robot, which lets the simulation go on."""
         command = Twist()
         command.linear.x, command.angular.z = linear, angular
         self._velocity.publish(command)
 
     def reset_distance(self):
-        """Have the detector count from zero."""
         self._tell(DETECTOR, '/moved_distance/reset')
 
     def reset_odometry(self):
-        """Have the simulator's odometry start from zero."""
         self._tell(SIMULATOR, '/mobile_base/commands/reset_odometry')
 
     def reset_simulation(self):
-        """Take the simulation back to its start."""
         self._call('reset_simulation')
 
     def pause(self):
-        """Stop the simulation, whatever is commanded."""
         self._call('pause_physics')
 
     def unpause(self):
-        """Let the simulation go on."""
         self._call('unpause_physics')
 
     def restart_detector(self, signum):
@@ -118,7 +109,6 @@ class Nodes:
         self._start_detector()
 
     def _connect(self):
-        """Listen and advertise."""
         self.odometry = Stream('odom', Odometry)
         self.truth = Stream('base_pose_ground_truth', Odometry)
         self.distance = Stream('moved_distance', Float64)

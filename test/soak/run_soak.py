@@ -23,7 +23,6 @@ EXIT_INTERRUPTED = 130
 
 
 def main():
-    """Exit 0 after the whole time without a violation."""
     options = _parse()
     _on_signals(signal.default_int_handler)
     try:
@@ -39,7 +38,6 @@ def main():
 
 
 def _drive(nodes, options):
-    """Drive the whole course; return the exit status."""
     start = time.monotonic()
     steps = round(options.hours * STEPS_PER_HOUR)
     driver, violation = Driver(nodes, steps), None

@@ -17,12 +17,10 @@ class Usage(NamedTuple):
 
     @classmethod
     def of(cls, pid):
-        """Ask the system."""
         process = psutil.Process(pid)
         return cls(process.memory_info().rss / MEGABYTE, process.num_threads(), process.num_fds())
 
     def __str__(self):
-        """Return it as the summary shows it."""
         return f'{self.memory:.4g} MB, {self.threads} threads, {self.files} files'
 
 

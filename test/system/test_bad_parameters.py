@@ -60,7 +60,6 @@ def test_each_bad_value_is_refused_by_name(script, row):
 
 @pytest.mark.parametrize('script', TABLES)
 def test_defaults_are_accepted(script):
-    """Each by its own range."""
     defaults = {row.name[1:]: row.default for row in TABLES[script].rows}
     with read_from(defaults):
         assert vars(TABLES[script].read()) == defaults
@@ -92,7 +91,6 @@ def test_a_world_that_cannot_be_used_ends_the_simulator(master, tmp_path):
 
 @pytest.mark.parametrize('display', ['', ':987'])
 def test_a_window_without_a_screen_is_refused(master, display):
-    """Most machines that run this have none."""
     ended = run_script(SCRIPTS['sim_turtlebot_node.py'].__file__, '_gui:=true',
                        env={'DISPLAY': display})
     assert_refused(ended, '~gui', 'DISPLAY')

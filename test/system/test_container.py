@@ -67,14 +67,12 @@ class Engine:
                 if socket.laddr.port == 8080 and socket.status == psutil.CONN_LISTEN}
 
     def assert_nothing_is_left(self):
-        """Assert that there is no container, and nobody listens any more."""
         assert self.run('ps', '--all', '--quiet', '--filter', 'name=^robot$') == ''
         assert self.addresses() == set()
 
 
 @pytest.fixture(scope='module')
 def engine():
-    """Build the image."""
     return Engine()
 
 
@@ -97,7 +95,6 @@ def status_of_page(**headers):
 
 
 def test_the_documents_show_what_is_typed_here():
-    """Line by line."""
     shown = '\n'.join(path.read_text() for path in DOCUMENTS)
     assert [line for line in TYPED if line not in shown] == []
 

@@ -16,7 +16,6 @@ from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (
-    REST_SPEED,
     Truth,
     detector,
     forget_parameters,
@@ -24,48 +23,9 @@ from odometry_tests.tutorial import (
     mover,
     rotator,
     simulator,
-    speed,
 )
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
 
-# rospy's thread for registrations sleeps until it is woken, instead of for half a second, and
-# rospy waits for it for ever, instead of for five seconds; the main thread waits for nobody.
-PATIENT_NODE = """
-import threading
-import rospy
-from odometry_common.node import run_node
-from rospy.impl.registration import get_registration_listeners
-
-def main():
-    rospy.core._TIMEOUT_SHUTDOWN_JOIN = None
-    (manager,) = get_registration_listeners().listeners
-    wait = manager.cond.wait
-    def sleep(_timeout):
-        print('asleep')
-        wait()
-    manager.cond.wait = sleep
-    threading.Event().wait()
-
-run_node('patient', main, '')
-"""
-# Its topics are closed, by rosnode kill, while it publishes the time.
-CLOSING_NODE = f"""
-import runpy
-import threading
-import rospy
-publish = rospy.Publisher.publish
-
-def close_and_publish(publisher, *arguments):
-    if publisher.name == '/clock':
-        threading.Thread(target=rospy.signal_shutdown, args=['killed']).start()
-        while not rospy.core.is_shutdown_requested():
-            pass
-        raise rospy.ROSException('publish() to a closed topic')
-    publish(publisher, *arguments)
-
-rospy.Publisher.publish = close_and_publish
-runpy.run_path({str(ROOT / 'sim_turtlebot/script/sim_turtlebot_node.py')!r}, run_name='__main__')
-"""
 # With each 25th module that a script imports, a copy of its process gets Ctrl-C.
 IMPORTING = """
 import itertools
@@ -156,19 +116,6 @@ def test_a_node_that_waits_ends_quietly(ns, package, program):
         assert node.end() == 0, node.output
 
 
-def test_a_simulator_that_is_ended_while_it_publishes_ends_quietly(simulated_time):
-    """Rospy raises what would be a traceback."""
-    with Process(sys.executable, '-c', CLOSING_NODE, '_real_time_factor:=0') as node:
-        assert node.wait() == 0, node.output
-
-
-def test_a_node_ends_whatever_its_threads_wait_for(master):
-    """One of rospy sleeps for up to half a second, and the main thread does not return."""
-    with Process(sys.executable, '-c', PATIENT_NODE) as node:
-        node.wait_for_output('asleep')
-        assert node.end(signal.SIGTERM) == 0, node.output
-
-
 @pytest.fixture(scope='module')
 def truth(master):
     """Record the motion of a robot whose own watchdog is off, in simulated time."""
@@ -221,13 +168,3 @@ def test_the_robot_is_at_rest_at_once(driver, truth, ending):
         wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
 
     assert moves_on(truth, end) <= STOPPING_TIME
-
-
-def test_a_node_that_has_arrived_ends_quietly(truth):
-    """After arrival the robot stays at rest."""
-    with mover('_distance:=0.02', '_relative:=true', start=GuardedProcess) as node:
-        node.wait_for_output('stopped')
-        assert node.end() == 0, node.output
-    truth.wait_until_resting()
-    truth.clear()
-    assert all(speed(message) < REST_SPEED for message in truth.wait_for_count(5))

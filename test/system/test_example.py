@@ -67,7 +67,6 @@ def node_beside(truth, name):
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
 def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
-    """Also without a watchdog of the base."""
     truth, commands = Truth(), Recorder('cmd_vel', Twist)
     with simulator('_cmd_vel_timeout:=0', '_scan:=true', CORRIDOR, '_real_time_factor:=0.5'), \
             node_beside(truth, 'stop_before_wall.py') as node:

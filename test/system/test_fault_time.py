@@ -11,7 +11,6 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.pausing import call, pause
-from odometry_tests.placing import Placer
 from odometry_tests.processes import Process, rosrun
 from odometry_tests.tutorial import (
     LONGEST_STEP,
@@ -22,14 +21,12 @@ from odometry_tests.tutorial import (
     heading,
     mover,
     rotator,
-    simulator,
     simulator_in_step,
 )
-from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Empty
 
-PERIOD = 0.05  # s, of the odometry
 TURNED = 9.2  # s, for all but a degree of 90
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
@@ -42,7 +39,6 @@ def x(recorder):
 
 @pytest.mark.parametrize('factor, distance', [(0.05, 0.01), (1, 0.1), (100, 1.0)])
 def test_the_robot_arrives_at_any_speed_of_time(master, factor, distance):
-    """The detector and the mover need no particular pace."""
     moved, truth = Distance(), Truth()
     with simulator_in_step(f'_real_time_factor:={factor}'), detector(), \
             mover(f'_distance:={distance}') as driver:
@@ -50,26 +46,6 @@ def test_the_robot_arrives_at_any_speed_of_time(master, factor, distance):
         truth.wait_until_resting()
         assert 'stopping' not in driver.output
     assert moved.last.data < distance + OVERSHOOT
-
-
-def test_whoever_listens_to_a_robot_that_begins_paused_misses_none_of_its_time(master):
-    """However fast it is then."""
-    truth, odometry = Truth(), Recorder('odom', Odometry)
-
-    def seen():
-        placer.put(1.0, 0.0)
-        return truth.last and odometry.last
-
-    with simulator('_paused:=true', '_real_time_factor:=0'):
-        placer = Placer()
-        assert wait_until(seen, TIMEOUT, 'a robot that is put').header.stamp.to_sec() == 0.0
-        # Nothing that it says of the earlier places comes after it is seen at the last one.
-        placer.put(2.0, 0.0)
-        odometry.wait_for(lambda m: m.pose.pose.position.x > 1.5, what='a robot at x 2 m')
-        odometry.clear()
-        call('unpause_physics')
-        first = odometry.wait_for_count(2)
-    assert [message.header.stamp.to_sec() for message in first] == [0.0, PERIOD]
 
 
 def test_neither_a_pause_nor_a_reset_is_movement_and_every_node_survives_them(master):

@@ -46,7 +46,6 @@ def test_a_node_takes_more_file_descriptors_than_usual_if_it_may(master):
 
 
 def test_a_node_that_starts_with_too_few_file_descriptors_says_so(master):
-    """And ends."""
     with simulator(f'_robots:={ROBOTS}', env={'ROS_NAMESPACE': 'few'},
                    **with_limit(LIMIT)) as node:
         assert_out_of_file_descriptors(node, 'sim_turtlebot')
@@ -70,7 +69,6 @@ def listeners(topic):
 
 
 def assert_out_of_file_descriptors(node, name):
-    """Assert that a node ends with one line."""
     assert node.wait() == 1, node.output
     assert node.stderr == (f'{name}: out of file descriptors (limit {LIMIT}): raise it with '
                            'ulimit -n, or start fewer nodes')

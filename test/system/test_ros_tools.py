@@ -1,13 +1,10 @@
 """ROS's own tools know every type that the nodes use, and complete what is typed of it."""
 
 import contextlib
-import os
 
 import rosgraph
 import rosservice
 from odometry_tests.processes import Process
-from odometry_tests.scripts import ROOT
-from odometry_tests.terminal import Terminal
 from odometry_tests.tutorial import detector, mover, rotator, simulator
 from odometry_tests.waiting import TIMEOUT, wait_until
 
@@ -37,16 +34,3 @@ def test_every_type_of_a_topic_or_service_is_shown(simulated_time):
         services = {rosservice.get_service_type(name) for name in rosservice.get_service_list()}
         assert unknown_to('rosmsg', set(topic_types().values())) == {}
         assert unknown_to('rossrv', services) == {}
-
-
-def test_tab_writes_the_fields_of_a_message(tmp_path):
-    """In ./ws shell, whether or not the package bash-completion is installed."""
-    environment = {'HOME': str(tmp_path), 'PATH': os.environ['PATH'], 'TERM': 'xterm'}
-    with Terminal(ROOT, environment) as terminal:
-        terminal.type('./ws shell')
-        terminal.wait_for_prompt()
-        terminal.press_tab_after('rostopic pub /cmd_vel geometry_msgs/Twist ')
-        for field in 'linear:', 'angular:':
-            terminal.wait_for_output(field)
-        terminal.press_ctrl_c()
-        terminal.wait_for_prompt()

@@ -17,7 +17,6 @@ EVENTS = ['resets of the distance', 'resets of the odometry', 'resets of the sim
 
 
 def soak(*arguments):
-    """Start a soak."""
     return Process('python3', SOAK, *arguments)
 
 

@@ -36,7 +36,6 @@ def published(topic, message_class):
 
 
 def assert_ends_at_once(node):
-    """Assert that a node ends by Ctrl-C, in order."""
     assert node.end(signal.SIGINT) == 0, node.output
 
 

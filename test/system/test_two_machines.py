@@ -19,7 +19,6 @@ CABLE = 'cable'
 
 
 def ip(*arguments):
-    """Run iproute2's command."""
     subprocess.run(['ip', *arguments], check=True, capture_output=True, text=True)
 
 
@@ -104,19 +103,3 @@ def test_two_metres_across_a_link_that_is_cut_for_three_seconds(machines):
                    lambda: f'two metres; the robot is at {values(positions)[-1]}')
         wait_until(lambda: values(commands)[-1:] == [0.0] and stands(speeds), 10.0,
                    'a last command of zero, and a robot at rest')
-
-
-def test_a_spectator_behind_a_cut_link_holds_up_nobody(machines):
-    """The mover goes on commanding the robot, and names who does not keep up."""
-    with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py',
-            '_real_time_factor:=10'), \
-            on(ROBOT, 'rosrun', 'odom_movement_detector', 'odom_movement_detector.py'), \
-            on(ROBOT, 'rosrun', 'test_movement', 'test_movement.py', '_distance:=1000') as mover, \
-            echo(ROBOT, '/base_pose_ground_truth', '/pose/pose/position/x') as positions, \
-            echo(DESK, '/cmd_vel', '/linear/x') as spectator:
-        wait_until(lambda: values(spectator), 40.0, 'a command that the spectator sees')
-        ip('-n', ROBOT, 'link', 'set', CABLE, 'down')
-        mover.wait_for_output('does not keep up with /cmd_vel')
-        warned_at = values(positions)[-1]
-        wait_until(lambda: values(positions)[-1] > warned_at + 1.0, 40.0, 'a metre more')
-        ip('-n', ROBOT, 'link', 'set', CABLE, 'up')

@@ -25,7 +25,6 @@ CASES = [{}, {'gyro': False}, {'wheel_slip': 0.01}, {'wheel_noise': 0.005},
 
 
 def main():
-    """Print a line for each of the cases."""
     argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
     straight, turning = record(*TWO_METRES), record(*TEN_TURNS)
     for case in CASES:

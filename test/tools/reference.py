@@ -35,7 +35,6 @@ class Entry(NamedTuple):
 
 
 def main():
-    """Write the page, unless asked for help."""
     argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
     PAGE.write_text(updated(PAGE.read_text()))
 
@@ -85,7 +84,9 @@ def _launch_part(name):
     if own == base:
         intro, new = '', own
     else:
-        intro = f'Every argument of {BASE_LAUNCH}, and:\n\n'
+        missing = ', '.join(_code(argument) for argument in base if argument not in own)
+        but = f' but {missing}' if missing else ''
+        intro = f'Every argument of {BASE_LAUNCH}{but}, and:\n\n'
         new = {argument: own[argument] for argument in own if argument not in base}
     return intro + _table('argument | default | meaning', [
         (_code(argument), _code(default), meaning) for argument, (default, meaning) in new.items()])

@@ -22,7 +22,6 @@ MOMENT = 1.3  # m from the start, where the robot is photographed
 
 
 def main():
-    """Make those pictures that are named, or all."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('names', nargs='*', metavar='NAME', help=f'some of {", ".join(PICTURES)}')
     names = parser.parse_args().names or list(PICTURES)
@@ -40,7 +39,6 @@ def save(image, name):
 
 
 def view():
-    """Return the browser window."""
     from odometry_tests.browser import Page
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
         url = f'http://localhost:{port}'
@@ -59,12 +57,10 @@ def drive_before(page):
 
 
 def rviz():
-    """Return RViz."""
     return photograph_screen('rviz:=true', (1100, 768))
 
 
 def gui():
-    """Return PyBullet's own window."""
     return photograph_screen('gui:=true', (1024, 768))
 
 
@@ -76,7 +72,6 @@ def run():
 
 
 def launched(*arguments):
-    """Start the first tutorial."""
     return Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', *arguments)
 
 

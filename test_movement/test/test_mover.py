@@ -85,16 +85,6 @@ def test_a_distance_that_is_not_finite_stops_it_with_a_warning(talk, node):
     node.wait_for_output('the moved distance nan is not finite')
 
 
-def test_silence_stops_it_until_distances_return(talk, node):
-    """After one second; a standing robot is not stopped again."""
-    talk.begin().be_silent_until_it_stops()
-    assert talk.answers.messages == commands(0.0)
-    node.wait_for_output('no moved_distance arrives')
-    talk.clock.advance(*[0.1] * 30)
-    talk.say(Float64(1.0))
-    assert talk.answers.wait_for_count(2) == commands(0.0, 0.1)
-
-
 @pytest.mark.parametrize('node', [['_distance:=0.5', '_speed:=-0.2', '_timeout:=0']], indirect=True)
 def test_it_drives_backwards_as_far_as_it_is_told_and_silence_need_not_stop_it(talk, ns):
     """A mover with a timeout, beside it in the same time, stops meanwhile."""

@@ -1,5 +1,6 @@
 """Which processes the nodes of a graph are."""
 
+import socket
 from urllib.parse import urlparse
 
 import psutil
@@ -12,6 +13,7 @@ from sim_turtlebot.rest import LONGEST_POLL, PATIENCE
 
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
+ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
 LOG = '/rosout'  # a node, and its topic; it only writes down what others say
 ROSLAUNCHED = '__name:='  # is in the command line of a node that roslaunch has started
 STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
@@ -31,9 +33,8 @@ class GraphProcesses:
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
         self._state = None, None, None  # what the master said last: publishers, subscribers, services
-        self._cpu_time = None  # of the master, when it was asked last
+        self._usage = {}  # of the master's threads, when it was asked last
         self._find({MASTER: self._master_uri})
-        self._process = rest.processes.get(self._pids[MASTER])  # of the master, if it can be seen
 
     @property
     def names(self):
@@ -60,19 +61,25 @@ class GraphProcesses:
 
     def _was_asked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
-        before, self._cpu_time = self._cpu_time, self._rest.cpu_times.get(self._process)
-        return self._cpu_time is None or self._cpu_time != before
+        master = self._pids[MASTER]
+        before, self._usage = self._usage, {
+            thread: usage for thread, usage in self._rest.rested.items() if thread.pid == master}
+        return self._usage != before or master not in self._rest.processes
 
     def _refresh(self):
-        """Take the nodes that have come, and forget those that have gone; return whether any has."""
-        before, self._state = self._state, self._master.getSystemState(self._own_name)[ANSWER]
+        """Take the nodes that have come, and forget those that have gone; return whether any has.
+
+        One that was killed and started again has the same name and topics at another address.
+        """
+        before = self._state, {**self._addresses}
+        self._state = self._master.getSystemState(self._own_name)[ANSWER]
         for name in self._addresses.keys() - self.names:
             del self._addresses[name]
         addresses = {name: self._master.lookupNode(self._own_name, name)[ANSWER]
                      for name in self.names if self._pids.get(name) not in self._rest.processes}
         self._find({name: address for name, address in addresses.items()
                     if address and self._addresses.get(name) != address})
-        return self._state != before
+        return (self._state, self._addresses) != before
 
     def add_starting(self):
         """Take the processes that roslaunch has started and that are no nodes yet."""
@@ -90,12 +97,13 @@ class GraphProcesses:
         if not addresses:
             return
         self._addresses.update(addresses)
-        pids = {socket.laddr.port: socket.pid for socket in psutil.net_connections('tcp')
-                if socket.status == psutil.CONN_LISTEN}
+        pids = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
+                if connection.status == psutil.CONN_LISTEN}
         for name, address in addresses.items():
             host, port = urlparse(address).hostname, urlparse(address).port
             # Nobody serves the address of a node that was killed.
-            pid = pids.get(port, 0) if is_local_address(host) else None
+            pid = next((pids[ip, port] for ip in (*_ips(host), *ANY_IP) if (ip, port) in pids),
+                       0) if is_local_address(host) else None
             self._pids[name] = pid
             if pid is None:
                 self._on_unseen(name)
@@ -112,6 +120,10 @@ class GraphProcesses:
             self._on_unseen(name)
         except (FileNotFoundError, ProcessLookupError):  # it has ended
             pass
+
+
+def _ips(host):
+    return {address[0] for *_, address in socket.getaddrinfo(host, None)}
 
 
 def _names(*states):

@@ -100,9 +100,11 @@ class Lockstep:
 
 
 def _check_proc():
-    """Refuse a /proc that does not show every process."""
+    """Refuse a /proc that does not show every process, and how often each of its threads has run."""
     try:
         Path('/proc/1/stat').read_bytes()
+        if Path('/proc/self/schedstat').read_text(encoding='utf-8').split()[-1] == '0':
+            raise OSError('this kernel lacks CONFIG_SCHED_INFO')
     except OSError as error:
-        raise ParameterError('~lockstep', True, 'false where /proc does not show the processes '
-                             f'of others ({error})') from None
+        raise ParameterError('~lockstep', True, 'false where /proc does not show what others do '
+                             f'({error})') from None

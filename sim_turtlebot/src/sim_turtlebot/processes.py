@@ -24,6 +24,7 @@ class Thread:
         self.pid, self.tid = pid, tid
         self.polls = False  # whether it looks for work all the time, as timers of roscpp do
         self.is_asleep = False  # when it was looked at last
+        self.settled = None  # its usage when it had fallen asleep
         self.naps_seen = 0
         self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
         self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False
@@ -50,6 +51,22 @@ class Thread:
             _waits.add(wait)
         # One that has begun to sleep since the first question will be asked once more.
         return state in STOPPED or state == SLEEPING and (wait != NOT_TOLD or not _waits)
+
+    def settle(self):
+        """Return whether it sleeps, or has not run since it was last seen asleep."""
+        usage = self._read('schedstat')
+        if usage != self.settled:
+            if not self.look():
+                return False
+            self.settled = usage
+        return True
+
+    def is_settled(self):
+        """Return whether it has not run since settle(); its CPU time alone may not tell.
+
+        A virtual machine that was kept from its processor counts the next time on it as lost.
+        """
+        return self._read('schedstat') == self.settled
 
     @property
     def naps(self):
@@ -112,6 +129,7 @@ class Process:
             self.is_cpp = any(CPP_LIBRARY in line for line in maps)
         self._folder = os.open(f'/proc/{pid}/task', os.O_RDONLY)
         self.threads = {}  # by id
+        self._settled_at = None  # CPU time
 
     def close(self):
         """Close its files."""
@@ -125,10 +143,23 @@ class Process:
             return sum(time.clock_gettime_ns(~tid << 3 | OF_THREAD) for tid in self.threads)
         return time.clock_gettime_ns(~self.pid << 3 | OF_PROCESS)
 
-    def work_time(self):
-        """Return its CPU time (ns) without that of threads that poll."""
-        return self.cpu_time() - sum(thread.usage[0] for thread in self.threads.values()
-                                     if thread.polls)
+    def settle(self):
+        """Return whether each thread has settled; those that poll need not."""
+        cpu_time = self.cpu_time()
+        if cpu_time != self._settled_at:
+            self._settled_at = cpu_time if all(
+                thread.polls or thread.settle() for thread in self.threads.values()) else None
+        return self._settled_at is not None
+
+    def is_asleep(self):
+        """Return whether no thread is awake."""
+        return not self.awake_thread()
+
+    def is_settled(self):
+        """Return whether no thread has run since settle(); those that poll may have."""
+        if not all(thread.polls or thread.is_settled() for thread in self.threads.values()):
+            self._settled_at = None
+        return self._settled_at is not None
 
     def awake_thread(self):
         """Return a thread that does not sleep, or None; those that poll may be awake."""

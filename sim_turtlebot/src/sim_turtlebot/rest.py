@@ -1,8 +1,8 @@
 """Rest: a moment at which every thread of some processes sleeps, as /proc shows it.
 
-If a process has the same CPU time before and after a look that finds each of its threads asleep,
-none of them has run meanwhile. If that holds for all processes at once, nobody is left to wake
-another: over loopback, a message is there when the sender's write returns.
+A thread that was seen asleep, and has not run since, can only sleep or wait for a processor. If that
+holds for all threads, and a look then finds each asleep, nobody is left to wake another: over
+loopback, a message is there when the sender's write returns.
 
 Only a thread that polls may still have something to do: rospy.wait_for_message(), ros::Rate and
 ros::Timer nap by wall time, and then look. It has to have looked since all others rest.
@@ -36,7 +36,7 @@ class Rest:
         """
         self._is_over, self._on_restless = is_over, on_restless
         self.processes = {}  # by id
-        self.cpu_times = {}  # by Process, when all rested last; without naps
+        self.rested = {}  # the usage of threads when all rested last; of those that do not nap
         self._awaited = []
         self._surveyed = set()  # threads of which it is known whether they poll
 
@@ -51,18 +51,23 @@ class Rest:
         while not self._is_over():
             look_begin = time.monotonic()
             try:
-                first_cpu_times = first_cpu_times or self._measure(Process.cpu_time)
                 # Before the look: a thread that sleeps later may have been given work in between.
                 polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
-                restless, work_times = self._look()
+                restless = self._look()
                 if not restless:
-                    before, (rested, polling) = rested, self._split(work_times, look_begin)
+                    before, (rested, polling) = rested, self._split(look_begin)
                     polls = ({thread: polls[thread] for thread in polls.keys() & polling.keys()}
                              if rested == before else polling)
                     if not polls:
-                        self.cpu_times = rested
+                        self.rested = rested
                         return
                     restless = self.processes[next(iter(polls)).pid]
+                if look_begin - begin < SPIN_TIME:
+                    # These looks may take the processor from those that have something to do.
+                    os.sched_yield()
+                    continue
+                first_cpu_times = first_cpu_times or {process: process.cpu_time()
+                                                      for process in self._awaited}
                 if self._gives_up(restless, first_cpu_times, look_begin - begin):
                     begin, first_cpu_times = look_begin, {}
             except OSError as error:
@@ -71,11 +76,7 @@ class Rest:
                 self._forget_ended()
                 rested, polls = None, {}
                 continue
-            # These looks may take the processor from those that have something to do.
-            if look_begin - begin < SPIN_TIME:
-                os.sched_yield()
-            else:
-                time.sleep(LOOK_PERIOD)
+            time.sleep(LOOK_PERIOD)
 
     def wait_for_naps(self, pid):
         """Return when each thread of a process that naps by wall time has looked for work once more."""
@@ -100,21 +101,16 @@ class Rest:
         for pid in list(self.processes):
             self.remove(pid)
 
-    def _measure(self, measure):
-        """Return what a function says of each Process that is awaited."""
-        return {process: measure(process) for process in self._awaited}
-
     def _look(self):
-        """Return a Process that does not rest, or None, and the work times (ns) before the look."""
-        before = self._measure(Process.work_time)
-        for process in self._awaited:
-            if process.awake_thread():
-                # The next look begins with it, and is short while it is awake.
-                self._awaited.remove(process)
-                self._awaited.insert(0, process)
-                return process, before
-        after = self._measure(Process.work_time)
-        return next((process for process in before if after[process] != before[process]), None), before
+        """Return a Process that does not rest, or None."""
+        for holds in Process.settle, Process.is_asleep, Process.is_settled:
+            for process in self._awaited:
+                if not holds(process):
+                    # The next look begins with it, and is short while it is awake.
+                    self._awaited.remove(process)
+                    self._awaited.insert(0, process)
+                    return process
+        return None
 
     def _gives_up(self, process, first_cpu_times, passed):
         """Await the process that computes most no longer, and return True, if one takes too long.
@@ -135,28 +131,24 @@ class Rest:
         self._on_restless(culprit)
         return True
 
-    def _split(self, work_times, look_begin):
+    def _split(self, look_begin):
         """Tell apart what works and what only polls.
 
-        :param work_times: before the look (ns)
-        :param look_begin: when that was (monotonic, s)
-        :returns: the work times without those of naps; and, by thread that polls, how often it has
-            slept when it has looked for work once more
+        :param look_begin: when the look began (monotonic, s)
+        :returns: by thread that works, its usage; and, by thread that polls, how often it has slept
+            when it has looked for work once more
         """
         self._survey()
-        others, polling = dict(work_times), {}
+        working, polling = {}, {}
         for process in self._awaited:
+            limit = process.longest_poll
             for thread in process.threads.values():
                 if not thread.naps and not thread.polls:
-                    continue
-                cpu_time, _, runs = thread.usage
-                if not thread.polls:
-                    others[process] -= cpu_time
-                limit = process.longest_poll
-                if limit and not (thread.is_asleep
-                                  and thread.naps_longer_than(limit, runs, look_begin)):
+                    working[thread] = thread.settled
+                elif limit and not (thread.is_asleep and thread.naps_longer_than(
+                        limit, thread.usage[2], look_begin)):
                     polling[thread] = thread.sleeps + (1 if thread.is_asleep else 2)
-        return others, polling
+        return working, polling
 
     def _survey(self):
         """Find out which threads of C++ poll: those that run while all others rest."""

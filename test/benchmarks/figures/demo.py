@@ -18,7 +18,6 @@ TIMEOUT = 60.0  # s
 
 
 def measure(options):
-    """Return pairs of the times that they take."""
     return in_turns(options, _run_demo, _run_bare)
 
 

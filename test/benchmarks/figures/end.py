@@ -14,7 +14,6 @@ TIMEOUT = 60.0  # s
 
 
 def measure(options):
-    """Return pairs of the times in which they end."""
     return in_turns(options, lambda: _end(detector(start=GuardedProcess), 'waiting for odometry'),
                     lambda: _end(Process('python3', RELAY, '/question', '/answer'), 'ready'))
 

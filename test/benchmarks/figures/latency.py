@@ -25,7 +25,6 @@ STEP = 0.001  # m
 
 
 def measure(options):
-    """Return pairs of the median latency of each."""
     forget_parameters()
     with detector(start=GuardedProcess), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'), \
             closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
@@ -37,7 +36,6 @@ class Answers:
     """Odometry to a node, and the times at which it answers."""
 
     def __init__(self, question, answer, answer_class):
-        """Connect to the node by the two topics."""
         self._arrivals = []
         self._x = 0.0
         self._publisher = advertise(question, Odometry)
@@ -48,7 +46,6 @@ class Answers:
         wait_until(self._is_answered, TIMEOUT, f'an answer on {answer}')
 
     def close(self):
-        """Ask no more."""
         self._publisher.unregister()
         self._subscriber.unregister()
 

@@ -11,5 +11,4 @@ NAME, UNIT, TARGET = 'graph in lockstep', SPEED_UNIT, Target('>=', 0.35)
 
 
 def measure(options):
-    """Return pairs of a speed and the ring's."""
     return beside_ring(options, Graph(*LOCKSTEP))

@@ -13,7 +13,6 @@ NAME, UNIT, TARGET = 'C++ client in lockstep', SPEED_UNIT, Target('>=', 0.038)
 
 
 def measure(options):
-    """Return pairs of a speed and the ring's."""
     with tempfile.TemporaryDirectory() as folder:
         client = compile_client(Path(folder, 'client')), 'rate'
         return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))

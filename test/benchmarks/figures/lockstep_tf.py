@@ -12,6 +12,5 @@ NAME, UNIT, TARGET = 'tf client in lockstep', SPEED_UNIT, Target('>=', 0.157)
 
 
 def measure(options):
-    """Return pairs of a speed and the ring's."""
     client = sys.executable, CLIENTS_FOLDER / 'clients.py', 'tf_listener'
     return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))

@@ -7,5 +7,4 @@ NAME, UNIT, TARGET = 'robot without ROS', SPEED_UNIT, Target('>=', 0.85)
 
 
 def measure(options):
-    """Return pairs of a speed and PyBullet's."""
     return in_slices(options, RobotWorld().speed, BareWorld().speed)

@@ -15,7 +15,6 @@ TARGET = Target('<=', 1.2)
 
 
 def measure(options):
-    """Return pairs of a cost."""
     alone = RobotWorld()
     with Graph('_cmd_vel_timeout:=0', f'_robots:={COUNT}', *UNPACED, movers=False) as graph, \
             _all_driven(graph):

@@ -10,7 +10,7 @@ from nav_msgs.msg import Odometry
 from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.processes import Process, path_of
 from odometry_tests.tutorial import forget_parameters, simulator
-from odometry_tests.waiting import Recorder
+from odometry_tests.waiting import Recorder, wait_until
 
 NAME, UNIT, TARGET = 'start to first /odom', 's', Target('<=', 1.25)
 BARE = Path(__file__).parents[1] / 'bare_node.py'
@@ -18,7 +18,6 @@ TIMEOUT = 60.0  # s
 
 
 def measure(options):
-    """Return pairs of a time to the first /odom and of one in which a bare node sees a message."""
     return in_turns(options, _start_simulator, _start_bare)
 
 
@@ -35,7 +34,7 @@ def _start_bare():
     script = path_of('sim_turtlebot', 'sim_turtlebot_node.py')
     begin = time.perf_counter()
     with Process(sys.executable, BARE, script) as process:
-        process.wait_for_output('seen', TIMEOUT)
+        wait_until(lambda: 'seen' in process.stdout, TIMEOUT, 'a message', period=0.001)
         duration = time.perf_counter() - begin
         process.wait(TIMEOUT)  # it ends by itself, in which rospy must not be interrupted
     return duration

@@ -15,7 +15,6 @@ TIMEOUT = 300.0  # s
 
 
 def measure(options):
-    """Return pairs of a sweep's time and of that in which PyBullet steps as often."""
     bare, simulated = BareWorld(), run('move', {})['time']
     return in_turns(options, _sweep, lambda: DRIVES * simulated / 2 / bare.speed(PACE_WINDOW))
 

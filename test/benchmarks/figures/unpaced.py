@@ -8,6 +8,5 @@ NAME, UNIT, TARGET = 'graph unpaced', SPEED_UNIT, Target('>=', 0.55)
 
 
 def measure(options):
-    """Return pairs of a speed and PyBullet's."""
     with Graph(*UNPACED) as graph:
         return in_slices(options, graph.speed, BareWorld().speed)

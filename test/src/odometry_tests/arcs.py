@@ -39,7 +39,6 @@ class Body:
     """A body without physics: it is where the test puts it."""
 
     def __init__(self):
-        """Stand at zero."""
         self.motion, self.angles = motion(), (0.0, 0.0)
 
     def pose(self):
@@ -68,7 +67,6 @@ class Robot(SimulatedRobot):
     """A robot on a Body, for its sensors and its odometry; parameters as the node's."""
 
     def __init__(self, **parameters):
-        """Stand at zero."""
         super().__init__(Body(), STEP_RATE, settings_of(**parameters))
 
     def start(self, motion, angles=(0.0, 0.0)):

@@ -60,11 +60,9 @@ class Page:
             stack.pop_all()
 
     def __enter__(self):
-        """Use it as a context, at whose end it is closed."""
         return self
 
     def __exit__(self, *_):
-        """Close it unless it is closed already."""
         self.close()
 
     def close(self):
@@ -74,7 +72,6 @@ class Page:
             self.driver.quit()
 
     def run(self, script, *arguments):
-        """Return what a piece of JavaScript returns."""
         return self.driver.execute_script(script, *arguments)
 
     @property
@@ -100,27 +97,21 @@ class Page:
                          lambda: f'{text!r} in the page, which says:\n{self.text}')
 
     def click(self, label):
-        """Click a button."""
         self._button(label).click()
 
     def hold(self, label):
-        """Press a button and hold it."""
         ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
 
     def release(self):
-        """Let go of the button."""
         ActionChains(self.driver, duration=0).release().perform()
 
     def press_key(self, name):
-        """Press a key and hold it."""
         ActionChains(self.driver, duration=0).key_down(getattr(Keys, name)).perform()
 
     def release_key(self, name):
-        """Let go of the key."""
         ActionChains(self.driver, duration=0).key_up(getattr(Keys, name)).perform()
 
     def let_go(self):
-        """Let go of all buttons and keys."""
         ActionChains(self.driver).reset_actions()
 
     def dismiss_notices(self):
@@ -132,7 +123,6 @@ class Page:
             'a page without notices')
 
     def photograph(self):
-        """Return the whole page as an image."""
         return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
 
     def scene(self):

@@ -29,7 +29,6 @@ class Command:
     shown: list = field(default_factory=list)
 
     def __str__(self):
-        """Return it as a compiler names a place."""
         return f'{self.document}:{self.line}: {self.text}'
 
 

@@ -32,21 +32,15 @@ class Forked:
     """A script in a process and a session of its own, with the methods of GuardedProcess."""
 
     def __init__(self, script, *arguments, env, stdout, stderr):
-        """Start it; both outputs are subprocess.PIPE."""
-        assert stdout == stderr == subprocess.PIPE
-        pipes = [FORKS.Pipe(duplex=False) for _ in OUTPUTS]
+        """Start it, with two files for its outputs."""
+        outputs = [f'/proc/{os.getpid()}/fd/{file.fileno()}' for file in (stdout, stderr)]
         # A daemon ends with the process that has started it.
         self._process = FORKS.Process(target=_run, daemon=True, args=[
-            [str(script), *map(str, arguments)], env, [writer for _, writer in pipes]])
+            [str(script), *map(str, arguments)], env, outputs])
         self._process.start()
-        for _, writer in pipes:
-            writer.close()
-        self.stdout, self.stderr = (
-            os.fdopen(os.dup(reader.fileno()), 'rb') for reader, _ in pipes)
 
     @property
     def pid(self):
-        """Its process id."""
         return self._process.pid
 
     def poll(self):
@@ -61,13 +55,11 @@ class Forked:
         return self.poll()
 
     def send_signal(self, signum):
-        """Send it a signal."""
         if self.poll() is None:
             with suppress(ProcessLookupError):
                 os.kill(self.pid, signum)
 
     def terminate(self):
-        """Have it ended; return at once."""
         self._process.kill()
 
 
@@ -88,8 +80,7 @@ def _run(argv, environment, outputs):
     os.close(forkserver._forkserver._forkserver_alive_fd)
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
     for descriptor, output in zip(OUTPUTS, outputs):
-        os.dup2(output.fileno(), descriptor)
-        output.close()
+        os.dup2(os.open(output, os.O_WRONLY | os.O_APPEND), descriptor)
     os.environ.clear()
     os.environ.update(environment)
     sys.argv = argv

@@ -13,7 +13,6 @@ class Partner:
     """Publishes what a node listens to, and hears what it answers."""
 
     def __init__(self, topic, kind, answer_topic, answer_kind):
-        """Take both topics with their message classes."""
         self._publisher = rospy.Publisher(topic, kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
         self.answers = Recorder(answer_topic, answer_kind)
 
@@ -22,7 +21,6 @@ class Partner:
         wait_for_subscribers(self._publisher)
 
     def say(self, *messages):
-        """Publish messages."""
         for message in messages:
             self._publisher.publish(message)
 
@@ -71,7 +69,6 @@ class SteppedClock:
         wait_for_subscribers(self._publisher, listeners)
 
     def close(self):
-        """Stop publishing."""
         self._publisher.unregister()
 
     def advance(self, *durations):

@@ -6,18 +6,13 @@ import shutil
 import signal
 import socket
 import subprocess
-import threading
+import tempfile
 from collections import deque
 
 import rosgraph
 from odometry_launch.process_guard import GuardedProcess
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
-
-# roslaunch and roscore say so ten seconds of wall time after they have started a master, however
-# busy the machine is; whoever reads it types the command again.
-GAVE_UP = 'could not contact master'
-ATTEMPTS = 5
 
 started = deque(maxlen=20)  # the latest Processes of this test; a soak starts hundreds
 
@@ -33,29 +28,23 @@ class Process:
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
         environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
-        # Nothing is left of it when pytest is killed.
-        self._process = start(*command, env=environment, stdout=subprocess.PIPE,
-                           stderr=subprocess.PIPE, **popen_options)
-        self._changed = threading.Condition()
-        self._lines = {'stdout': [], 'stderr': []}
-        self._open = set(self._lines)
-        self._readers = [self._read('stdout'), self._read('stderr')]
+        # Files, not pipes: nobody has to read them meanwhile.
+        self._outputs = [tempfile.TemporaryFile() for _ in ('stdout', 'stderr')]  # noqa: SIM115
+        self._process = start(*command, env=environment, stdout=self._outputs[0],
+                              stderr=self._outputs[1], **popen_options)
         started.append(self)
 
     @property
     def pid(self):
-        """Process id of the command itself."""
         return self._process.pid
 
     @property
     def stdout(self):
-        """What the command has printed so far."""
-        return '\n'.join(self._lines['stdout'])
+        return self._read(self._outputs[0])
 
     @property
     def stderr(self):
-        """What the command has complained about so far."""
-        return '\n'.join(self._lines['stderr'])
+        return self._read(self._outputs[1])
 
     @property
     def output(self):
@@ -64,29 +53,24 @@ class Process:
 
     @property
     def running(self):
-        """Whether the command has not ended yet."""
         return self._process.poll() is None
 
     @property
     def state(self):
-        """Whether it runs, or how it has ended, in words."""
         return 'is running' if self.running else f'has ended with status {self._process.poll()}'
 
     def wait_for_output(self, text, timeout=TIMEOUT):
         """Return once the text has been printed to stdout or stderr."""
-        bound = timeout * PATIENCE
-        with self._changed:
-            self._changed.wait_for(lambda: text in self.output or not self._open, bound)
-            how = f'has run for {bound:g} s' if self._open else 'has ended'
+        wait_until(lambda: text in self.output or not self.running, timeout, lambda: (
+            f'{text!r} from {self.command}; it printed:\n{self.output}'))
         assert text in self.output, \
-            f'{self.command} {how} without {text!r}; it printed:\n{self.output}'
+            f'{self.command} {self.state} without {text!r}; it printed:\n{self.output}'
 
     def send(self, signum):
-        """Send a signal to the command itself."""
         self._process.send_signal(signum)
 
     def wait(self, timeout=TIMEOUT):
-        """Return the exit status once the command has ended and all its output is read.
+        """Return the exit status once the command has ended.
 
         No traceback is ever a user's error message: one fails the test.
         """
@@ -95,8 +79,6 @@ class Process:
         except subprocess.TimeoutExpired:
             raise AssertionError(f'{self.command} has not ended within {timeout * PATIENCE:g} s; '
                                  f'it printed:\n{self.output}') from None
-        for reader in self._readers:
-            reader.join(TIMEOUT * PATIENCE)
         assert 'Traceback' not in self.output, self.output
         return status
 
@@ -107,7 +89,6 @@ class Process:
         return self.wait(timeout)
 
     def __enter__(self):
-        """Use it as a context, at whose end it is no longer running."""
         return self
 
     def __exit__(self, kind=None, *_):
@@ -121,22 +102,10 @@ class Process:
             self._process.wait()
             assert kind, f'{self.command} has not ended on Ctrl-C; it printed:\n{self.output}'
 
-    def _read(self, name):
-        stream, lines = getattr(self._process, name), self._lines[name]
-
-        def collect():
-            with stream:
-                for line in stream:
-                    with self._changed:
-                        lines.append(line.decode(errors='replace').rstrip('\n'))
-                        self._changed.notify_all()
-            with self._changed:
-                self._open.discard(name)
-                self._changed.notify_all()
-
-        reader = threading.Thread(target=collect, daemon=True)
-        reader.start()
-        return reader
+    def _read(self, file):
+        """Return what is in a file, without its last line while that may go on."""
+        text = os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0).decode(errors='replace')
+        return text.rpartition('\n')[0] if text.endswith('\n') or self.running else text
 
 
 class Master(Process):
@@ -168,28 +137,8 @@ class Master(Process):
         rosgraph.Master('/test').setParam('/use_sim_time', use_sim_time)
 
     def __exit__(self, *exception):
-        """End it and let go of its port."""
         super().__exit__(*exception)
         self._port.close()
-
-
-@contextlib.contextmanager
-def launched(start, text):
-    """Yield a Process of roslaunch or roscore that has printed a text.
-
-    :param start: function that starts it, once more each time that it gives up
-    """
-    for _ in range(ATTEMPTS):
-        with start() as process:
-            try:
-                process.wait_for_output(text)
-            except AssertionError:
-                if GAVE_UP in process.output:
-                    continue
-                raise
-            yield process
-            return
-    raise AssertionError(f'{process.command} has given up {ATTEMPTS} times:\n{process.output}')
 
 
 def own_address():

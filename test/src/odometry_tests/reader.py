@@ -9,7 +9,6 @@ from roslaunch.arg_dump import get_args
 
 from odometry_tests.forms import first_missing
 from odometry_tests.links import HEARS, links
-from odometry_tests.processes import ATTEMPTS, GAVE_UP
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
@@ -18,6 +17,8 @@ TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
 LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
+# roscore says so ten seconds after it has started a master, however busy the machine is.
+GAVE_UP, ATTEMPTS = 'could not contact master', 5
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 # The last is said of an unknown parameter.
@@ -40,7 +41,6 @@ class Reader:
         self._idle = []
 
     def __enter__(self):
-        """Begin without a terminal."""
         return self
 
     def __exit__(self, kind=None, *_):

@@ -16,7 +16,6 @@ class Robot:
     """The topics and services of a simulated robot."""
 
     def __init__(self, namespace=''):
-        """Take a namespace that ends in a slash, or none."""
         self._namespace = f'/{namespace}'
         self.odometry = Recorder(f'{self._namespace}odom', Odometry)
         self.truth = Truth(self._namespace)
@@ -66,7 +65,6 @@ class Robot:
         return first
 
     def call(self, service):
-        """Call a service of its simulator."""
         call(service, self._namespace)
 
 

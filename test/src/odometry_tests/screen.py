@@ -14,7 +14,6 @@ class Screen:
     """A context in which everything that this process starts draws on a virtual screen."""
 
     def __init__(self, width, height):
-        """Take its size in pixels."""
         self._size = width, height
 
     def __enter__(self):
@@ -28,7 +27,6 @@ class Screen:
         return self
 
     def __exit__(self, *_):
-        """End it."""
         self._settings.stop()
         self._server.__exit__()
 
@@ -37,5 +35,4 @@ class Screen:
         return numpy.asarray(ImageGrab.grab(xdisplay=os.environ['DISPLAY']))
 
     def colours(self):
-        """Return how many different colours there are."""
         return len(numpy.unique(self.pixels().reshape(-1, 3), axis=0))

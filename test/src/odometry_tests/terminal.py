@@ -11,7 +11,6 @@ import termios
 import threading
 
 from odometry_tests.forms import plain_lines
-from odometry_tests.processes import ATTEMPTS, GAVE_UP
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 MARK = '\x1e'
@@ -45,7 +44,6 @@ class Terminal:
         self.wait_for_prompt()
 
     def __enter__(self):
-        """Use it as a context."""
         return self
 
     def __exit__(self, *_):
@@ -61,7 +59,6 @@ class Terminal:
 
     @property
     def pid(self):
-        """Process id of the shell."""
         return self._bash.pid
 
     @property
@@ -96,27 +93,10 @@ class Terminal:
                    lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
 
     def type(self, line):
-        """Type a line at the prompt."""
         self._typed, self._line = len(self._bytes), line
         os.write(self._screen, f'{line}\n'.encode())
 
-    def launch(self, line, text):
-        """Type a line with roslaunch or roscore, again if it gives up; return after a text."""
-        for _ in range(ATTEMPTS):
-            self.type(line)
-            wait_until(lambda: text in self.output or self.status is not None, TIMEOUT,
-                       lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
-            if GAVE_UP not in self.text:
-                break
-        assert text in self.output, self.output
-
-    def press_tab_after(self, words):
-        """Type the beginning of a line, and have the shell complete it."""
-        self._typed, self._line = len(self._bytes), words
-        os.write(self._screen, f'{words}\t'.encode())
-
     def press_ctrl_c(self):
-        """Interrupt what runs."""
         os.write(self._screen, CTRL_C)
 
     @property

@@ -19,7 +19,6 @@ OVERSHOOT = 0.0075  # m: the way of a period and of the brakes
 
 
 def simulator(*arguments, **options):
-    """Start the simulated robot."""
     return _node('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
 
 
@@ -33,17 +32,14 @@ def simulator_in_step(*arguments, **options):
 
 
 def detector(*arguments, **options):
-    """Start the node that adds up the moves."""
     return _node('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
 
 
 def mover(*arguments, **options):
-    """Start the node that drives two metres."""
     return _node('test_movement', 'test_movement.py', *arguments, **options)
 
 
 def rotator(*arguments, **options):
-    """Start the node that turns to a heading."""
     return _node('rotate_robot', 'rotate.py', *arguments, **options)
 
 
@@ -77,7 +73,6 @@ class Truth(Recorder):
     """The robot's true motion."""
 
     def __init__(self, namespace=''):
-        """Listen to the simulator."""
         super().__init__(f'{namespace}base_pose_ground_truth', Odometry)
 
     @property
@@ -107,7 +102,6 @@ class Distance(Recorder):
     """The moved distance."""
 
     def __init__(self, namespace=''):
-        """Listen to the detector."""
         super().__init__(f'{namespace}moved_distance', Float64)
 
     def wait_until_arrived(self, goal, timeout=40.0):

@@ -38,7 +38,6 @@ class Recorder:
     """Every message on a topic since the recorder was made."""
 
     def __init__(self, topic, message_class):
-        """Subscribe."""
         self._topic = topic
         self._changed = threading.Condition()
         self._messages = []
@@ -47,7 +46,6 @@ class Recorder:
         open_recorders.append(self)
 
     def close(self):
-        """Hear no more."""
         self._subscriber.unregister()
 
     @property
@@ -58,12 +56,10 @@ class Recorder:
 
     @property
     def last(self):
-        """The latest message, or None."""
         with self._changed:
             return self._messages[-1] if self._messages else None
 
     def clear(self):
-        """Forget what has come so far."""
         with self._changed:
             self._messages.clear()
 
