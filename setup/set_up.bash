@@ -40,13 +40,21 @@ set_up() {
     esac
     if asks_for_help "$@"; then
         is_ready && return
+        [ "$1" != demo ] || ! python3 -IB -c "$DEMO_HELP" "$ROOT" 2>/dev/null || exit 0
         usage
         printf '\n%s\n' "./ws $1 --help tells more after: ./ws --set-up $1"
         exit
     fi
     add_extras "$@"
     is_ready || make_ready "$@"
+    tell_left_out
 }
+
+DEMO_HELP='
+import sys
+sys.path[:0] = [sys.argv[1] + "/launch/src", sys.argv[1] + "/odometry_common/src"]
+from odometry_launch.options import make_parser
+make_parser().print_help()'
 
 # asks_for_help COMMAND ARGUMENT...: whether a command of ./ws should only print its usage.
 asks_for_help() { is_own "${1:-}" && [[ " ${*:2} " =~ ' '(-h|--help)' ' ]]; }

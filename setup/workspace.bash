@@ -27,7 +27,8 @@ $(stat -c %U "$path"): clone the project into a folder of your own"
 
 build_fingerprint() {
     local theirs
-    mapfile -d '' -t theirs < <(find "$WORKSPACE/src" -mindepth 2 -name package.xml -print0 | sort -z)
+    mapfile -d '' -t theirs < <(find "$WORKSPACE/src" -mindepth 2 \
+        \( -name package.xml -o -name CMakeLists.txt \) -print0 | sort -z)
     fingerprint "${PACKAGES[@]/%//package.xml}" "${PACKAGES[@]/%//CMakeLists.txt}" \
         "$VENV/ready" ./*/setup.py "${theirs[@]}"
 }
@@ -37,9 +38,7 @@ build_is_ready() {
 }
 
 build() {
-    rm -f "$WORKSPACE/ready"
-    rm -rf "$WORKSPACE/build" "$WORKSPACE/devel"
-    mkdir "$WORKSPACE/build"
+    rm -f "$WORKSPACE/ready" "$WORKSPACE/left_out"
     # A package of an earlier version may be gone. What else is there is the user's.
     find "$WORKSPACE/src" -maxdepth 1 -lname '../../*' -xtype l -delete
     # catkin's crawl skips hidden folders, so that these links make no loop.
@@ -47,10 +46,39 @@ build() {
     for package in "${PACKAGES[@]}"; do
         ln -sfnT "../../$package" "$WORKSPACE/src/$package"
     done
-    # CMake believes PWD where it is a name of its folder, and else takes the one without links.
-    cd "$WORKSPACE/build"
     load_ros
-    PATH=$VENV/bin:$PATH catkin_make -C "$WORKSPACE" -DPYTHON_EXECUTABLE="$VENV/bin/python3"
-    cd "$ROOT"
+    local left_out='' culprit
+    until build_without "$left_out"; do
+        culprit=$(awk "$CULPRIT" "$WORKSPACE/build.log")
+        # Without one of ours there is nothing to run.
+        [ -n "$culprit" ] && ! grep -qs "<name>${culprit%%:*}</name>" ./*/package.xml || return 1
+        echo "$culprit" >>"$WORKSPACE/left_out"
+        left_out+=";${culprit%%:*}"
+    done
     build_fingerprint >"$WORKSPACE/ready"
+}
+
+# build_without PACKAGES: build all packages but these, which semicolons separate.
+build_without() {
+    rm -rf "$WORKSPACE/build" "$WORKSPACE/devel"
+    mkdir "$WORKSPACE/build"
+    # CMake believes PWD where it is a name of its folder, and else takes the one without links.
+    (cd "$WORKSPACE/build" && PATH=$VENV/bin:$PATH catkin_make -C "$WORKSPACE" \
+        -DPYTHON_EXECUTABLE="$VENV/bin/python3" -DCATKIN_BLACKLIST_PACKAGES="$1") 2>&1 |
+        tee "$WORKSPACE/build.log"
+}
+
+# The package that CMake could not configure, and why: the paragraph below "CMake Error at".
+CULPRIT='
+/^-- \+\+\+ processing catkin package: / { package = $NF; gsub("\047", "", package) }
+/^CMake Error/ && package { failed = 1; next }
+failed && NF { sub(/^ +/, ""); reason = reason " " $0 }
+failed && !NF && reason { sub(/:$/, "", reason); print package ":" reason; exit }'
+
+# tell_left_out: name the packages that are not built, and why.
+tell_left_out() {
+    local package
+    [ ! -s "$WORKSPACE/left_out" ] || while read -r package; do
+        announce "left out $package. Once you have installed what it lacks, delete .ws/ready"
+    done <"$WORKSPACE/left_out"
 }

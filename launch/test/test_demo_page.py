@@ -8,7 +8,7 @@ import socket
 import urllib.request
 
 import pytest
-from odometry_launch.ports import PAGE_PORT
+from odometry_launch.options import PAGE_PORT
 from odometry_tests.linux import assert_loopback_only
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT

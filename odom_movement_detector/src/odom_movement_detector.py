@@ -53,6 +53,8 @@ class MovementDetector:
 def main():
     """Count until shutdown."""
     MovementDetector().odometry.wait()
+    if not rospy.is_shutdown():
+        rospy.loginfo(f'counting from {rospy.resolve_name("odom")}')
     spin()
 
 

@@ -7,6 +7,7 @@ from odometry_common.parameters import Parameters
 from odometry_tests.forked import run_script
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import mover, rotator
+from odometry_tests.waiting import wait_until
 
 SCRIPTS = sorted(str(path.relative_to(ROOT)) for folder in ('src', 'script', 'scripts')
                  for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test')
@@ -46,3 +47,25 @@ def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_it
     assert unknown.endswith('~distance, ~speed, ~relative, ~exit_when_done, ~timeout')
     assert len(warnings(two, 'unknown: ~tolerence; ')) == 1, two.stderr
     assert not rospy.has_param(f'{two_name}/distence'), 'the next run would warn of it'
+
+
+def test_what_the_command_line_set_is_forgotten_at_the_end(ns):
+    """So that the next plain run has the defaults. What is set in other ways stays."""
+    rospy.set_param(f'{ns}test_movement/speed', 0.2)
+    with mover('_distance:=5', '_timeout:=2') as node:
+        wait_until(lambda: rospy.get_published_topics(ns), 20.0, 'the node')
+        assert node.end() == 0
+    assert rospy.get_param(f'{ns}test_movement') == {'speed': 0.2}
+
+
+def test_a_node_that_another_replaces_leaves_the_parameters_to_it(ns):
+    """They have one name, and so the same parameters."""
+    with mover('_distance:=5') as old:
+        wait_until(lambda: rospy.has_param(f'{ns}test_movement/distance'), 20.0, 'its parameters')
+        new = mover('_distance:=5')
+        assert old.wait() == 0
+        wait_until(lambda: rospy.get_published_topics(ns), 20.0, 'the new node')
+        assert rospy.get_param(f'{ns}test_movement/distance') == 5
+        with new:
+            assert new.end() == 0
+    assert not rospy.has_param(f'{ns}test_movement/distance')

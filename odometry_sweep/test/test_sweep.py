@@ -87,6 +87,7 @@ def test_ctrl_c_keeps_what_is_done():
         terminal.wait_for_output(' of 100000 runs, ', TIMEOUT)
         terminal.press_ctrl_c()
         assert terminal.wait_for_prompt(TIMEOUT) == 130, terminal.output
+        assert 'moved_error (m)      median' in terminal.output, terminal.output
         found = re.search(r'sweep: interrupted after (\d+) of 100000 runs', terminal.output)
         assert found and 'Traceback' not in terminal.output, terminal.output
         rows = rows_in(folder_of(terminal.output))

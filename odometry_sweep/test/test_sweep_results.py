@@ -46,7 +46,7 @@ def test_the_picture_has_a_diagram_for_each_metric_and_a_line_for_each_setting()
     """Also where all runs are the same."""
     settings = [Setting('kp 1', rows([0.25, 0.25])), Setting('kp 2', rows([0.1, 0.2, 0.3]))]
     figure = make_figure('move', settings)
-    assert [axes.get_title() for axes in figure.axes] == SHOWN['move']
+    assert [axes.get_title() for axes in figure.axes] == [name.replace('_', ' ') for name in SHOWN['move']]
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == ['kp 1', 'kp 2']
     medians = [line.get_xdata()[0] for line in figure.axes[0].get_lines()
                if line.get_color() == 'black']

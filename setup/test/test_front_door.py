@@ -85,8 +85,9 @@ def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
     ['--help'], ['demo', '--help'], ['test', '-h'], ['shell', '--help']])
 def test_help_installs_nothing(fresh, arguments):
     run = in_fresh(fresh, *arguments)
-    assert run.wait() == 0 and run.stdout.startswith('usage: ./ws ['), run.output
+    assert run.wait() == 0 and run.stdout.startswith('usage: ./ws '), run.output
     assert not run.stderr
+    assert ('--real-time-factor N' in run.stdout) == (arguments[0] == 'demo')
 
 
 def last_words(folder, commands, **variables):

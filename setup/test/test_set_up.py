@@ -87,6 +87,25 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
     assert 'building the packages' in run.stderr and 'hello from pybullet' in run.stdout
 
 
+def test_a_package_that_cannot_be_configured_is_left_out_and_named(checkout):
+    """All others run, in this call and in later ones; once it is mended, it is built."""
+    broken = checkout / '.ws' / 'src' / 'broken'
+    make_package(broken, 'pybullet')
+    cmake = broken / 'CMakeLists.txt'
+    good = cmake.read_text()
+    cmake.write_text(good.replace('catkin REQUIRED', 'catkin REQUIRED COMPONENTS nowhere'))
+    for building in ('./ws: building the packages ...\n', ''):
+        run = in_checkout(checkout, RUN_MINE)
+        assert run.wait() == 0 and run.stdout.startswith('hello from pybullet\n'), run.output
+        assert run.stderr.startswith(
+            f'{building}./ws: left out broken: Could not find a package configuration file provided '
+            'by "nowhere" with any of the following names. '), run.stderr
+        assert run.stderr.count('./ws: ') == 1 + bool(building), run.stderr
+    cmake.write_text(good)
+    run = in_checkout(checkout, RUN_MINE)
+    assert 'building the packages' in run.stderr and 'left out' not in run.stderr, run.stderr
+
+
 @pytest.mark.parametrize('commands', [
     INTERRUPT, FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready'])
 def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, commands):

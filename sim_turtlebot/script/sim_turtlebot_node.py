@@ -23,7 +23,8 @@ Publishes:
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
     ~warning (std_msgs/String): latched; that the machine is too slow for the real-time factor,
-        and which one it reaches; which robot lies on its side, and where; empty otherwise
+        and which one it reaches; which robot lies on its side, and where; why a pose was refused,
+        until one is accepted; empty otherwise
 
 Services:
     ~pause_physics, ~unpause_physics (std_srvs/Empty): as Gazebo's. Each service answers when it is

@@ -93,8 +93,12 @@ def test_what_is_no_place_for_it_is_refused_in_one_line(ns):
 
 
 def test_rviz_puts_it_where_it_is_said_to_be(ns):
-    """By its button 2D Pose Estimate, in the frame world; in another one there is a line."""
+    """By its button 2D Pose Estimate, in the frame world; in another one there is a warning.
+
+    RViz does not show the log; the page shows ~warning, until a place is accepted.
+    """
     with simulator() as node, rosrun('sim_turtlebot', 'world_frame.py'):
+        warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
         truth = Truth(ns)
         truth.wait_for()
         rviz = rospy.Publisher(f'{ns}initialpose', PoseWithCovarianceStamped, queue_size=10)
@@ -105,13 +109,14 @@ def test_rviz_puts_it_where_it_is_said_to_be(ns):
 
         def is_refused():
             rviz.publish(message)
-            return "frame_id is 'odom', but must be world" in node.output
+            return warnings.last and "frame_id is 'odom', but must be world" in warnings.last.data
 
-        wait_until(is_refused, TIMEOUT, lambda: f'a line in:\n{node.output}', period=0.1)
+        wait_until(is_refused, TIMEOUT, lambda: f'a warning; there is:\n{node.output}', period=0.1)
         assert {place(m) for m in truth.messages} == {START}
         message.header.frame_id = 'world'
         rviz.publish(message)
         wait_until_at(truth, THERE)
+        wait_until(lambda: 'refused' not in warnings.last.data, TIMEOUT, 'no warning any more')
 
 
 def test_a_robot_on_its_side_is_warned_of_until_it_stands(ns):

@@ -87,7 +87,17 @@ def test_the_picture_names_the_bag_and_what_it_shows(tmp_path, length, drawn):
     path, distance, *_ = ([text.get_text() for text in axes.get_legend().get_texts()]
                           for axes in figure.axes)
     assert path == ['odometry', 'start', 'end']
-    assert ('two metres' in distance) == drawn
+    assert ('target, 2' in distance) == drawn
+
+
+def test_noise_does_not_look_like_motion_and_a_target_is_where_the_robot_turns_to(tmp_path):
+    """A robot that turned right by 90 degrees was told to turn to 270."""
+    messages = [odometry(x=1e-4 * (step % 2), yaw=-step * math.pi / 200, stamp=START + PERIOD * step)
+                for step in range(101)]
+    figure = make_figure(read_run(record(tmp_path / 'turn.bag', messages)), heading_target=270.0)
+    path, *_, heading = figure.axes
+    assert numpy.ptp(path.get_xlim()) >= 0.5 and numpy.ptp(path.get_ylim()) >= 0.5
+    assert 'target, -90' in [text.get_text() for text in heading.get_legend().get_texts()]
 
 
 @pytest.mark.parametrize('make', [

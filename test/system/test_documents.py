@@ -30,6 +30,7 @@ SIMULATIONS = 'docs/simulator.md: Many robots, any world'
 WORKSPACE = 'docs/workspace.md: What the packages need'
 SCAN = 'docs/scan.md: See the wall'
 REAL_ROBOT = 'docs/real_robot.md: Two machines'
+CALIBRATION = 'docs/calibration.md: A robot that errs'
 # Where a reader goes on with what is running, by heading or by single command.
 GOES_ON = {
     'Has the robot moved one metre?': TUTORIALS,
@@ -37,9 +38,11 @@ GOES_ON = {
     'rosrun robot_view view.py': TUTORIALS,
     'Drive up to it': SCAN,
     'Drive the robot': REAL_ROBOT,
-    'Two metres by the tape': REAL_ROBOT,
-    'Ten turns': REAL_ROBOT,
+    'Its odometry': REAL_ROBOT,
     'The picture of a run': REAL_ROBOT,
+    'Two metres': CALIBRATION,
+    'Ten turns': CALIBRATION,
+    'Drive again': CALIBRATION,
     'What to expect': REAL_ROBOT,
     'Troubleshooting': LAUNCHES,
     'How to remove it': LAUNCHES,

@@ -20,7 +20,8 @@ WORST_GYRO = round(math.radians(2.0) / math.sqrt(60.0), 4)
 WORST_DRIFT = round(math.radians(2.0) / 60.0, 5)
 CASES = [{}, {'gyro': False}, {'wheel_slip': 0.01}, {'wheel_noise': 0.005},
          {'gyro': False, 'wheel_noise': 0.005}, {'gyro_noise': WORST_GYRO},
-         {'gyro_drift': WORST_DRIFT}]
+         {'gyro_drift': WORST_DRIFT}, {'gyro_scale_error': 0.006},
+         {'gyro': False, 'wheel_diameter_ratio': 1.005}, {'gyro': False, 'wheel_separation_ratio': 1.02}]
 
 
 def main():

@@ -12,9 +12,9 @@ from importlib import import_module
 
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.launch import DemoError, Launch
-from odometry_launch.options import launch_arguments, nodes_that_end, parse
+from odometry_launch.options import PAGE_PORT, launch_arguments, nodes_that_end, parse
 from odometry_launch.output import complain, forget_output
-from odometry_launch.ports import PAGE_PORT, next_port
+from odometry_launch.ports import next_port
 
 
 def main():

@@ -46,7 +46,9 @@ def follow(options, launch, page_port):
         launch.terminate()  # the nodes end while this draws the picture
     if bag:
         from odometry_launch.picture import leave_picture  # matplotlib takes long to import
-        leave_picture(bag, monitor.end.to_sec())
+        targets = ({'distance_target': options.distance} if options.tutorial == 'move'
+                   else {'heading_target': options.target})
+        leave_picture(bag, monitor.end.to_sec(), **targets)
     if complaint:
         complain(complaint)
     if page_port and sys.stdout.isatty():

@@ -3,10 +3,10 @@
 import argparse
 import math
 
+# Nothing of ROS: ./ws demo --help prints these options before anything is installed.
 from odometry_common.kobuki import MAX_LINEAR_SPEED
 
-from odometry_launch.ports import PAGE_PORT
-
+PAGE_PORT = 8080
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
 MIN_SPEED = 0.001  # m/s; a slower robot takes half an hour
 MIN_FACTOR = 0.001  # what the simulator accepts

@@ -8,7 +8,6 @@ from urllib.parse import urlparse
 from rosgraph.rosenv import DEFAULT_MASTER_PORT
 
 HOST = 'localhost'
-PAGE_PORT = 8080
 NEXT_PORTS = 100  # to try after the first
 
 

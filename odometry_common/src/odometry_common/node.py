@@ -16,18 +16,21 @@ import rospy
 from odometry_common import node_help
 from odometry_common.file_descriptors import raise_limit, shortage
 from odometry_common.output import LineOutput
-from odometry_common.parameters import ParameterError, Parameters, StartError
+from odometry_common.parameters import Parameters, StartError
 from odometry_common.rospy_fixes import fix_rospy
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
 MASTER_RETRY_PERIOD = 0.5  # s
 FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
+# The master's reason for the shutdown of a node whose parameters are now those of another one.
+REPLACED = 'new node registered with same name'
 NO_PARAMETERS = Parameters()
 
 _failures = []  # exit status and text
 _hooks_have_run = threading.Event()  # so that the last command is out
 _unregistered = threading.Event()
+_forgetting = threading.Thread(target=node_help.forget_arguments, daemon=True)
 _exit_lock = threading.Lock()
 _pythons_excepthook = threading.excepthook  # which it names __excepthook__ since 3.10 only
 
@@ -48,7 +51,7 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     threading.excepthook = _report_thread
     sys.stdout, sys.stderr = (LineOutput(stream, lambda: _shut_down('nobody reads the output'))
                               for stream in (sys.stdout, sys.stderr))
-    rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
+    rospy.core.add_preshutdown_hook(lambda reason: _exit_soon(name, reason))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         node_help.show_help_if_asked(documentation, parameters)
@@ -60,8 +63,6 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
         main()
     except StartError as error:
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
-        if isinstance(error, ParameterError):
-            node_help.forget_argument(error.name)
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
     except Exception as error:  # noqa: BLE001
@@ -72,8 +73,10 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     _exit(name)
 
 
-def _exit_soon(name):
+def _exit_soon(name, reason):
     """Exit even if main() does not return; rospy calls this after the hooks of the node."""
+    if REPLACED not in reason:
+        _forgetting.start()
     _hooks_have_run.set()
     threading.Thread(target=_exit, args=[name], daemon=True).start()
 
@@ -81,7 +84,10 @@ def _exit_soon(name):
 def _exit(name):
     """End the process, whatever its other threads wait for, such as a master that is stuck."""
     _hooks_have_run.wait()
+    timeout = time.monotonic() + FAREWELL_TIMEOUT
     _unregistered.wait(FAREWELL_TIMEOUT)
+    if _forgetting.ident:
+        _forgetting.join(max(0.0, timeout - time.monotonic()))
     _exit_lock.acquire()  # for ever: only one thread may tell why
     status, reason = _failures[0] if _failures else (0, None)
     if reason:

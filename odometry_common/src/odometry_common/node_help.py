@@ -1,15 +1,18 @@
 """A node's command line: --help, checks, and warnings about unknown names."""
 
+import contextlib
 import os
 import sys
 import xmlrpc.client
 
+import rosgraph
 import rospy
 import yaml
 
 from odometry_common.parameters import ParameterError
 
 HELP = {'-h', '--help'}
+NAMELESS = '/unnamed'  # what rospy calls a node before it has set any of its parameters
 
 
 def show_help_if_asked(documentation, parameters):
@@ -30,8 +33,6 @@ def warn_of_unknown(parameters):
     if unknown:
         rospy.logwarn(f'unknown: {", ".join(unknown)}; the parameters of this node are '
                       f'{", ".join(parameters.names) or "none"}')
-    for name in unknown:
-        forget_argument(name)
 
 
 def _private_parameters():
@@ -48,20 +49,29 @@ def check_command_line(arguments=None):
     rospy uploads these by XML-RPC while the node starts, and answers an empty value, broken
     YAML, a large integer or a date with a traceback.
     """
-    for argument in sys.argv[1:] if arguments is None else arguments:
-        name, separator, text = argument.partition(':=')
-        if not separator or not name.startswith('_') or name.startswith('__'):
-            continue
+    for name, text in _given_parameters(arguments):
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
         except (yaml.YAMLError, TypeError, OverflowError, RecursionError):
             raise ParameterError(
-                f'~{name[1:]}', text, 'a value that ROS can store: a string, a number with '
+                name, text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
 
 
-def forget_argument(name):
-    """Delete a parameter (such as ~speed) that the command line set, or the next run gets it, too."""
-    given = any(argument.startswith(f'_{name[1:]}:=') for argument in sys.argv[1:])
-    if given and rospy.core.is_initialized() and rospy.has_param(name):
-        rospy.delete_param(name)
+def forget_arguments():
+    """Delete the parameters that the command line set, or the next run would get them, too."""
+    if rospy.get_name() == NAMELESS:
+        return
+    # rospy's own connection may be in the middle of a request that Ctrl-C has interrupted.
+    master = rosgraph.Master(rospy.get_name())
+    for name, _ in _given_parameters():
+        with contextlib.suppress(rosgraph.MasterException, OSError):  # it was not set, or no master
+            master.deleteParam(rospy.resolve_name(name))
+
+
+def _given_parameters(arguments=None):
+    """Yield name, such as ~speed, and text of each ``_name:=value`` on the command line."""
+    for argument in sys.argv[1:] if arguments is None else arguments:
+        name, separator, text = argument.partition(':=')
+        if separator and name.startswith('_') and not name.startswith('__'):
+            yield f'~{name[1:]}', text

@@ -60,13 +60,15 @@ def _sweep(campaign, run_all):
     """Run a campaign by a function of side_by_side(); return the exit status."""
     folder = new_folder(RUNS, 'sweep-')
     total = campaign.count
+    rows = []
     try:
-        rows = write_results(folder, campaign, with_progress(run_all(campaign), total))
+        rows.extend(write_results(folder, campaign, with_progress(run_all(campaign), total)))
     except (KeyboardInterrupt, LostError) as error:
+        _print_table(campaign, _settings(campaign, rows))
         complain(f'{str(error) or "interrupted"} after {len(read_rows(folder))} of {total} runs, '
                  f'which are in {os.path.relpath(folder)}', PROGRAM)
         raise
-    return _report(campaign, rows, folder)
+    return _report(campaign, _settings(campaign, rows), folder)
 
 
 def with_progress(runs, total):
@@ -89,11 +91,20 @@ def with_progress(runs, total):
             line.finish(text)
 
 
-def _report(campaign, rows, folder):
-    """Print statistics of the rows; return the exit status."""
-    settings = [Setting(name, rows[index * campaign.seeds:(index + 1) * campaign.seeds])
-                for index, name in enumerate(campaign.names)]
-    print(f'\n{table(campaign.tutorial, settings)}\n')
+def _settings(campaign, rows):
+    """Return the Setting of the rows, in the campaign's order, as far as there are any."""
+    parts = (rows[begin:begin + campaign.seeds] for begin in range(0, len(rows), campaign.seeds))
+    return [Setting(*part) for part in zip(campaign.names, parts)]
+
+
+def _print_table(campaign, settings):
+    if settings:
+        print(f'\n{table(campaign.tutorial, settings)}\n', flush=True)
+
+
+def _report(campaign, settings, folder):
+    """Print statistics of the settings; return the exit status."""
+    _print_table(campaign, settings)
     for setting in settings:
         if setting.not_arrived:
             print(f'not arrived     {setting.not_arrived} of {len(setting.rows)}, '

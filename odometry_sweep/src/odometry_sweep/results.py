@@ -84,20 +84,18 @@ def _line(begin, cells):
 
 
 def write_results(folder, campaign, runs):
-    """Write a campaign and its runs into a folder, each as it is done; return their metrics.
+    """Write a campaign and its runs into a folder, each as it is done; yield their metrics.
 
     :param runs: yields the parameters and the metrics of each run, by name
     """
     (folder / CAMPAIGN_FILE).write_text(campaign.text(), encoding='utf-8')
     columns = ['run', *campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
-    written = []
     with open(folder / FILE, 'w', newline='', encoding='utf-8', buffering=1) as file:
         rows = csv.DictWriter(file, columns, lineterminator='\n')
         rows.writeheader()
         for number, (parameters, metrics) in enumerate(runs, 1):
             rows.writerow({'run': number, **parameters, **metrics})
-            written.append(metrics)
-    return written
+            yield metrics
 
 
 def read_rows(folder):

@@ -5,28 +5,39 @@ import numpy
 from run_plot.drawing import new_figure
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
-SMALLEST_SPAN = 2.0  # degrees of heading; less would make noise look like a turn
+# Of path and distance (m), speed (m/s) and heading (degrees); less would make noise look like motion.
+SMALLEST_SPANS = 0.5, 0.1, 0.05, 2.0
 FIGURE_SIZE = (11, 8)  # inches
 
 
-def make_figure(run):
-    """Return a figure of path, distance, speed and heading of a Run."""
+def make_figure(run, distance_target=None, heading_target=None):
+    """Return a figure of path, distance, speed and heading of a Run.
+
+    :param distance_target: m; None: two metres, if the run is about as long
+    :param heading_target: degrees; None: not known
+    """
     figure = new_figure(*FIGURE_SIZE)
     figure.suptitle(run.name)
     path, distance, speed, heading = figure.subplots(2, 2).flat
     if len(run.commands):
         time, linear, _ = run.commands.T
-        speed.step(time, linear, where='post', color='grey', label='commanded')
+        speed.step(time, linear, where='post', color='lightgrey', linewidth=5, label='commanded')
     _draw_track(figure.axes, run.odometry, '-', 'odometry')
     if run.ground_truth is not None:
         _draw_track(figure.axes, run.ground_truth, '--', 'truth')
     path.plot(run.odometry.x[0], run.odometry.y[0], 'o', label='start')
     path.plot(run.odometry.x[-1], run.odometry.y[-1], 's', label='end')
+    if distance_target is None and TWO_METRES / 2 <= run.odometry.distance[-1] <= TWO_METRES * 2:
+        distance_target = TWO_METRES
+    if distance_target is not None:
+        _draw_target(distance, distance_target)
+    if heading_target is not None:
+        turns = round((numpy.degrees(run.odometry.yaw[-1]) - heading_target) / 360)
+        _draw_target(heading, heading_target + 360 * turns)
+    for axes, span in zip(figure.axes, SMALLEST_SPANS):
+        axes.set_ylim(_at_least(span, *axes.get_ylim()))
+    path.set_xlim(_at_least(SMALLEST_SPANS[0], *path.get_xlim()))
     path.set_aspect('equal', adjustable='datalim')
-    if TWO_METRES / 2 <= run.odometry.distance[-1] <= TWO_METRES * 2:
-        distance.axhline(TWO_METRES, color='grey', linestyle=':', label='two metres')
-    middle, span = numpy.mean(heading.get_ylim()), numpy.ptp(heading.get_ylim())
-    heading.set_ylim(middle - max(span, SMALLEST_SPAN) / 2, middle + max(span, SMALLEST_SPAN) / 2)
     path.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
     distance.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
     speed.set(title='speed', xlabel='time (s)', ylabel='speed (m/s)')
@@ -35,6 +46,16 @@ def make_figure(run):
         axes.legend()
         axes.grid(True)
     return figure
+
+
+def _draw_target(axes, value):
+    axes.axhline(value, color='grey', linestyle=':', label=f'target, {value:g}')
+
+
+def _at_least(span, low, high):
+    """Return limits with the same middle that are no closer together than a span."""
+    more = max(0.0, span - (high - low)) / 2
+    return low - more, high + more
 
 
 def _draw_track(all_axes, track, style, label):

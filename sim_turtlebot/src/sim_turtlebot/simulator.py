@@ -68,6 +68,11 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
+        ends = dict.fromkeys([self._namespaces[0], self._namespaces[-1]])
+        odometry, commands = (' to '.join(rospy.resolve_name(namespace + topic) for namespace in ends)
+                              for topic in ('odom', 'cmd_vel'))
+        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, '
+                      f'listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
 
@@ -184,14 +189,16 @@ class Simulator:
     def _set_pose(self, message, robot):
         """Place a robot; while paused, publish its new pose."""
         position, orientation = message.pose.position, message.pose.orientation
+        topic, refusal = f'~{self._namespaces[robot]}set_pose', ''
         try:
             self._simulation.robots[robot].set_pose(*checked_pose(
                 message.header.frame_id, (position.x, position.y, position.z),
                 (orientation.x, orientation.y, orientation.z, orientation.w)))
         except ValueError as error:
-            rospy.logwarn_throttle(1.0, f'~{self._namespaces[robot]}set_pose refused: {error}')
-            return
-        if self._paused:
+            refusal = f'{topic} refused: {error}'
+            rospy.logwarn_throttle(1.0, refusal)
+        self._topics.warn(topic, refusal)  # RViz and the page do not show the log
+        if self._paused and not refusal:
             self._publish_robots()
 
     def _report_pace(self, reached):
