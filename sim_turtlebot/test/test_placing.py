@@ -7,9 +7,8 @@ import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped, Quaternion, Twist
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call, pause
-from odometry_tests.placing import ON_ITS_SIDE, Placer, pose
 from odometry_tests.processes import rosrun
-from odometry_tests.robots import place, twist
+from odometry_tests.robots import ON_ITS_SIDE, Placer, place, pose, twist
 from odometry_tests.tutorial import Distance, Truth, detector, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import String

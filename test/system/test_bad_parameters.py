@@ -6,6 +6,7 @@ from odometry_common.parameters import ANY, ParameterError, read_from
 from odometry_tests.forked import run_script
 from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.window import LIBRARIES, NoScreenError, screen
 
 EXIT_BAD_PARAMETER = 2
 NOT_NUMBERS = ['abc', '', [1, 2], {'a': 1}, True, float('nan'), 'nan', float('inf'), '2026-01-01']
@@ -35,6 +36,7 @@ OUT_OF_RANGE = {
         'port': [0, 70000], 'host': ['no such host', '192.0.2.1'],
         'allowed_hosts': ['*', 'http://lab', 'lab/page', 'lab:0', 'lab:70000', 'lab:',
                           'me@lab', '::1', 'lab, -x', 'good bad!']}}
+
 
 if 'view.py' in TABLES:  # the package is optional
     from robot_view.address import read_address
@@ -90,3 +92,13 @@ def test_a_window_without_a_screen_is_refused(master, display):
     ended = run_script(SCRIPTS['sim_turtlebot_node.py'].__file__, '_gui:=true',
                        env={'DISPLAY': display})
     assert_refused(ended, '~gui', 'DISPLAY')
+
+
+@pytest.mark.parametrize('library', ['libX11.so.6', 'libGL.so.1'])
+def test_a_missing_library_is_named(monkeypatch, library):
+    """It is not DISPLAY that has to be set then."""
+    names = [f'no-{name}' if name == library else name for name in LIBRARIES]
+    monkeypatch.setattr('sim_turtlebot.window.LIBRARIES', names)
+    with pytest.raises(NoScreenError, match=f'^no-{library} is not installed$'), \
+            screen():
+        pass
