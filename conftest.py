@@ -12,7 +12,6 @@ try:
 except ImportError:
     sys.exit('the tests need ROS and the built packages: type ./ws test, or ./ws shell first')
 import rospy
-from odometry_tests.forked import Forked
 from odometry_tests.fuzzing import load_profile
 from odometry_tests.processes import Master, hold_port, own_address, started
 from odometry_tests.tutorial import forget_parameters
@@ -47,7 +46,7 @@ def own_variables():
 @pytest.fixture(scope='module')
 def master(master_port, own_variables):
     """Start a master for each file, with the clock of the wall, and join it as a node."""
-    with Master(port=master_port, start=Forked) as process:
+    with Master(port=master_port) as process:
         if not rospy.core.is_initialized():
             join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
         yield process

@@ -5,7 +5,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from odometry_common.parameters import Parameters
 from odometry_common.publisher_conflicts import ConflictWatch, period_after
-from odometry_tests.forked import run_script
+from odometry_tests.processes import run_script
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import mover, rotator
 

@@ -11,7 +11,6 @@ from course import RATE
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.links import links
 from odometry_tests.pausing import call
 from odometry_tests.processes import Master, rosrun
@@ -105,7 +104,7 @@ class Nodes:
     def _start_simulator(self):
         """Start the simulator, paused, and return once it hears and is heard."""
         self._simulator = simulator_in_step(f'_odom_rate:={RATE}', '_real_time_factor:=0',
-                                            '_paused:=true', start=GuardedProcess)
+                                            '_paused:=true')
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT * PATIENCE)
         for publisher in self._velocity, self.reset_odometry:
@@ -115,7 +114,7 @@ class Nodes:
     def _start_detector(self):
         """Start a detector and return once it hears and is heard."""
         stale = links(SIMULATOR) | links(NAME)
-        self._detector = detector(f'__name:={DETECTOR[1:]}', start=GuardedProcess)
+        self._detector = detector(f'__name:={DETECTOR[1:]}')
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
         self._wait_for_links(NAME, {('/moved_distance/reset', DETECTOR)}, stale)
         self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale)

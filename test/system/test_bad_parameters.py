@@ -3,7 +3,7 @@
 import pytest
 import rospy
 from odometry_common.parameters import ANY, ParameterError, read_from
-from odometry_tests.forked import run_script
+from odometry_tests.processes import run_script
 from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.window import LIBRARIES, NoScreenError, screen

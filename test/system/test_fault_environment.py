@@ -44,7 +44,7 @@ def test_a_node_runs_without_a_home(master, start, monkeypatch):
     """HOME is unset in many a container and service."""
     monkeypatch.delenv('HOME')
     name = f'homeless_{start.__name__}'
-    with start(f'__name:={name}', start=GuardedProcess) as node:
+    with start(f'__name:={name}') as node:
         wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0,
                    lambda: f'the node; it printed {node.output}', period=0.1)
         assert node.end() == 0, node.output

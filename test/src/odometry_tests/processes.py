@@ -6,12 +6,14 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 from collections import deque
 
 import rosgraph
 from odometry_launch.process_guard import GuardedProcess
 
+from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 started = deque(maxlen=20)  # the latest Processes of this test; a soak starts hundreds
@@ -23,7 +25,7 @@ class Process:
     def __init__(self, *command, env=None, start=GuardedProcess, **popen_options):
         """Start it; `env` is added to the environment.
 
-        :param start: GuardedProcess, or Forked for a Python script
+        :param start: GuardedProcess, with a command before this one
         """
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
@@ -161,6 +163,13 @@ def hold_port(host='localhost'):
 def rosrun(package, program, *arguments, **options):
     """Start a node as rosrun does, but for its search, which takes longer than many a node."""
     return Process(path_of(package, program), *arguments, **options)
+
+
+def run_script(script, *arguments, env=None):
+    """Run a script by its path in the project to its end, and return its Process."""
+    with Process(sys.executable, ROOT / script, *arguments, env=env) as process:
+        process.wait()
+    return process
 
 
 def path_of(package, program):

@@ -6,7 +6,6 @@ import rosgraph
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
-from odometry_tests.forked import Forked
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import Recorder, wait_until
 
@@ -19,7 +18,7 @@ OVERSHOOT = 0.0075  # m: the way of a period and of the brakes
 
 
 def simulator(*arguments, **options):
-    return _node('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
+    return rosrun('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
 
 
 def simulator_in_step(*arguments, **options):
@@ -32,15 +31,15 @@ def simulator_in_step(*arguments, **options):
 
 
 def detector(*arguments, **options):
-    return _node('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
+    return rosrun('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
 
 
 def mover(*arguments, **options):
-    return _node('test_movement', 'test_movement.py', *arguments, **options)
+    return rosrun('test_movement', 'test_movement.py', *arguments, **options)
 
 
 def rotator(*arguments, **options):
-    return _node('rotate_robot', 'rotate.py', *arguments, **options)
+    return rosrun('rotate_robot', 'rotate.py', *arguments, **options)
 
 
 def forget_parameters():
@@ -62,11 +61,6 @@ def heading(message):
     # A quaternion and its negative are the same orientation.
     yaw = 2 * math.atan2(orientation.z, orientation.w)
     return math.degrees(math.remainder(yaw, 2 * math.pi))
-
-
-def _node(*command, start=Forked, **options):
-    """Start a node; parameters as for a Process."""
-    return rosrun(*command, start=start, **options)
 
 
 class Truth(Recorder):
