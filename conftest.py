@@ -64,13 +64,13 @@ def leave_topics():
 
 @pytest.fixture(scope='session', autouse=True)
 def runs(tmp_path_factory):
-    """Have demos, sweeps and benches leave their folders here, and nothing in the checkout."""
+    """Have demos, sweeps and benches write into a temporary folder."""
     os.environ['ODOMETRY_RUNS'] = str(tmp_path_factory.mktemp('runs', numbered=False))
 
 
 @pytest.hookimpl(hookwrapper=True)
 def pytest_runtest_makereport(item):
-    """Let a test that fails say what each process that it started has printed."""
+    """Add the output of each process that a failed test started to its report."""
     report = (yield).get_result()
     if report.failed:
         report.sections += [(f'{process.command} {process.state}', process.output)
@@ -80,8 +80,8 @@ def pytest_runtest_makereport(item):
 
 
 @pytest.fixture(autouse=True)
-def recorders_of_its_own():
-    """Have no test hear what an earlier one's robot has said: on a busy machine that comes late."""
+def closed_recorders():
+    """Close the recorders of each test: on a busy machine an earlier robot's messages arrive late."""
     earlier = len(open_recorders)
     yield
     for recorder in open_recorders[earlier:]:
@@ -98,7 +98,7 @@ def simulated_time(master):
 
 @pytest.fixture
 def ns(master, monkeypatch):
-    """Give the nodes of a test a namespace of their own, without connections of an earlier test."""
+    """Give each test its own namespace, so that no earlier test's node is connected."""
     name = next(NAMESPACES)
     monkeypatch.setenv('ROS_NAMESPACE', name)
     return f'/{name}/'
@@ -115,7 +115,7 @@ def node(request, ns):
 
 @pytest.fixture
 def clock(node):
-    """Be the clock of that node."""
+    """Publish the clock of that node."""
     made = SteppedClock(1)
     yield made
     made.close()

@@ -19,7 +19,7 @@ CRATE = """<sdf version="1.6"><world name="w"><model name="crate"><pose>0.5 0.4 
 <link name="crate"><inertial><mass>0.3</mass><inertia><ixx>0.002</ixx><ixy>0</ixy><ixz>0</ixz>
 <iyy>0.002</iyy><iyz>0</iyz><izz>0.002</izz></inertia></inertial><collision name="crate"><geometry>
 <box><size>0.2 0.2 0.2</size></box></geometry></collision></link></model></world></sdf>"""
-SHARE = 3  # of the sequences: a hundred by day
+SHARE = 3  # one in three sequences, 100 of 300
 
 robots = st.integers(0, 1)
 places, yaws = st.floats(-1.5, 1.5), st.floats(-math.pi, math.pi)

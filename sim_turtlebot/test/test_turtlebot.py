@@ -65,7 +65,7 @@ def pair(running):
     return running
 
 
-def test_fixed_frames_are_there_for_whoever_comes_late(pair):
+def test_late_subscribers_get_the_fixed_frames(pair):
     """In one message for all robots, each frame with one parent, and none of them on /tf."""
     fixed = Recorder('/tf_static', TFMessage).wait_for().transforms
     tree = {frame.child_frame_id: frame.header.frame_id for frame in fixed}

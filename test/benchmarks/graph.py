@@ -1,4 +1,4 @@
-"""The whole graph, or its robot alone, in processes of their own, quiet until it is measured."""
+"""The whole graph, or its robot alone, as processes that are paused between measurements."""
 
 import contextlib
 import time

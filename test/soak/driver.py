@@ -1,4 +1,4 @@
-"""One step of the soak after the other: hear, check, do, command."""
+"""The steps of the soak: act, command, receive, check."""
 
 import signal
 from collections import Counter

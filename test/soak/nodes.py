@@ -102,7 +102,7 @@ class Nodes:
                                                   'mobile_base/commands/reset_odometry'))
 
     def _start_simulator(self):
-        """Start the simulator, paused, and return once it hears and is heard."""
+        """Start the simulator, paused, and return once its topics are connected."""
         self._simulator = simulator_in_step(f'_odom_rate:={RATE}', '_real_time_factor:=0',
                                             '_paused:=true')
         # The last of its services.
@@ -112,7 +112,7 @@ class Nodes:
         self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
 
     def _start_detector(self):
-        """Start a detector and return once it hears and is heard."""
+        """Start a detector and return once its topics are connected."""
         stale = links(SIMULATOR) | links(NAME)
         self._detector = detector(f'__name:={DETECTOR[1:]}')
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})

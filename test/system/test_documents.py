@@ -180,7 +180,7 @@ def make_home(home):
 
 
 def environment(port, page_port):
-    """Return a login's environment, with the ports for a ROS master and for a page of its own."""
+    """Return a login's environment, with ports for a ROS master and for a page."""
     return {'PATH': '/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin',
             'TERM': 'xterm', 'LANG': 'C.UTF-8', 'DISPLAY': os.environ.get('DISPLAY', ''),
             'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}',

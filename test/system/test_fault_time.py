@@ -76,7 +76,7 @@ def test_neither_a_pause_nor_a_reset_is_movement_and_every_node_survives_them(ma
 
 
 def test_rotate_turns_to_its_target_after_a_reset(master):
-    """Its rate and its watchdog begin anew when time goes back: it does not wait for the old time."""
+    """Its rate and its watchdog restart when time goes back, instead of waiting for the old time."""
     truth = Truth()
     with simulator_in_step('_real_time_factor:=20'), rotator() as controller:
         truth.wait_for(lambda m: m.header.stamp.to_sec() > 5, what='five seconds')

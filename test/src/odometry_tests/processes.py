@@ -94,7 +94,7 @@ class Process:
         return self
 
     def __exit__(self, kind=None, *_):
-        """End it, with everything it has started; whoever does not obey Ctrl-C fails the test."""
+        """End it, with everything it has started; a process that ignores Ctrl-C fails the test."""
         try:
             if self.running:
                 self.send(signal.SIGINT)
@@ -111,11 +111,11 @@ class Process:
 
 
 class Master(Process):
-    """A ROS master of its own, which this process and its children use from now on.
+    """A ROS master, which this process and its children use from now on.
 
-    So is the address of loopback at which all of them listen: a master that knows of a node that was
-    killed tells whoever has that node's address of other publishers, and asks it to shut down. Were
-    there only one address, that could be a node of another run.
+    All of them listen at this run's own loopback address: a master still calls the address of a node
+    that was killed, and asks it to shut down. With one address for all runs, a node of another run
+    might have it by then.
 
     roscore would give up after 10 s in which its master has not answered, as on a busy machine.
     """
@@ -152,7 +152,7 @@ def own_address():
 def hold_port(host='localhost'):
     """Yield a TCP port of this machine that is given to nobody else meanwhile.
 
-    Only who is told of it can listen on it, or hold it as the demo does.
+    Only servers that set SO_REUSEADDR can listen on it.
     """
     with socket.socket() as holder:
         holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -1,4 +1,4 @@
-"""A simulated robot as a test sees it: what it publishes, and what it can be told."""
+"""The topics and services of a simulated robot."""
 
 import math
 
@@ -31,7 +31,7 @@ class Robot:
         return rospy.Publisher(self._namespace + topic, kind, queue_size=10)
 
     def wait_until_ready(self):
-        """Return once it listens and is heard."""
+        """Return once its topics are connected."""
         for publisher in (self._velocity, self._base_velocity, *self._inputs.values()):
             wait_for_subscribers(publisher, timeout=20.0)
         for recorder in self.odometry, self.truth, self.joints:
@@ -50,7 +50,7 @@ class Robot:
         self._inputs[mux_input].publish(twist(forwards))
 
     def pause(self):
-        """Let its time stand still; return once that is so."""
+        """Pause the simulation, and return once it is paused."""
         pause(self.odometry, self.truth, namespace=self._namespace)
 
     def restart(self):
