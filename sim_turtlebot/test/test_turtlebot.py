@@ -7,7 +7,7 @@ import pytest
 import rospy
 import tf
 from odometry_tests.pausing import call, pause
-from odometry_tests.robots import Robot
+from odometry_tests.robots import BASE, NAVI, TELEOP, Robot
 from odometry_tests.tutorial import simulator_in_step
 from odometry_tests.waiting import Recorder
 from sensor_msgs.msg import Imu
@@ -112,10 +112,10 @@ def test_the_imu_has_the_heading_of_the_odometry(pair):
 
 
 def test_what_goes_to_the_base_directly_is_obeyed_whatever_the_multiplexer_keeps_out(pair):
-    pair.step(lambda robot: robot.drive_through('teleop', 0.0))
+    pair.step(lambda robot: robot.drive(0.0, topic=TELEOP))
     for _ in range(6):
-        moving = pair.step(lambda robot: robot.drive_through('navi', 0.2)).twist.twist.linear.x
+        moving = pair.step(lambda robot: robot.drive(0.2, topic=NAVI)).twist.twist.linear.x
     assert moving == 0.0
     for _ in range(6):
-        moving = pair.step(lambda robot: robot.drive_base(0.2)).twist.twist.linear.x
+        moving = pair.step(lambda robot: robot.drive(0.2, topic=BASE)).twist.twist.linear.x
     assert moving == pytest.approx(0.2, abs=0.02)
