@@ -6,18 +6,8 @@ import socket
 
 import pytest
 from odometry_tests.linux import assert_loopback_only
-from odometry_tests.processes import hold_port, rosrun
+from odometry_tests.processes import assert_refused, hold_port, rosrun
 from viewer import viewing
-
-EXIT_BAD_PARAMETER = 2
-
-
-def assert_refused(viewer, *words):
-    """Assert that the viewer ends with status 2 and one line with all the words in it."""
-    assert viewer.wait() == EXIT_BAD_PARAMETER, viewer.output
-    assert len(viewer.stderr.splitlines()) == 1, viewer.stderr
-    for word in words:
-        assert word in viewer.stderr
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])

@@ -1,6 +1,5 @@
 """A simulator that is reset: each episode is the first again, to the byte."""
 
-import io
 import itertools
 import math
 
@@ -8,6 +7,8 @@ import pytest
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_tests.lockstep_runs import bytes_of
+from odometry_tests.messages import stamp
 from odometry_tests.pausing import call, pause
 from odometry_tests.robots import twist
 from odometry_tests.scripts import ROOT
@@ -47,18 +48,9 @@ class Controllers:
         self._subscriber.unregister()
 
 
-def stamp(message):
-    """Return when a message was sent (s)."""
-    header = getattr(message, 'header', None) or message.transforms[0].header
-    return header.stamp.to_sec()
-
-
-def bytes_of(messages):
-    """Return the messages of an episode as they are sent; a repetition does not count."""
-    buffers = [io.BytesIO() for _ in messages]
-    for message, buffer in zip(messages, buffers):
-        message.serialize(buffer)
-    return [one for one, _ in itertools.groupby(buffer.getvalue() for buffer in buffers)]
+def as_sent(messages):
+    """Return the messages of an episode as bytes, without repetitions."""
+    return [one for one, _ in itertools.groupby(map(bytes_of, messages))]
 
 
 def test_after_a_reset_an_episode_is_the_same_bytes(master):
@@ -74,7 +66,7 @@ def test_after_a_reset_an_episode_is_the_same_bytes(master):
             for recorder in recorders.values():
                 recorder.wait_for(lambda m: stamp(m) >= LENGTH, what='the end of the episode')
             pause(*recorders.values())
-            episodes.append({topic: bytes_of([m for m in recorder.messages if stamp(m) <= LENGTH])
+            episodes.append({topic: as_sent([m for m in recorder.messages if stamp(m) <= LENGTH])
                              for topic, recorder in recorders.items()})
             for recorder in recorders.values():
                 recorder.clear()

@@ -6,6 +6,7 @@ import sys
 import pytest
 import rospy
 import tf
+from odometry_tests.messages import stamp
 from odometry_tests.pausing import call, pause
 from odometry_tests.robots import BASE, NAVI, TELEOP, Robot
 from odometry_tests.tutorial import simulator_in_step
@@ -15,12 +16,6 @@ from tf2_msgs.msg import TFMessage
 
 WHEELS = 'wheel_left_link', 'wheel_right_link'
 DRIFT = 0.02  # rad/s
-
-
-def stamp(message):
-    """Return the time (s) of a message."""
-    header = message.transforms[0].header if hasattr(message, 'transforms') else message.header
-    return header.stamp.to_sec()
 
 
 class Pair:

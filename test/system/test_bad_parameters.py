@@ -3,12 +3,11 @@
 import pytest
 import rospy
 from odometry_common.parameters import ANY, ParameterError, read_from
-from odometry_tests.processes import run_script
+from odometry_tests.processes import assert_refused, run_script
 from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.window import LIBRARIES, NoScreenError, screen
 
-EXIT_BAD_PARAMETER = 2
 NOT_NUMBERS = ['abc', '', [1, 2], {'a': 1}, True, float('nan'), 'nan', float('inf'), '2026-01-01']
 WRONG_TYPE = {float: NOT_NUMBERS, int: [*NOT_NUMBERS, 1.5], bool: ['abc', '', [True], 1, 0.5],
               str: [1, 1.5, True, ['a'], {'a': 'b'}]}
@@ -61,13 +60,6 @@ def test_defaults_are_accepted(script):
     defaults = {row.name[1:]: row.default for row in TABLES[script].rows}
     with read_from(defaults):
         assert vars(TABLES[script].read()) == defaults
-
-
-def assert_refused(ended, *words):
-    """Assert that a node has ended with status 2 and one line with all the words in it."""
-    assert ended.wait() == EXIT_BAD_PARAMETER, ended.output
-    line, = ended.stderr.splitlines()
-    assert all(word in line for word in words), line
 
 
 @pytest.mark.parametrize('script', TABLES)

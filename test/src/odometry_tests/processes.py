@@ -16,6 +16,8 @@ from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
+EXIT_BAD_PARAMETER = 2
+
 started = deque(maxlen=20)  # the latest Processes of this test; a soak starts hundreds
 
 
@@ -170,6 +172,13 @@ def run_script(script, *arguments, env=None):
     with Process(sys.executable, ROOT / script, *arguments, env=env) as process:
         process.wait()
     return process
+
+
+def assert_refused(ended, *words):
+    """Assert that a node has ended with status 2 and one line with all the words in it."""
+    assert ended.wait() == EXIT_BAD_PARAMETER, ended.output
+    line, = ended.stderr.splitlines()
+    assert all(word in line for word in words), line
 
 
 def path_of(package, program):
