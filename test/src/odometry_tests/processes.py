@@ -122,17 +122,16 @@ class Master(Process):
     roscore would give up after 10 s in which its master has not answered, as on a busy machine.
     """
 
-    def __init__(self, use_sim_time=False, port=None, **options):
+    def __init__(self, use_sim_time=False, port=None):
         """Start it and return once it answers.
 
         :param port: of own_address(); None: a free one
-        :param options: those of a Process
         """
         self._port = contextlib.ExitStack()
         address = own_address()
         port = port or self._port.enter_context(hold_port(address))
         os.environ.update(ROS_MASTER_URI=f'http://{address}:{port}', ROS_HOSTNAME=address)
-        super().__init__(shutil.which('rosmaster'), '--core', '-p', port, **options)
+        super().__init__(shutil.which('rosmaster'), '--core', '-p', port)
         try:
             wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
         except BaseException:
