@@ -72,13 +72,13 @@ def test_a_robot_on_its_side_is_warned_of_until_it_stands(ns):
         warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
         warnings.wait_for(lambda m: m.data == '', what='no warning')
         first, second = Placer(ns, 'robot_1/'), Placer(ns, 'robot_2/')
-        second.put(2.0, 3.0, 0.3, orientation=ON_ITS_SIDE)
+        second.put(-0.001, 3.0, 0.3, orientation=ON_ITS_SIDE)
         alone = warnings.wait_for(lambda m: m.data, what='a warning').data
-        assert alone == 'robot_2 lies on its side at x 2, y 3; ~reset_simulation brings it back'
+        assert alone == 'robot_2 lies on its side at x 0, y 3; ~reset_simulation brings it back'
         Truth(f'{ns}robot_2/').wait_seconds(1.0)
         first.put(0.0, -2.0, 0.3, orientation=ON_ITS_SIDE)
         both = warnings.wait_for(lambda m: 'robot_1' in m.data, what='a second one').data
-        assert both == f'{alone}; {alone.replace("robot_2", "robot_1").replace("x 2, y 3", "x 0, y -2")}'
+        assert both == f'{alone}; {alone.replace("robot_2", "robot_1").replace("y 3", "y -2")}'
         second.put(2.0, 3.0)
         warnings.wait_for(lambda m: 'robot_1' in m.data and 'robot_2' not in m.data,
                           what='robot_1 alone')
