@@ -12,6 +12,7 @@ from odometry_common.geometry import (
     about_z,
     compose,
     euler_from_orientation,
+    from_rpy,
     height_of_z,
     inverse,
     is_upright,
@@ -85,6 +86,14 @@ def test_rotations_are_those_of_tf(outer, inner, vector):
     assert height_of_z(outer) == pytest.approx(matrix[2, 2], abs=1e-14)
     yaw = tf.euler_from_quaternion(outer)[2]
     assert math.remainder(yaw_of(outer) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-12)
+
+
+@given(angles, angles, angles)
+def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
+    """About the fixed axes, roll first."""
+    expected = tf.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
+    for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
+        assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)
 
 
 @given(rotations, st.floats(-0.7, 0.7), angles, st.sampled_from([1, -1]))
