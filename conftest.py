@@ -12,7 +12,6 @@ try:
 except ImportError:
     sys.exit('the tests need ROS and the built packages: type ./ws test, or ./ws shell first')
 import rospy
-from odometry_tests.forked import Forked
 from odometry_tests.fuzzing import load_profile
 from odometry_tests.partners import SteppedClock
 from odometry_tests.processes import Master, hold_port, own_address, started
@@ -48,7 +47,7 @@ def own_variables():
 @pytest.fixture(scope='module')
 def master(master_port, own_variables):
     """Start a master for each file, with the clock of the wall, and join it as a node."""
-    with Master(port=master_port, start=Forked) as process:
+    with Master(port=master_port) as process:
         if not rospy.core.is_initialized():
             join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
         yield process
@@ -66,13 +65,13 @@ def leave_topics():
 
 @pytest.fixture(scope='session', autouse=True)
 def runs(tmp_path_factory):
-    """Have demos, sweeps and benches leave their folders here, and nothing in the checkout."""
+    """Have demos, sweeps and benches write into a temporary folder."""
     os.environ['ODOMETRY_RUNS'] = str(tmp_path_factory.mktemp('runs', numbered=False))
 
 
 @pytest.hookimpl(hookwrapper=True)
 def pytest_runtest_makereport(item):
-    """Let a test that fails say what each process that it started has printed."""
+    """Add the output of each process that a failed test started to its report."""
     report = (yield).get_result()
     if report.failed:
         report.sections += [(f'{process.command} {process.state}', process.output)
@@ -82,8 +81,8 @@ def pytest_runtest_makereport(item):
 
 
 @pytest.fixture(autouse=True)
-def recorders_of_its_own():
-    """Have no test hear what an earlier one's robot has said: on a busy machine that comes late."""
+def closed_recorders():
+    """Close the recorders of each test: on a busy machine an earlier robot's messages arrive late."""
     earlier = len(open_recorders)
     yield
     for recorder in open_recorders[earlier:]:
@@ -100,7 +99,7 @@ def simulated_time(master):
 
 @pytest.fixture
 def ns(master, monkeypatch):
-    """Give the nodes of a test a namespace of their own, without connections of an earlier test."""
+    """Give each test its own namespace, so that no earlier test's node is connected."""
     name = next(NAMESPACES)
     monkeypatch.setenv('ROS_NAMESPACE', name)
     return f'/{name}/'
@@ -117,7 +116,7 @@ def node(request, ns):
 
 @pytest.fixture
 def clock(node):
-    """Be the clock of that node."""
+    """Publish the clock of that node."""
     made = SteppedClock(1)
     yield made
     made.close()

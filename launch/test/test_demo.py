@@ -18,16 +18,10 @@ def start(port, *arguments):
                    env={'ROS_MASTER_URI': f'http://localhost:{port}'})
 
 
-def demo(*arguments):
-    with hold_port() as port:
-        process = start(port, *arguments)
-        assert process.wait(90.0) == 0, process.output
-    return process
-
-
 def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
     """In lockstep the distances are the same at each pace."""
-    run = demo('--real-time-factor', '20')
+    with hold_port() as port, start(port, '--real-time-factor', '20') as run:
+        assert run.wait(90.0) == 0, run.output
     assert number_after('moved distance', run.stdout) == 2.005
     assert number_after('true distance', run.stdout) == 2.005
     assert re.search('^.* of 2.00 m', run.stdout, re.MULTILINE), 'no progress in plain lines'
@@ -37,18 +31,6 @@ def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
     with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:
         topics = set(bag.get_type_and_topic_info().topics)
     assert topics == {'/odom', '/base_pose_ground_truth', '/moved_distance', '/cmd_vel'}
-
-
-def test_two_turns_print_the_same_of_their_arrival():
-    """The last line of progress and the summary, but for the real time that they took."""
-    first, second = (arrival(demo('rotate', '--real-time-factor', '0')) for _ in range(2))
-    assert first == second
-    assert len(first) == 4 and first[0].startswith('[====')
-
-
-def arrival(run):
-    lines = re.sub(', .* real$', '', run.stdout, flags=re.MULTILINE).splitlines()
-    return lines[-5:-1]  # then comes the picture
 
 
 def test_demos_that_start_together_all_arrive():

@@ -16,10 +16,10 @@ from odometry_tests.waiting import wait_until
 
 COMMAND = [ROOT / 'ws', 'demo', '--distance', '100']
 PROGRESS = ' of 100.00 m'
-# The time (s) from the start, or from the first progress, and the signal.
-STARTING = [(0.15, signal.SIGINT), (0.5, signal.SIGTERM), (1.1, signal.SIGINT),
-            (1.6, signal.SIGKILL), (2.2, signal.SIGQUIT)]
-DRIVING = [(0.1, signal.SIGKILL), (0.3, signal.SIGHUP)]
+# Whether it drives already, how long (s) after that or after the start, and the signal.
+MOMENTS = [(False, 0.15, signal.SIGINT), (False, 0.5, signal.SIGTERM), (False, 1.1, signal.SIGINT),
+           (False, 1.6, signal.SIGKILL), (False, 2.2, signal.SIGQUIT), (True, 0.1, signal.SIGKILL),
+           (True, 0.3, signal.SIGHUP)]
 
 
 @contextlib.contextmanager
@@ -60,20 +60,14 @@ def assert_that_nobody_listens(port):
         assert probe.connect_ex(('localhost', port)) != 0
 
 
-@pytest.mark.parametrize('moment, signum', STARTING)
-def test_nothing_is_left_of_a_demo_that_is_ended_while_it_starts(moment, signum):
-    with demo() as (process, output, _):
-        time.sleep(moment)
-        end(process, signum, output)
-
-
-@pytest.mark.parametrize('moment, signum', DRIVING)
-def test_nothing_is_left_of_a_demo_that_is_ended_while_it_drives(moment, signum):
+@pytest.mark.parametrize('driving, moment, signum', MOMENTS)
+def test_nothing_is_left_of_a_demo_that_is_ended(driving, moment, signum):
     with demo() as (process, output, mark):
-        wait_until(lambda: PROGRESS in output(), 60.0, output)
+        if driving:
+            wait_until(lambda: PROGRESS in output(), 60.0, output)
+            assert len(marked(mark)) > 4
+            assert_loopback_only(process.pid)
         time.sleep(moment)
-        assert len(marked(mark)) > 4
-        assert_loopback_only(process.pid)
         end(process, signum, output)
 
 

@@ -39,8 +39,8 @@ def test_the_demo_ends_when_a_node_has_ended(command, node, signum, how):
 def slow_programs(tmp_path):
     """Return a folder for PATH with programs of a slow machine.
 
-    After 5 s matplotlib would tell the user that it builds its font cache. roslaunch waits 10 s for a
-    master of its own.
+    After 5 s matplotlib would print that it builds its font cache; roslaunch waits only 10 s for its
+    master.
     """
     for name, line in (('fc-list', 'sleep 6'),
                        ('rosmaster', f'sleep 11; exec {shutil.which("rosmaster")} "$@"')):

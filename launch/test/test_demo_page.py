@@ -54,13 +54,3 @@ def test_without_a_terminal_the_demo_ends_as_without_a_page():
         assert demo.wait(60.0) == 0, demo.output
     assert STAYS not in demo.stdout
     assert PAGE_PORT <= int(ADDRESS.search(demo.stdout)[2]) < PAGE_PORT + 100, demo.output
-
-
-def test_a_launch_file_can_open_the_page(master):
-    """view:=true; rotate.launch passes it on to sim.launch, as move_two_meters.launch does."""
-    with hold_port() as port, Process('roslaunch', 'odometry_launch', 'rotate.launch', 'view:=true',
-                                      f'view_port:={port}') as launch:
-        launch.wait_for_output(f'view: http://localhost:{port}', 40.0)
-        assert_the_page_is_served(f'http://localhost:{port}')
-        assert launch.end(timeout=30.0) == 0, launch.output
-    assert 'has died' not in launch.output

@@ -1,4 +1,4 @@
-"""What a demo waits for while it starts, what it reads from roslaunch, and where it records."""
+"""The demo's command line; what a demo waits for, what it reads from roslaunch, where it records."""
 
 import threading
 import time
@@ -7,6 +7,7 @@ import pytest
 from odometry_launch.folders import new_folder
 from odometry_launch.launch import DemoError, Launch
 from odometry_launch.launch_log import LaunchLog
+from odometry_launch.options import launch_arguments, parse
 
 
 @pytest.fixture
@@ -47,3 +48,21 @@ def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
     monkeypatch.setattr(time, 'strftime', lambda _: 'now')
     folders = [new_folder(tmp_path / 'runs') for _ in range(3)]
     assert [folder.name for folder in folders] == ['now', 'now_2', 'now_3']
+
+
+@pytest.mark.parametrize('arguments', [
+    ['--speed', '0'], ['--speed', '2'], ['--distance', '-1'], ['--distance', 'far'],
+    ['--real-time-factor', 'nan'], ['--real-time-factor', '0.0001'], ['--target', '45'],
+    ['rotate', '--speed', '-0.1'], ['dance']])
+def test_bad_options_get_one_clear_line(arguments, capsys):
+    with pytest.raises(SystemExit) as ending:
+        parse(arguments)
+    assert ending.value.code == 2
+    assert capsys.readouterr().err.splitlines()[-1].startswith('./ws demo: error: argument')
+
+
+@pytest.mark.parametrize('factor, lockstep', [('1', 'false'), ('0', 'true'), ('0.5', 'true')])
+@pytest.mark.parametrize('tutorial', ['move', 'rotate'])
+def test_at_each_pace_but_real_time_it_runs_in_lockstep(tutorial, factor, lockstep):
+    options = parse([tutorial, '--real-time-factor', factor])
+    assert launch_arguments(options)[1]['lockstep'] == lockstep

@@ -58,10 +58,6 @@ def run(play):
     return played
 
 
-def shown(monitor):
-    return monitor.progress(), monitor.result(), monitor.duration
-
-
 DRIVE = [0.005 * step for step in range(400)]
 AT_ONCE = [2.0, 2.002, 2.002]
 ORDERS = [-30, -1, 0, 1, 30]

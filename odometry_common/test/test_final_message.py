@@ -54,7 +54,7 @@ class Wire(Transport):
         self.commands.append((command.linear.x, command.angular.z))
 
     def during(self, action, other):
-        """Do something, and another thing on a thread of its own while the first is being written."""
+        """Do something, and on a second thread another thing while the first is being written."""
         def do():
             other()
             self._stuck_or_done.set()

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from geometry_msgs.msg import Point, Pose, Quaternion
+from geometry_msgs.msg import Quaternion
 from hypothesis import example, given
 from hypothesis import strategies as st
 from odometry_common.geometry import (
@@ -17,7 +17,6 @@ from odometry_common.geometry import (
     inverse,
     is_upright,
     mean_twist,
-    planar_pose,
     rotate,
     wrap_to_pi,
     yaw_from_orientation,
@@ -69,12 +68,6 @@ def test_a_quaternion_that_is_no_rotation_is_refused(parts):
         euler_from_orientation(Quaternion(*parts))
 
 
-@given(coordinates, coordinates, st.floats(-3, 3))
-def test_a_planar_pose_is_where_the_robot_is_and_looks(x, y, yaw):
-    orientation = Quaternion(*tf.quaternion_from_euler(0, 0, yaw))
-    assert planar_pose(Pose(Point(x, y, 5.0), orientation)) == pytest.approx((x, y, yaw))
-
-
 @given(poses)
 def test_a_pose_is_seen_from_the_one_before(pose):
     """From a robot that looks to the left, ahead is to the left; the inverse leads back."""
@@ -93,12 +86,6 @@ def test_rotations_are_those_of_tf(outer, inner, vector):
     assert height_of_z(outer) == pytest.approx(matrix[2, 2], abs=1e-14)
     yaw = tf.euler_from_quaternion(outer)[2]
     assert math.remainder(yaw_of(outer) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-12)
-
-
-@given(st.sampled_from([(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.6, 0.0, -0.8)]), angles)
-def test_a_rotation_about_an_axis_is_that_of_tf(axis, angle):
-    assert about(axis, angle) == close(tf.quaternion_about_axis(angle, axis))
-    assert about_z(angle) == close(tf.quaternion_about_axis(angle, (0, 0, 1)))
 
 
 @given(angles, angles, angles)

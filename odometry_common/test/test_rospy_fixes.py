@@ -1,4 +1,4 @@
-"""What plain rospy does wrong, and our nodes do not."""
+"""What plain rospy does wrong, and our nodes do not; which connections exist."""
 
 import contextlib
 import threading
@@ -7,11 +7,14 @@ from xmlrpc.client import ServerProxy
 import pytest
 import rosgraph
 import rospy
+from odometry_common.connections import is_connected
 from odometry_common.rospy_fixes import fix_rospy
 from odometry_tests.tutorial import detector
-from odometry_tests.waiting import Recorder, wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
 from rosgraph_msgs.msg import Log
 from rospy.impl.registration import RegManager
+from rospy.impl.tcpros_base import TCPROSTransport
+from std_msgs.msg import Empty
 
 REQUEST = '[{}] Reason: new node registered with same name'  # as rosmaster words it
 
@@ -74,3 +77,26 @@ def test_the_master_forgets_a_node_that_has_ended(master, disabled):
         assert node.end() == 0
     with pytest.raises(rosgraph.MasterError):
         rosgraph.Master('/test').lookupNode(name)
+
+
+def test_a_subscriber_counts_as_connected_once_it_misses_nothing(master, monkeypatch):
+    """Rospy counts the connection before."""
+    may_connect, heard = threading.Event(), threading.Event()
+    connect = TCPROSTransport.connect
+
+    def connect_late(*arguments, **options):
+        assert may_connect.wait(TIMEOUT * PATIENCE)
+        connect(*arguments, **options)
+
+    monkeypatch.setattr(TCPROSTransport, 'connect', connect_late)
+    publisher = rospy.Publisher('/late', Empty, queue_size=1)
+    subscriber = rospy.Subscriber('/late', Empty, lambda _: heard.set())
+    wait_until(subscriber.get_num_connections, TIMEOUT, 'a connection that rospy counts')
+    assert not is_connected(subscriber)
+    may_connect.set()
+    wait_until(lambda: is_connected(subscriber), TIMEOUT, 'a connection')
+    publisher.publish(Empty())
+    assert heard.wait(TIMEOUT * PATIENCE)
+    publisher.unregister()
+    wait_until(lambda: not is_connected(subscriber), TIMEOUT, 'an end of it')
+    subscriber.unregister()

@@ -5,7 +5,7 @@ import contextlib
 import pytest
 import rospy
 from odometry_tests.tutorial import detector, simulator
-from viewer import Motion, View
+from viewer import Motion, viewing
 
 # What draws without a graphics card leaves little for the robot.
 SCALE = 0.5
@@ -24,7 +24,7 @@ def open_page():
 @pytest.fixture(scope='module')
 def view(master, request):
     """Start a viewer, patient if the module says so."""
-    with View(patient=getattr(request.module, 'PATIENT', False)) as running:
+    with viewing(patient=getattr(request.module, 'PATIENT', False)) as running:
         yield running
 
 

@@ -11,7 +11,7 @@ import zstandard
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import View
+from viewer import viewing
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
@@ -122,5 +122,5 @@ def published(namespace):
 @contextlib.contextmanager
 def view_of_two(namespace, *arguments):
     """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
-    with published(namespace), View(f'__ns:={namespace}', *arguments) as view, open_page(view):
+    with published(namespace), viewing(f'__ns:={namespace}', *arguments) as view, open_page(view):
         yield view

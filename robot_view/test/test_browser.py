@@ -10,7 +10,7 @@ from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import ROBOT_PIXELS, Motion, View, wait_for_robot
+from viewer import ROBOT_PIXELS, Motion, viewing, wait_for_robot
 
 SCAN_PIXELS = 100
 
@@ -68,7 +68,7 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
 
 
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):
-    with View('__ns:=real') as view:
+    with viewing('__ns:=real') as view:
         publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
         publisher.publish(odometry(x=1.0, y=0.5, yaw=math.radians(30), stamp=5.0))
         with open_page(view.url) as page:
@@ -85,7 +85,7 @@ def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
     with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=slippery', '_scan:=true',
                 '_odometry_source:=encoder', '_wheel_slip:=0.4', '_cmd_vel_timeout:=0',
                 f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'), \
-            View('__ns:=slippery') as view, open_page(view.url) as page:
+            viewing('__ns:=slippery') as view, open_page(view.url) as page:
         motion = Motion('/slippery/')
         page.dismiss_notices()
         wait_until(lambda: count_pixels(page, 0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')

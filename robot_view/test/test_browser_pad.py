@@ -47,6 +47,6 @@ def test_a_page_that_is_closed_in_mid_drive_stops_the_robot(driven, page):
 
 
 def test_the_robot_stops_when_the_viewer_exits(driven, view, page):
-    assert view.process.end(signal.SIGTERM) == 0, view.process.output
+    assert view.end(signal.SIGTERM) == 0, view.output
     driven.wait_until_stopped()
     page.close()

@@ -14,7 +14,7 @@ from odometry_tests.robots import place
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
 from std_msgs.msg import String
-from viewer import View
+from viewer import viewing
 
 page_client = pytest.importorskip('page_client', reason='viser is not installed')
 from page_client import ROBOTS, PageClient, open_page, published
@@ -29,7 +29,7 @@ def view(master):
     """Start a viewer of two robots that has two more names."""
     with page_client.view_of_two('/strange', '_allowed_hosts:=robots.example, lab:9000') as running:
         yield running
-    assert 'Traceback' not in running.process.output
+    assert 'Traceback' not in running.output
 
 
 @pytest.fixture
@@ -84,16 +84,16 @@ def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
 
 
 def test_the_log_has_one_line_for_many_strangers(master):
-    with View() as view:
+    with viewing() as view:
         began = time.monotonic()
         for _ in range(20):
             with socket.create_connection(('localhost', view.port)) as stranger:
                 stranger.sendall(b'GET / HTTP/1.1\r\nHost: localhost:%d\r\nOrigin: http://evil\xff%s'
                                  b'\r\n\r\n' % (view.port, b'x' * 5000))
                 assert stranger.makefile('rb').readline().split()[1] == b'403'
-        view.process.wait_for_output('refused')
-        assert view.process.end() == 0, view.process.output
-    lines = view.process.stderr.splitlines()
+        view.wait_for_output('refused')
+        assert view.end() == 0, view.output
+    lines = view.stderr.splitlines()
     assert len(lines) <= 1 + (time.monotonic() - began) / LOG_PERIOD, lines
     assert 'http://evil\\' in lines[0] and lines[0].isascii() and len(lines[0]) < 400
 
@@ -126,7 +126,7 @@ def test_only_listed_robots_are_driven(view, commands, value):
 def test_while_no_robot_is_listed_none_is_driven(master):
     """The robots of the last page are gone, and the next page has not found any yet."""
     recorder = Recorder('/left/robot_1/cmd_vel', Twist)
-    with View('__ns:=left') as view:
+    with viewing('__ns:=left') as view:
         with published('/left') as publishers:
             with open_page(view):
                 pass
@@ -171,7 +171,7 @@ def put(page, robot, x, y, heading):
 
 
 def test_the_chosen_robot_is_put_where_the_page_says(master):
-    with simulator('__ns:=placed', '_robots:=2') as world, View('__ns:=placed') as view, \
+    with simulator('__ns:=placed', '_robots:=2') as world, viewing('__ns:=placed') as view, \
             open_page(view) as page:
         first, second = (Truth(f'/placed/{robot}/') for robot in ROBOTS)
         put(page, 'robot_1', 1e9, 0.0, 0.0)

@@ -6,28 +6,18 @@ import socket
 
 import pytest
 from odometry_tests.linux import assert_loopback_only
-from odometry_tests.processes import hold_port, rosrun
-from viewer import View
-
-EXIT_BAD_PARAMETER = 2
-
-
-def assert_refused(viewer, *words):
-    """Assert that the viewer ends with status 2 and one line with all the words in it."""
-    assert viewer.wait() == EXIT_BAD_PARAMETER, viewer.output
-    assert len(viewer.stderr.splitlines()) == 1, viewer.stderr
-    for word in words:
-        assert word in viewer.stderr
+from odometry_tests.processes import assert_refused, hold_port, rosrun
+from viewer import viewing
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_it_prints_the_url_and_exits_quietly(master, signum):
-    with View() as view:
+    with viewing() as view:
         with socket.create_connection(('127.0.0.1', view.port)):
             pass
-        assert_loopback_only(view.process.pid)
-        assert view.process.end(signum) == 0, view.process.output
-    assert view.process.output.split('\n') == [f'view: {view.url}', '']
+        assert_loopback_only(view.pid)
+        assert view.end(signum) == 0, view.output
+    assert view.output.split('\n') == [f'view: {view.url}', '']
 
 
 @pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])

@@ -6,8 +6,7 @@ import sys
 import numpy
 import pytest
 from geometry_msgs.msg import Twist
-from odometry_tests.processes import Process, hold_port, rosrun
-from odometry_tests.scripts import ROOT
+from odometry_tests.processes import Process, hold_port, path_of
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
 
@@ -27,36 +26,21 @@ runpy.run_path(sys.argv.pop(1), run_name='__main__')
 '''
 
 
-class View:
-    """A viewer and where its page is."""
+@contextlib.contextmanager
+def viewing(*arguments, patient=False):
+    """Start a viewer on a free port; yield its Process, with its port and url, once it serves the page.
 
-    def __init__(self, *arguments, patient=False):
-        """Start it on a free port; without viser the test that needs it is skipped.
+    Without viser the test that needs it is skipped.
 
-        :param patient: whether a button is held until it is released, even by a page that hangs
-        """
-        pytest.importorskip('viser', reason='viser is not installed')
-        self._stack = contextlib.ExitStack()
-        self.port = self._stack.enter_context(hold_port())
-        self.url = f'http://localhost:{self.port}'
-        arguments = f'_port:={self.port}', *arguments
-        if patient:
-            script = ROOT / 'robot_view' / 'script' / 'view.py'
-            self.process = Process(sys.executable, '-c', PATIENT_VIEWER, script, *arguments)
-        else:
-            self.process = rosrun('robot_view', 'view.py', *arguments)
-        self._stack.push(self.process)
-
-    def __enter__(self):
-        """Return once it says where the page is."""
-        with contextlib.ExitStack() as stack:
-            stack.push(self)
-            self.process.wait_for_output(f'view: {self.url}', timeout=TIMEOUT)
-            stack.pop_all()
-        return self
-
-    def __exit__(self, *exception):
-        return self._stack.__exit__(*exception)
+    :param patient: whether a button is held until it is released, even by a page that hangs
+    """
+    pytest.importorskip('viser', reason='viser is not installed')
+    script = path_of('robot_view', 'view.py')
+    command = [sys.executable, '-c', PATIENT_VIEWER, script] if patient else [script]
+    with hold_port() as port, Process(*command, f'_port:={port}', *arguments) as view:
+        view.port, view.url = port, f'http://localhost:{port}'
+        view.wait_for_output(f'view: {view.url}')
+        yield view
 
 
 class Motion(Truth):

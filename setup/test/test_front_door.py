@@ -31,7 +31,7 @@ apt_get() { [ "$1" != install ] || echo installs; }
 set_up_python() { exit; }
 set_up demo
 """
-# Python 3.13 and its pip, which compiles by a process of its own.
+# Python 3.13 and its pip, which compiles in a child process.
 PYTHON = """#!/bin/bash
 case $* in
     *version_info*) echo 3.13 ;;

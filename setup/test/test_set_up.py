@@ -6,8 +6,13 @@ import shutil
 import signal
 
 import pytest
-from odometry_tests.checkout import FASTER, in_checkout, make_checkout, start_in_checkout
-from odometry_tests.own_package import make_package
+from odometry_tests.checkout import (
+    FASTER,
+    in_checkout,
+    make_checkout,
+    make_package,
+    start_in_checkout,
+)
 
 RUN_MINE = FASTER + """
 set_up true

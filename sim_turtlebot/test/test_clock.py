@@ -1,27 +1,18 @@
 """The clock ticks as finely as clients' own loops need it, or as asked."""
 
 import pytest
-import rospy
-from odometry_tests.tutorial import forget_parameters, simulator
+from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
 
 TICKS = 200
 
 
-@pytest.fixture(autouse=True)
-def simulated_clock(master):
-    """Let the nodes follow the simulator's clock, and leave no parameter to the next test."""
-    rospy.set_param('/use_sim_time', True)
-    yield
-    forget_parameters()
-
-
 @pytest.mark.parametrize('arguments, period', [
     ([], 5), (['_real_time_factor:=0.5'], 5), (['_real_time_factor:=10'], 10),
     (['_real_time_factor:=0'], 50), (['_clock_rate:=100'], 10), (['_odom_rate:=50'], 5),
     (['_real_time_factor:=0', '_clock_rate:=500'], 2)])
-def test_the_clock_ticks_with_this_period(arguments, period):
+def test_the_clock_ticks_with_this_period(simulated_time, arguments, period):
     """In ms; a message that gets lost makes a gap, and none makes it shorter."""
     with simulator(*arguments):
         seen = [message.clock.to_nsec() for message in Recorder('/clock', Clock).wait_for_count(TICKS)]

@@ -1,16 +1,15 @@
-"""A simulator that is reset: each episode is the first again, and a service never says more than is true."""
+"""A simulator that is reset: each episode is the first again, to the byte."""
 
-import io
 import itertools
 import math
-import sys
 
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_tests.lockstep_runs import bytes_of
+from odometry_tests.messages import stamp
 from odometry_tests.pausing import call, pause
-from odometry_tests.processes import Process
 from odometry_tests.robots import twist
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator_in_step
@@ -25,21 +24,6 @@ TOPICS = {'/odom': (Odometry, 20), '/scan': (LaserScan, 10), '/tf': (TFMessage, 
 ALL_NOISE = ['_odometry_source:=encoder', '_wheel_slip:=0.02', '_wheel_noise:=0.02',
              '_gyro_noise:=0.02', '_gyro_drift:=0.01', '_scan:=true', '_scan_noise:=0.01',
              f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf', '_real_time_factor:=0']
-# A node that never gets as far as to serve anything.
-STUCK = """
-import rospy
-from odometry_common.node import run_node
-from sim_turtlebot.settings import read_settings
-from sim_turtlebot.simulation import Simulation
-from sim_turtlebot.simulator import Simulator
-
-def simulate():
-    settings = read_settings()
-    Simulator(Simulation(settings), settings)
-    rospy.spin()
-
-run_node('sim_turtlebot', simulate, '', disable_rostime=True)
-"""
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
@@ -64,18 +48,9 @@ class Controllers:
         self._subscriber.unregister()
 
 
-def stamp(message):
-    """Return when a message was sent (s)."""
-    header = getattr(message, 'header', None) or message.transforms[0].header
-    return header.stamp.to_sec()
-
-
-def bytes_of(messages):
-    """Return the messages of an episode as they are sent; a repetition does not count."""
-    buffers = [io.BytesIO() for _ in messages]
-    for message, buffer in zip(messages, buffers):
-        message.serialize(buffer)
-    return [one for one, _ in itertools.groupby(buffer.getvalue() for buffer in buffers)]
+def as_sent(messages):
+    """Return the messages of an episode as bytes, without repetitions."""
+    return [one for one, _ in itertools.groupby(map(bytes_of, messages))]
 
 
 def test_after_a_reset_an_episode_is_the_same_bytes(master):
@@ -91,7 +66,7 @@ def test_after_a_reset_an_episode_is_the_same_bytes(master):
             for recorder in recorders.values():
                 recorder.wait_for(lambda m: stamp(m) >= LENGTH, what='the end of the episode')
             pause(*recorders.values())
-            episodes.append({topic: bytes_of([m for m in recorder.messages if stamp(m) <= LENGTH])
+            episodes.append({topic: as_sent([m for m in recorder.messages if stamp(m) <= LENGTH])
                              for topic, recorder in recorders.items()})
             for recorder in recorders.values():
                 recorder.clear()
@@ -101,10 +76,3 @@ def test_after_a_reset_an_episode_is_the_same_bytes(master):
         first, *others = (episode[topic] for episode in episodes)
         assert len(first) == rate * LENGTH + 1, topic
         assert others == [first, first], topic
-
-
-def test_a_service_that_is_not_served_in_time_fails(master):
-    """With one line that says so; never does it say that it was done."""
-    with Process(sys.executable, '-c', STUCK), \
-            pytest.raises(rospy.ServiceException, match='not begun within 5 s of wall time'):
-        call('reset_simulation')

@@ -1,16 +1,21 @@
-"""A second episode is as good as the first: after a reset the same commands do the same, to the bit."""
+"""Robots in a room under any commands: they bump, push, are put and reset, and stay robots.
+
+After a reset the same commands do the same, to the bit.
+"""
 
 import math
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from odometry_common.geometry import about_z
-from odometry_tests.fuzzing import sequence_count
+from odometry_common.geometry import about_z, yaw_of
+from odometry_tests.fuzzing import any_number, sequence_count
 from odometry_tests.scripts import ROOT
-from odometry_tests.simulation import settings_of
+from odometry_tests.simulation import lean, settings_of
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.velocity_mux import INPUTS
+
+from odometry_common import kobuki
 
 NOISE = {'wheel_slip': 0.05, 'wheel_noise': 0.02, 'gyro_noise': 0.02, 'gyro_drift': 0.01,
          'scan': True, 'scan_noise': 0.01, 'scan_beams': 8, 'seed': 7}
@@ -19,15 +24,23 @@ CRATE = """<sdf version="1.6"><world name="w"><model name="crate"><pose>0.5 0.4 
 <link name="crate"><inertial><mass>0.3</mass><inertia><ixx>0.002</ixx><ixy>0</ixy><ixz>0</ixz>
 <iyy>0.002</iyy><iyz>0</iyz><izz>0.002</izz></inertia></inertial><collision name="crate"><geometry>
 <box><size>0.2 0.2 0.2</size></box></geometry></collision></link></model></world></sdf>"""
-SHARE = 3  # of the sequences: a hundred by day
+SHARE = 3  # one in three sequences, 100 of 300
+FASTEST_RIM = kobuki.MAX_LINEAR_SPEED + kobuki.MAX_ANGULAR_SPEED * kobuki.WHEEL_SEPARATION / 2
+FASTEST_WHEEL = 1.1 * FASTEST_RIM / kobuki.WHEEL_RADIUS  # rad/s, of a wheel that comes free from a wall
+LARGEST_LEAN = 25.0  # degrees, with the wheels up against another robot
+LOWEST, HIGHEST = -0.001, 0.05  # m, of the footprint
+SECOND = 240  # steps
 
 robots = st.integers(0, 1)
-places, yaws = st.floats(-1.5, 1.5), st.floats(-math.pi, math.pi)
+places, yaws = st.floats(-2.5, 2.5), st.floats(-math.pi, math.pi)  # also within and behind a wall
 events = st.one_of(
-    st.tuples(st.just('command'), robots, st.sampled_from([0.7, -0.7, 0.0]) | st.floats(-0.7, 0.7),
-              st.sampled_from([math.pi, 0.0]) | st.floats(-4, 4), st.sampled_from([None, *INPUTS])),
+    st.tuples(st.just('command'), robots,
+              st.sampled_from([0.7, -0.7, 0.0]) | st.floats(-0.7, 0.7) | any_number,
+              st.sampled_from([math.pi, 0.0]) | st.floats(-4, 4) | any_number,
+              st.sampled_from([None, *INPUTS])),
     # Where it ends, time may stand still: at any step, not only at an odometry.
-    st.tuples(st.just('run'), st.integers(1, 50)),
+    st.tuples(st.just('run'), st.integers(1, 50) | st.just(SECOND)),
+    st.tuples(st.just('stop')),
     st.tuples(st.just('set_pose'), robots, places, places, st.sampled_from([0.0, 0.3]), yaws),
     st.tuples(st.just('reset_odometry'), robots))
 episodes = st.lists(events, min_size=1, max_size=10)
@@ -37,12 +50,14 @@ class Episodes:
     """Two robots side by side, and all that there is to see of them."""
 
     def __init__(self, source, world):
+        self._source = source
         self._simulation = Simulation(
             settings_of(robots=2, odometry_source=source, world=world, **NOISE))
 
     def play(self, episode):
         """Return what is seen during a list of events."""
-        self._seen = []
+        self._seen, self._has_dropped = [], False
+        self._origins = [robot.ground_truth for robot in self._simulation.robots]
         self._look()
         for name, *arguments in episode:
             getattr(self, f'_{name}')(*arguments)
@@ -52,8 +67,12 @@ class Episodes:
     def reset(self):
         self._simulation.reset()
 
-    def _command(self, robot, linear, angular, mux_input):
-        self._simulation.command(linear, angular, robot, mux_input)
+    def _command(self, robot, linear, angular, mux_input=None):
+        if math.isfinite(linear) and math.isfinite(angular):
+            self._simulation.command(linear, angular, robot, mux_input)
+        else:
+            with pytest.raises(ValueError, match='is not finite'):
+                self._simulation.command(linear, angular, robot, mux_input)
 
     def _run(self, steps):
         timeline = self._simulation.timeline
@@ -62,14 +81,31 @@ class Episodes:
             if self._simulation.advance(end):
                 self._look()
 
-    def _set_pose(self, robot, x, y, z, yaw):
+    def _stop(self):
+        for number, _ in enumerate(self._simulation.robots):
+            self._command(number, 0.0, 0.0)
+        self._run(SECOND)
+        if not self._has_dropped:
+            for robot in self._simulation.robots:
+                assert math.hypot(*robot.ground_truth.linear) < 0.05
+
+    def _set_pose(self, number, x, y, z, yaw):
+        robot = self._simulation.robots[number]
+        before = robot.body.pose()[0]
         try:
-            self._simulation.robots[robot].set_pose((x, y, z), about_z(yaw))
+            robot.set_pose((x, y, z), about_z(yaw))
         except ValueError as error:
             self._seen.append(str(error))
+            assert robot.body.pose()[0] == before
+        else:
+            self._has_dropped = self._has_dropped or z > 0
+            assert robot.ground_truth.position[:2] == (x, y)
 
-    def _reset_odometry(self, robot):
-        self._simulation.robots[robot].reset_odometry()
+    def _reset_odometry(self, number):
+        robot = self._simulation.robots[number]
+        robot.reset_odometry()
+        self._origins[number] = robot.ground_truth
+        assert robot.odometry.position[:2] == (0.0, 0.0)
 
     def _look(self):
         timeline = self._simulation.timeline
@@ -78,6 +114,26 @@ class Episodes:
         self._seen.append(repr((timeline.now, number, [
             (robot.odometry, robot.ground_truth, robot.wheels, robot.gyro.heading, robot.gyro.rate,
              robot.scanner.scan(number).tolist()) for robot in self._simulation.robots])))
+        for robot, origin in zip(self._simulation.robots, self._origins):
+            self._check(robot, origin)
+
+    def _check(self, robot, origin):
+        """Check all that must hold for a robot at any time."""
+        truth, odometry = robot.ground_truth, robot.odometry
+        for part in (*truth, *odometry, *robot.wheels):
+            assert all(map(math.isfinite, part))
+        assert max(map(abs, robot.wheels[1])) <= FASTEST_WHEEL
+        assert math.hypot(*odometry.orientation) == pytest.approx(1.0, abs=1e-6)
+        assert truth.position[2] >= LOWEST
+        if self._has_dropped:
+            return
+        assert lean(truth) <= LARGEST_LEAN and truth.position[2] <= HIGHEST
+        if self._source == 'world':
+            path = (now - then for now, then in zip(truth.position[:2], origin.position[:2]))
+            assert math.hypot(*odometry.position[:2]) == pytest.approx(math.hypot(*path), abs=1e-9)
+            turned = yaw_of(truth.orientation) - yaw_of(origin.orientation)
+            error = math.remainder(yaw_of(odometry.orientation) - turned, math.tau)
+            assert error == pytest.approx(0.0, abs=1e-9)
 
 
 @pytest.fixture(scope='module')

@@ -14,7 +14,7 @@ from odometry_tests.lockstep_runs import (
     bytes_of,
     record,
 )
-from odometry_tests.placing import Placer
+from odometry_tests.robots import Placer
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (
     Truth,

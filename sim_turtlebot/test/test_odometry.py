@@ -141,6 +141,7 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     assert carried.position == before.position
     assert yaw_of(carried.orientation) == pytest.approx(2.0 if gyro else 0.0)
     assert (carried.linear, carried.angular) == (STILL, STILL)
+    assert robot.gyro.rate == 0.0
     after = robot.move(motion(-3.0, 7.0, 2.5), wheel_angles(0.5, 0.0))
     assert after == carried._replace(linear=after.linear, angular=after.angular)
     assert (after.linear, after.angular) == (STILL, STILL)

@@ -65,17 +65,6 @@ def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
     assert max(distance_between(start, motion) for motion in spin) <= 0.002
 
 
-@pytest.mark.parametrize('turn_speed', [0.5, -0.5])
-def test_three_laps_of_a_circle_end_where_they_began(turn_speed):
-    """Within 5 mm, and their diameter is that of the twist."""
-    simulation = Simulation()
-    start = simulation.robot.ground_truth
-    laps = simulation.drive(0.2, turn_speed, 3 * 2 * math.pi / 0.5).ground_truth
-    simulation.drive(0.0, 0.0, STOPPING)
-    assert distance_between(start, simulation.robot.ground_truth) <= 0.005
-    assert max(distance_between(start, motion) for motion in laps) == pytest.approx(0.8, rel=0.01)
-
-
 @pytest.mark.parametrize('source', ['world', 'encoder'])
 @pytest.mark.parametrize('before', [[], [(0.5, 0.0)], [(0.0, 2.0)], [(-0.3, 0.8), (0.7, 3.0)]])
 def test_at_rest_for_ten_minutes_it_does_not_creep(before, source):

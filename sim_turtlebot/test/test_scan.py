@@ -30,7 +30,7 @@ def test_a_scan_is_that_of_the_depth_camera(simulated_time):
     """640 beams in 60 degrees, ten times a second, each with an odometry of the same moment."""
     with simulator('_scan:=true', CORRIDOR, UNPACED):
         odometry = Recorder('odom', Odometry)
-        odometry.wait_for()  # it is heard from before the first scan on
+        odometry.wait_for()  # connected before the first scan
         scans = Recorder('scan', LaserScan)
         seen = scans.wait_for_count(SCANS)
         wait_until(lambda: odometry.last.header.stamp > seen[-1].header.stamp, 20.0, 'odometry')

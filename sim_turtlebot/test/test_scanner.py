@@ -94,7 +94,7 @@ def test_to_look_changes_nothing():
 
 
 def test_noise_is_as_wide_as_it_is_said_to_be():
-    """About the true range, and of its own for each beam, scan, seed and robot."""
+    """Centred on the true range, and independent for each beam, scan, seed and robot."""
     true = scan_in('room.urdf', beams=2000)
     noises = []
     for seed, number in [((0, 0), 0), ((0, 0), 1), ((1, 0), 0), ((0, 1), 0)]:

@@ -53,19 +53,6 @@ def test_it_drives_on_from_there(source):
     assert moved == pytest.approx(0.584, abs=2e-3)
 
 
-def test_in_the_air_it_falls_and_settles():
-    """On its wheels, at the height at which it stands elsewhere."""
-    simulation = Simulation()
-    height = simulation.robot.ground_truth.position[2]
-    simulation.robot.set_pose((1.0, 1.0, 0.2), LEVEL)
-    assert not simulation.robot.resting
-    simulation.run(0.1)
-    assert simulation.robot.ground_truth.linear[2] < -0.5
-    simulation.run(2.0)
-    assert simulation.robot.resting
-    assert simulation.robot.ground_truth.position == pytest.approx((1.0, 1.0, height), abs=1e-3)
-
-
 def test_it_can_be_laid_on_its_side_and_put_upright():
     simulation = Simulation()
     simulation.robot.set_pose((1.0, 1.0, 0.3), ON_ITS_SIDE)

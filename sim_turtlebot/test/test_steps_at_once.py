@@ -3,9 +3,7 @@
 import random
 
 import pytest
-from odometry_common.kobuki import WHEEL_TORQUE
 from odometry_tests.simulation import settings_of
-from sim_turtlebot.physics import World
 from sim_turtlebot.simulation import Simulation
 
 ODOMETRIES = 150
@@ -34,23 +32,3 @@ def test_they_are_the_same_to_the_last_bit_as_one_by_one(odom_rate, seed):
     for number, state in enumerate(drive(odom_rate, seed, 10**6)):
         assert state == one_by_one[number], f'odometry {number}'
     assert len({wheels for *_, wheels in one_by_one}) > ODOMETRIES / 4
-
-
-def spin_up(steps):
-    """Want more of the wheels than the motors can, in so many steps at a time."""
-    world = World(240.0, [(0.0, 0.0, 0.0)])
-    robot, states = world.robots[0], []
-    for speed in (0.0, 50.0, -50.0):  # m/s
-        robot.drive(speed, 0.0)
-        for _ in range(8 // steps):
-            world.step(steps)
-        states.append((robot.pose(), robot.wheels()))
-    return states
-
-
-@pytest.mark.parametrize('steps', [2, 4, 8])
-def test_a_motor_at_its_limit_has_the_same_torque(steps):
-    """However many steps are to come when it is told to turn, or asked for its torque."""
-    one_by_one = spin_up(1)
-    assert spin_up(steps) == one_by_one
-    assert any(torque == WHEEL_TORQUE for _, (_, _, torques) in one_by_one for torque in torques)

@@ -1,9 +1,8 @@
-"""The whole graph, or its robot alone, in processes of their own, quiet until it is measured."""
+"""The whole graph, or its robot alone, as processes that are paused between measurements."""
 
 import contextlib
 import time
 
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.links import has_listener
 from odometry_tests.pausing import call
 from odometry_tests.processes import Process
@@ -30,14 +29,14 @@ class Graph:
         """
         forget_parameters()
         self._stack = contextlib.ExitStack()
-        self._stack.enter_context(simulator(*arguments, start=GuardedProcess))
+        self._stack.enter_context(simulator(*arguments))
         # Nothing may pass before it is measured.
         call('pause_physics')
         if client:
             self._stack.enter_context(Process(*client))
         elif movers:
-            self._stack.enter_context(detector(start=GuardedProcess))
-            self._stack.enter_context(mover(f'_distance:={FAR}', start=GuardedProcess))
+            self._stack.enter_context(detector())
+            self._stack.enter_context(mover(f'_distance:={FAR}'))
             for topic in ('/odom', '/moved_distance', '/cmd_vel'):
                 wait_until(lambda topic=topic: has_listener(topic), TIMEOUT,
                            f'a subscriber of {topic}')

@@ -3,7 +3,7 @@
 usage: ring.py robot | detector | mover
 
 The robot is PyBullet stepping from one odometry to the next, and nothing else. It publishes what
-the simulator does; the others hear what the detector and the mover do.
+the simulator does; the others receive what the detector and the mover receive.
 
 Subscribes:
     ring/run (std_msgs/Float64): go round for so many seconds of wall time

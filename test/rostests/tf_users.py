@@ -4,6 +4,7 @@
 import unittest
 
 import tf
+from odometry_tests.pausing import call
 from odometry_tests.robots import Robot
 from odometry_tests.rostests import run_rostest
 from odometry_tests.waiting import wait_until
@@ -22,7 +23,7 @@ class TfUsersTest(unittest.TestCase):
         """It knows the latest pose, then the start, and then the latest pose again."""
         self.robot.drive(0.5)
         self.wait_for(lambda stamp, x: stamp > 4 and x > 1, 'a robot on its way')
-        self.robot.call('reset_simulation')
+        call('reset_simulation')
         self.wait_for(lambda _, x: x == 0, 'a robot at its start')
         self.robot.drive(0.5)
         self.wait_for(lambda stamp, x: 0.5 < x < stamp, 'a robot on its way once more')

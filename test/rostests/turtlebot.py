@@ -6,8 +6,9 @@ import sys
 import unittest
 
 import tf
+from odometry_tests.messages import stamp
 from odometry_tests.pausing import call
-from odometry_tests.robots import Robot
+from odometry_tests.robots import BASE, NAVI, TELEOP, Robot
 from odometry_tests.rostests import run_rostest
 from odometry_tests.waiting import Recorder
 from sensor_msgs.msg import Imu
@@ -93,19 +94,13 @@ class TurtlebotTest(unittest.TestCase):
             self.assertEqual(covariance[::4], (sys.float_info.max, sys.float_info.max, 0.005))
 
     def test_what_goes_to_the_base_directly_is_obeyed_whatever_the_multiplexer_keeps_out(self):
-        self.step(lambda robot: robot.drive_through('teleop', 0.0))
+        self.step(lambda robot: robot.drive(0.0, topic=TELEOP))
         for _ in range(6):
-            moving = self.step(lambda robot: robot.drive_through('navi', 0.2)).twist.twist.linear.x
+            moving = self.step(lambda robot: robot.drive(0.2, topic=NAVI)).twist.twist.linear.x
         self.assertEqual(moving, 0.0)
         for _ in range(6):
-            moving = self.step(lambda robot: robot.drive_base(0.2)).twist.twist.linear.x
+            moving = self.step(lambda robot: robot.drive(0.2, topic=BASE)).twist.twist.linear.x
         self.assertAlmostEqual(moving, 0.2, delta=0.02)
-
-
-def stamp(message):
-    """Return the time (s) of a message."""
-    header = message.transforms[0].header if hasattr(message, 'transforms') else message.header
-    return header.stamp.to_sec()
 
 
 if __name__ == '__main__':

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 from odometry_tests.processes import Process
-from odometry_tests.screen import Screen
+from odometry_tests.screen import colours, virtual_screen
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import wait_until
 
@@ -19,8 +19,8 @@ pytestmark = pytest.mark.usefixtures('simulated_time')
 def screen():
     if not shutil.which('Xvfb'):
         pytest.skip('Xvfb is not installed')
-    with Screen(800, 600) as virtual:
-        yield virtual
+    with virtual_screen(800, 600):
+        yield
 
 
 def wait_for_odometry(process):
@@ -36,8 +36,8 @@ def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
         pytest.skip('rviz is not installed')
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', argument) as launch:
         wait_for_odometry(launch)
-        wait_until(lambda: screen.colours() > DRAWN, 30.0, lambda: (
-            f'the robot; there are {screen.colours()} colours, and it printed:\n{launch.output}'))
+        wait_until(lambda: colours() > DRAWN, 30.0, lambda: (
+            f'the robot; there are {colours()} colours, and it printed:\n{launch.output}'))
         assert launch.end(timeout=30.0) == 0, launch.output
     assert 'has died' not in launch.output
 

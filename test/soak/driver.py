@@ -1,4 +1,4 @@
-"""One step of the soak after the other: hear, check, do, command."""
+"""The steps of the soak: act, command, receive, check."""
 
 import signal
 from collections import Counter
@@ -29,7 +29,8 @@ class Driver:
         self._number = 0
         self._actions = {
             RESET_DISTANCE: self._reset_distance, RESET_ODOMETRY: self._reset_odometry,
-            RESET_SIMULATION: self._nodes.reset_simulation, PAUSE: self._nodes.pause,
+            RESET_SIMULATION: lambda: self._nodes.call('reset_simulation'),
+            PAUSE: lambda: self._nodes.call('pause_physics'),
             RESTART: lambda: self._restart(signal.SIGINT),
             KILL: lambda: self._restart(signal.SIGKILL)}
         self.usage = {}  # Usages by the name of the process
@@ -62,7 +63,7 @@ class Driver:
             self._nodes.command(linear, angular)
         if paused:
             self._nodes.odometry.check_silence()
-            self._nodes.unpause()
+            self._nodes.call('unpause_physics')
         self._check()
 
     def _check(self):
@@ -96,14 +97,14 @@ class Driver:
         return message
 
     def _reset_distance(self):
-        self._nodes.reset_distance()
+        self._nodes.reset_distance.publish()
         self._distance.reset()
 
     def _reset_odometry(self):
-        self._nodes.reset_odometry()
+        self._nodes.reset_odometry.publish()
         self._pose.reset()
 
     def _restart(self, signum):
-        self._nodes.pause()
+        self._nodes.call('pause_physics')
         self._nodes.restart_detector(signum)
         self._distance = DistanceCheck()

@@ -11,8 +11,7 @@ from course import RATE
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_launch.process_guard import GuardedProcess
-from odometry_tests.links import HEARS, links
+from odometry_tests.links import links
 from odometry_tests.pausing import call
 from odometry_tests.processes import Master, rosrun
 from odometry_tests.tutorial import detector, simulator_in_step
@@ -88,21 +87,6 @@ class Nodes:
         command.linear.x, command.angular.z = linear, angular
         self._velocity.publish(command)
 
-    def reset_distance(self):
-        self._tell(DETECTOR, '/moved_distance/reset')
-
-    def reset_odometry(self):
-        self._tell(SIMULATOR, '/mobile_base/commands/reset_odometry')
-
-    def reset_simulation(self):
-        self._call('reset_simulation')
-
-    def pause(self):
-        self._call('pause_physics')
-
-    def unpause(self):
-        self._call('unpause_physics')
-
     def restart_detector(self, signum):
         """End the detector by a signal and start another, while the simulation is paused."""
         self._detector.end(signum)
@@ -113,39 +97,30 @@ class Nodes:
         self.truth = Stream('base_pose_ground_truth', Odometry)
         self.distance = Stream('moved_distance', Float64)
         self._velocity = advertise('cmd_vel', Twist)
+        self.reset_distance, self.reset_odometry = (
+            advertise(topic, Empty) for topic in ('moved_distance/reset',
+                                                  'mobile_base/commands/reset_odometry'))
 
     def _start_simulator(self):
-        """Start the simulator, paused, and return once it hears and is heard."""
+        """Start the simulator, paused, and return once its topics are connected."""
         self._simulator = simulator_in_step(f'_odom_rate:={RATE}', '_real_time_factor:=0',
-                                            '_paused:=true', start=GuardedProcess)
+                                            '_paused:=true')
         # The last of its services.
         rospy.wait_for_service(f'{SIMULATOR}/reset_simulation', START_TIMEOUT * PATIENCE)
-        wait_for_subscribers(self._velocity, timeout=START_TIMEOUT)
+        for publisher in self._velocity, self.reset_odometry:
+            wait_for_subscribers(publisher, timeout=START_TIMEOUT)
         self._wait_for_links(SIMULATOR, {('/odom', NAME), ('/base_pose_ground_truth', NAME)})
 
     def _start_detector(self):
-        """Start a detector and return once it hears and is heard."""
-        stale = links(SIMULATOR)
-        self._detector = detector(f'__name:={DETECTOR[1:]}', start=GuardedProcess)
+        """Start a detector and return once its topics are connected."""
+        stale = links(SIMULATOR) | links(NAME)
+        self._detector = detector(f'__name:={DETECTOR[1:]}')
         self._wait_for_links(DETECTOR, {('/moved_distance', NAME)})
+        self._wait_for_links(NAME, {('/moved_distance/reset', DETECTOR)}, stale)
         self._wait_for_links(SIMULATOR, {('/odom', DETECTOR)}, stale)
 
-    def _tell(self, node, topic):
-        """Publish an Empty and return once a node has taken it; time stands still meanwhile.
-
-        A topic has no answer, but its link is closed only after the last message on it.
-        """
-        self.pause()
-        publisher = advertise(topic, Empty)
-        wait_for_subscribers(publisher, timeout=START_TIMEOUT)
-        publisher.publish()
-        publisher.unregister()
-        wait_until(lambda: not any(link.topic == topic for link in links(node, HEARS)),
-                   START_TIMEOUT, f'{node} that has heard {topic}')
-        self.unpause()
-
     @staticmethod
-    def _call(name):
+    def call(name):
         """Call a service of the simulator and return once it is done."""
         try:
             call(name)

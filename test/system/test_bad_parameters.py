@@ -3,11 +3,11 @@
 import pytest
 import rospy
 from odometry_common.parameters import ANY, ParameterError, read_from
-from odometry_tests.forked import run_script
+from odometry_tests.processes import assert_refused, run_script
 from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
+from sim_turtlebot.window import LIBRARIES, NoScreenError, screen
 
-EXIT_BAD_PARAMETER = 2
 NOT_NUMBERS = ['abc', '', [1, 2], {'a': 1}, True, float('nan'), 'nan', float('inf'), '2026-01-01']
 WRONG_TYPE = {float: NOT_NUMBERS, int: [*NOT_NUMBERS, 1.5], bool: ['abc', '', [True], 1, 0.5],
               str: [1, 1.5, True, ['a'], {'a': 'b'}]}
@@ -40,6 +40,7 @@ OUT_OF_RANGE = {
         'allowed_hosts': ['*', 'http://lab', 'lab/page', 'lab:0', 'lab:70000', 'lab:',
                           'me@lab', '::1', 'lab, -x', 'good bad!']}}
 
+
 if 'view.py' in TABLES:  # the package is optional
     from robot_view.address import read_address
 
@@ -65,13 +66,6 @@ def test_defaults_are_accepted(script):
         assert vars(TABLES[script].read()) == defaults
 
 
-def assert_refused(ended, *words):
-    """Assert that a node has ended with status 2 and one line with all the words in it."""
-    assert ended.wait() == EXIT_BAD_PARAMETER, ended.output
-    line, = ended.stderr.splitlines()
-    assert all(word in line for word in words), line
-
-
 @pytest.mark.parametrize('script', TABLES)
 @pytest.mark.parametrize('text', ['abc', ''])
 def test_a_node_with_a_bad_value_ends_with_one_line_and_status_2(master, script, text):
@@ -94,3 +88,13 @@ def test_a_window_without_a_screen_is_refused(master, display):
     ended = run_script(SCRIPTS['sim_turtlebot_node.py'].__file__, '_gui:=true',
                        env={'DISPLAY': display})
     assert_refused(ended, '~gui', 'DISPLAY')
+
+
+@pytest.mark.parametrize('library', ['libX11.so.6', 'libGL.so.1'])
+def test_a_missing_library_is_named(monkeypatch, library):
+    """It is not DISPLAY that has to be set then."""
+    names = [f'no-{name}' if name == library else name for name in LIBRARIES]
+    monkeypatch.setattr('sim_turtlebot.window.LIBRARIES', names)
+    with pytest.raises(NoScreenError, match=f'^no-{library} is not installed$'), \
+            screen():
+        pass

@@ -1,14 +1,10 @@
 """./ws bench measures, says honestly what is missed, and leaves nothing behind."""
 
 import csv
-import os
 import re
-import subprocess
 
-from odometry_tests.linux import LOOK_PERIOD, command_lines, marked, new_mark, wait_until_none
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
-from odometry_tests.waiting import wait_until
 
 TIMEOUT = 180.0  # s
 
@@ -28,14 +24,3 @@ def test_figures_are_measured_and_shown_as_a_table(tmp_path):
     missed = [re.split(' {2,}', row)[0] for row in rows if row.endswith('  MISSED')]
     assert f'targets missed: {", ".join(missed) or "none"}' in run.stdout, run.output
     assert status == (1 if missed else 0), run.output
-
-
-def test_nothing_is_left_of_a_bench_that_is_killed():
-    """By kill -9, while its graph runs."""
-    mark = new_mark()
-    with subprocess.Popen([ROOT / 'ws', 'bench', 'lockstep'], stdout=subprocess.DEVNULL,
-                          env={**os.environ, **mark}) as bench_of_graph:
-        wait_until(lambda: 'sim_turtlebot_node.py' in command_lines(marked(mark)), TIMEOUT,
-                   'a robot', LOOK_PERIOD)
-        bench_of_graph.kill()
-    wait_until_none(mark)

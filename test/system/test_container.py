@@ -9,8 +9,8 @@ import urllib.request
 
 import psutil
 import pytest
+from odometry_tests.checkout import make_package
 from odometry_tests.documents import DOCUMENTS
-from odometry_tests.own_package import make_package
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 

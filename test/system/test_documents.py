@@ -18,7 +18,7 @@ from odometry_tests.documents import DOCUMENTS, read_commands
 from odometry_tests.messages import odometry
 from odometry_tests.processes import hold_port
 from odometry_tests.reader import Reader
-from odometry_tests.screen import Screen
+from odometry_tests.screen import virtual_screen
 from odometry_tests.scripts import ROOT
 
 NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
@@ -129,7 +129,7 @@ def readers(request, tmp_path_factory):
             if hasattr(item, 'callspec') and 'key' in item.callspec.params]
     with ExitStack() as stack:
         if shutil.which('Xvfb'):
-            stack.enter_context(Screen(800, 600))
+            stack.enter_context(virtual_screen(800, 600))
         pool = stack.enter_context(ThreadPoolExecutor(READERS))
         yield {key: pool.submit(read, key, tmp_path_factory.mktemp('home')) for key in keys}
 
@@ -183,7 +183,7 @@ def make_home(home):
 
 
 def environment(port, page_port):
-    """Return a login's environment, with the ports for a ROS master and for a page of its own."""
+    """Return a login's environment, with ports for a ROS master and for a page."""
     return {'PATH': '/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin',
             'TERM': 'xterm', 'LANG': 'C.UTF-8', 'DISPLAY': os.environ.get('DISPLAY', ''),
             'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}',

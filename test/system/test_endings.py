@@ -10,8 +10,8 @@ import psutil
 import pytest
 import rosgraph
 import rosnode
+import rospy
 from geometry_msgs.msg import Twist
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.scripts import ROOT
@@ -25,6 +25,7 @@ from odometry_tests.tutorial import (
     simulator,
 )
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
+from std_msgs.msg import Float64
 
 # With each 25th module that a script imports, a copy of its process gets Ctrl-C.
 IMPORTING = """
@@ -86,7 +87,7 @@ def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path):
     (tmp_path / 'world.urdf').write_text(
         '<robot name="r"><link name="a"><collision><geometry><mesh filename="pipe.obj"/></geometry>'
         '</collision></link></robot>')
-    with simulator(f'_world:={tmp_path}/world.urdf', start=GuardedProcess) as node:
+    with simulator(f'_world:={tmp_path}/world.urdf') as node:
         wait_until(psutil.Process(node.pid).children, TIMEOUT, 'the process that tries the world')
         assert node.end(signal.SIGTERM) == 0, node.output
     assert not node.output.strip()
@@ -116,6 +117,21 @@ def test_a_node_that_waits_ends_quietly(ns, package, program):
         assert node.end() == 0, node.output
 
 
+def test_a_log_line_that_nobody_reads_any_more_ends_the_node_quietly(ns):
+    """As a line of output does: the robot is told to stop, and there is no traceback."""
+    commands = Recorder(f'{ns}cmd_vel', Twist)
+    distances = rospy.Publisher(f'{ns}moved_distance', Float64, queue_size=100)
+    pipeline = 'rosrun test_movement test_movement.py | true; echo "status ${PIPESTATUS[0]}"'
+    with Process('bash', '-c', pipeline) as shell:
+        # At the goal the mover commands zero and says nothing: everybody is connected then.
+        wait_until(lambda: distances.publish(3.0) or commands.last, 20.0, 'a command')
+        distances.publish(0.0)
+        assert shell.wait() == 0, shell.output
+    assert shell.output.split('\n') == ['status 0', '']
+    wait_until(lambda: [m.linear.x for m in commands.messages][-2:] == [0.1, 0.0], 20.0,
+               lambda: f'zero after 0.1 m/s; the last commands are\n{commands.messages[-2:]}')
+
+
 @pytest.fixture(scope='module')
 def truth(master):
     """Record the motion of a robot whose own watchdog is off, in simulated time."""
@@ -132,11 +148,11 @@ def truth(master):
 def driver(request, truth):
     """Start a node that moves the robot."""
     if request.param == 'mover':
-        node = mover('__name:=driver', '_distance:=100', start=GuardedProcess)
+        node = mover('__name:=driver', '_distance:=100')
     else:
         # Out of reach within the test: it turns at full speed limit all the time.
         node = rotator('__name:=driver', '_max_angular_speed:=0.2',
-                       f'_target:={170 + heading(truth.last):.0f}', start=GuardedProcess)
+                       f'_target:={170 + heading(truth.last):.0f}')
     with node:
         truth.wait_until_moving()
         yield node

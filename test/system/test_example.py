@@ -59,7 +59,7 @@ def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, 
 def node_beside(truth, name):
     """Start a node of the example once its robot is there.
 
-    Bare rospy may never hear of a publisher that starts at the same moment.
+    Plain rospy may never learn of a publisher that starts at the same moment.
     """
     truth.wait_for(what='a robot')
     return Process(sys.executable, EXAMPLE / 'src' / name)

@@ -10,7 +10,7 @@ from odometry_tests.tutorial import detector, mover, rotator, simulator
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import Float64
 
-NODES = [simulator, detector, mover, rotator]
+NODES = {'simulator': simulator, 'detector': detector, 'mover': mover, 'rotator': rotator}
 
 
 # In a namespace of mounts that ends with the node; the folder is $0.
@@ -26,25 +26,24 @@ def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
         pytest.skip('nothing can be mounted here')
     moved = Recorder('moved_distance', Float64)
 
-    def start(node):
-        folder = tmp_path / node.__name__
+    def start(name):
+        folder = tmp_path / name
         folder.mkdir()
-        return node(env={'ROS_LOG_DIR': str(folder)}, start=partial(
+        return NODES[name](env={'ROS_LOG_DIR': str(folder)}, start=partial(
             GuardedProcess, 'unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder))
 
-    with start(simulator) as robot, start(detector) as counter, start(mover) as driver:
+    with start('simulator') as robot, start('detector') as counter, start('mover') as driver:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,
                        lambda: f'movement; {robot.output} {counter.output} {driver.output}')
         for process in (driver, counter, robot):
             assert process.end() == 0, process.output
 
 
-@pytest.mark.parametrize('start', NODES)
-def test_a_node_runs_without_a_home(master, start, monkeypatch):
+@pytest.mark.parametrize('name', NODES)
+def test_a_node_runs_without_a_home(master, name, monkeypatch):
     """HOME is unset in many a container and service."""
     monkeypatch.delenv('HOME')
-    name = f'homeless_{start.__name__}'
-    with start(f'__name:={name}', start=GuardedProcess) as node:
+    with NODES[name](f'__name:={name}') as node:
         wait_until(lambda: f'/{name}' in rosnode.get_node_names(), 20.0,
                    lambda: f'the node; it printed {node.output}', period=0.1)
         assert node.end() == 0, node.output

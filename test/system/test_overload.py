@@ -8,7 +8,6 @@ from urllib.parse import urlsplit
 
 import rosgraph
 from nav_msgs.msg import Odometry
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.tutorial import mover, simulator
 from odometry_tests.waiting import Recorder, wait_until
 from std_msgs.msg import String
@@ -35,8 +34,7 @@ def with_limit(most):
 
     :param most: how many more it may ask for
     """
-    return {'start': GuardedProcess,
-            'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (LIMIT, most))}
+    return {'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (LIMIT, most))}
 
 
 def test_a_node_takes_more_file_descriptors_than_usual_if_it_may(master):

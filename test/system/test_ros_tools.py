@@ -1,4 +1,4 @@
-"""ROS's own tools know every type that the nodes use, and complete what is typed of it."""
+"""ROS's own tools know every type that the nodes use."""
 
 import contextlib
 

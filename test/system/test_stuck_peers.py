@@ -1,4 +1,4 @@
-"""Subscribers that do not read, and other stuck peers: nobody else notices them."""
+"""Subscribers that do not read, and other stuck peers, which affect no one else."""
 
 import contextlib
 import os
@@ -98,7 +98,7 @@ def test_peers_that_say_nothing_keep_no_subscriber_out_and_no_node_alive(master)
 
 
 def test_a_node_whose_master_is_stuck_stops_the_robot_and_ends(master):
-    """It cannot unregister; under names of its own, which stay on the master."""
+    """It cannot unregister: its names stay on the master, so this test has a namespace."""
     commands = Recorder('/forgotten/cmd_vel', Twist)
     with mover(env={'ROS_NAMESPACE': '/forgotten'}) as node, \
             published('/forgotten/moved_distance', Float64) as distances:

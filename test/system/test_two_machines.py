@@ -70,7 +70,7 @@ def values(echo):
 def echo(machine, topic, field):
     """Print a field of the messages on a topic, once it is published, seen from a machine.
 
-    Bare rospy may never hear of a publisher that starts at the same moment.
+    Plain rospy may never learn of a publisher that starts at the same moment.
     """
     def is_published():
         info = on(machine, 'rostopic', 'info', topic)

@@ -8,7 +8,7 @@ import re
 
 import rospy
 from odometry_tests.processes import Master, Process, hold_port, rosrun
-from odometry_tests.screen import Screen
+from odometry_tests.screen import colours, photograph, virtual_screen
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import wait_until
@@ -77,11 +77,11 @@ def launched(*arguments):
 
 def photograph_screen(argument, size):
     """Return what a launch argument brings to a screen of this size."""
-    with Screen(*size) as screen, launched(argument):
+    with virtual_screen(*size), launched(argument):
         truth = Truth()
-        wait_until(lambda: screen.colours() > DRAWN, START_TIMEOUT, 'a robot on the screen')
+        wait_until(lambda: colours() > DRAWN, START_TIMEOUT, 'a robot on the screen')
         truth.wait_for(lambda m: m.pose.pose.position.x > MOMENT, DRIVE_TIMEOUT)
-        return Image.fromarray(screen.pixels())
+        return photograph()
 
 
 PICTURES = {function.__name__: function for function in (view, rviz, gui, run)}

@@ -15,7 +15,7 @@ MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml'
 # Imported, but under a name that rosdep does not know: the requirements files list them.
 FROM_PYPI = {'distributed', 'hypothesis', 'joblib', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}
-UNDER_OTHER_NAMES = {'pybullet_utils', 'xdist'}  # of pybullet, pytest-xdist
+UNDER_OTHER_NAMES = {'markdown_it', 'pybullet_utils', 'xdist'}  # of markdown-it-py, pybullet, pytest-xdist
 OPTIONAL = {'robot_view'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}

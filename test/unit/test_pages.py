@@ -1,13 +1,29 @@
-"""The documents hang together, and what they name exists."""
+"""The documents hang together, and say what is so: names, packages, examples, the reference."""
 
 import re
+from xml.etree import ElementTree
 
 import pytest
 from odometry_tests.documents import DOCUMENTS
-from odometry_tests.scripts import ROOT
+from odometry_tests.scripts import ROOT, load_script
+from sim_turtlebot.settings import PARAMETERS
 
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
 TEST = re.compile(r'`(test_\w+|\w+\.test)`')
+EXAMPLE = ROOT / 'docs' / 'example'
+SHOWN = re.findall(r'^```\w+\n(.*?)^```$', (ROOT / 'docs' / 'ci.md').read_text(),
+                   re.DOTALL | re.MULTILINE)
+reference = load_script('test/tools/reference.py')
+PACKAGE_MANIFESTS = [*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')]
+# Where Debian's name is not python3- and the key.
+DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
+          'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
+TO_BUILD = {'g++', 'git', 'make', 'python3-dev', 'python3-venv', 'ros-environment'}
+# Of messages and services, for rosmsg, rossrv and completion.
+DEFINITIONS = {'libnav-msgs-dev', 'libsensor-msgs-dev', 'libstd-srvs-dev', 'ros-geometry-msgs',
+               'ros-nav-msgs', 'ros-rosgraph-msgs', 'ros-roscpp-msg', 'ros-sensor-msgs',
+               'ros-std-msgs', 'ros-std-srvs', 'ros-tf2-msgs'}
+FOR_A_WINDOW = {'libgl1', 'libx11-6'}
 
 
 def links(page):
@@ -45,3 +61,63 @@ def test_everything_that_is_installed_is_named_where_it_is_removed():
     removed = re.findall(r'^sudo apt-mark auto (.*)', (ROOT / 'docs' / 'install.md').read_text(),
                          re.MULTILINE)
     assert sorted(' '.join(removed).split()) == sorted(' '.join(installed).split())
+
+
+def test_the_page_shows_files_of_the_example():
+    """Whole, so that they can be copied from there."""
+    files = [path.read_text() for path in EXAMPLE.rglob('*.*') if path.is_file()]
+    assert len(SHOWN) == 4
+    for block in SHOWN:
+        assert block in files, block
+
+
+def test_the_tutorial_shows_its_node():
+    """As it is."""
+    block, = re.findall(r'^```python\n(.*?)^```$', (ROOT / 'docs' / 'scan.md').read_text(),
+                        re.DOTALL | re.MULTILINE)
+    assert block == (EXAMPLE / 'src' / 'stop_before_wall.py').read_text()
+
+
+def test_the_page_is_up_to_date():
+    """The page is written by a tool, so that nothing is described twice."""
+    page = reference.PAGE.read_text()
+    assert page == reference.updated(page), 'type ./ws python3 test/tools/reference.py'
+
+
+@pytest.mark.parametrize('launch_file', ['sim.launch', 'move_two_meters.launch', 'rotate.launch'])
+def test_every_parameter_of_the_simulator_is_an_argument_of_the_launch_files(launch_file):
+    """With the same default; a file that includes one may set each. rotate.py turns a single robot."""
+    arguments = {name: default for name, (default, _) in reference._arguments(launch_file).items()}
+    defaults = {row.name[1:]: str(row.default) for row in PARAMETERS.rows
+                if (launch_file, row.name) != ('rotate.launch', '~robots')}
+    assert arguments.items() >= {name: {'False': 'false', 'True': 'true'}.get(default, default)
+                                 for name, default in defaults.items()}.items()
+
+
+def test_every_node_and_launch_file_has_a_heading():
+    """A new one needs a heading, and no more; movers.launch is only included by another.
+
+    sweep.py is ./ws sweep.
+    """
+    nodes = {path.name for folder in ('src', 'script') for path in ROOT.glob(f'*/{folder}/*.py')}
+    launched = {path.name for path in ROOT.glob('launch/*.launch')} - {'movers.launch'}
+    nodes -= {'sweep.py'}
+    headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}
+    assert nodes | launched | {*reference.PARSERS} <= headings
+
+
+def debian_packages():
+    """Return what Debian calls the dependencies of all packages here."""
+    roots = [ElementTree.parse(manifest).getroot() for manifest in PACKAGE_MANIFESTS]
+    keys = {element.text for root in roots for element in root if element.tag.endswith('depend')}
+    keys -= {root.findtext('name') for root in roots}
+    return {package for key in keys for package in DEBIAN.get(
+        key, ['python3-' + re.sub('^python3-', '', key).replace('_', '-')])}
+
+
+def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
+    """docs/workspace.md: neither less nor more."""
+    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)',
+                       (ROOT / 'docs' / 'workspace.md').read_text())
+    installed = {word for line in lines for word in line.split()}
+    assert installed == debian_packages() | TO_BUILD | DEFINITIONS | FOR_A_WINDOW

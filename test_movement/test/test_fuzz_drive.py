@@ -17,7 +17,7 @@ goals = st.just(2.0) | finite.filter(lambda value: value > 0)
 @example(2.0, 0.1, False, [2.0 - 2**-52, 2.0])  # exactly two metres are far enough
 def test_the_latest_distance_decides(goal, speed, relative, sequence):
     """Against a model: the drive starts at zero, or at the first distance that is a number."""
-    drive = Drive(goal, speed, relative)
+    drive = Drive(goal, speed, relative) if relative else Drive(goal, speed)
     start = next(filter(math.isfinite, sequence), 0.0) if relative else 0.0
     for moved in sequence:
         if math.isfinite(moved):

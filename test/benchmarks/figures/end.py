@@ -4,7 +4,6 @@ import time
 from pathlib import Path
 
 from measuring import Target, in_turns
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector
 
@@ -14,7 +13,7 @@ TIMEOUT = 60.0  # s
 
 
 def measure(options):
-    return in_turns(options, lambda: _end(detector(start=GuardedProcess), 'waiting for odometry'),
+    return in_turns(options, lambda: _end(detector(), 'waiting for odometry'),
                     lambda: _end(Process('python3', RELAY, '/question', '/answer'), 'ready'))
 
 

@@ -9,7 +9,6 @@ import rospy
 from measuring import Target, in_turns
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector, forget_parameters
@@ -26,7 +25,7 @@ STEP = 0.001  # m
 
 def measure(options):
     forget_parameters()
-    with detector(start=GuardedProcess), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'), \
+    with detector(), Process('python3', RELAY, '/relayed/odom', '/relayed/answer'), \
             closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
             closing(Answers('/relayed/odom', '/relayed/answer', Odometry)) as relay:
         return in_turns(options, answers.latency, relay.latency)

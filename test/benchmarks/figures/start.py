@@ -7,7 +7,6 @@ from pathlib import Path
 
 from measuring import Target, in_turns
 from nav_msgs.msg import Odometry
-from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.processes import Process, path_of
 from odometry_tests.tutorial import forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_until
@@ -25,7 +24,7 @@ def _start_simulator():
     forget_parameters()
     with closing(Recorder('/odom', Odometry)) as odometry:
         begin = time.perf_counter()
-        with simulator(start=GuardedProcess):
+        with simulator():
             odometry.wait_for(timeout=TIMEOUT)
             return time.perf_counter() - begin
 

@@ -1,1 +1,1 @@
-"""What the tests share: bounded waits, recorded topics, processes of their own."""
+"""What the tests share: waits with a timeout, recorded topics, processes."""

@@ -1,4 +1,4 @@
-"""What looks like a checkout of this project, for ./ws to set up."""
+"""What looks like a checkout of this project, with a package of the user's, for ./ws to set up."""
 
 import os
 import shutil
@@ -6,6 +6,26 @@ import shutil
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 
+MANIFEST = """<package format="3">
+  <name>{name}</name>
+  <version>1.0.0</version>
+  <description>A package of the user's own.</description>
+  <maintainer email="me@example.com">Me</maintainer>
+  <license>BSD</license>
+  <buildtool_depend>catkin</buildtool_depend>
+</package>
+"""
+# As teleop_twist_keyboard has it: CMake then looks for compilers.
+CMAKE = """cmake_minimum_required(VERSION 3.0.2)
+project({name})
+find_package(catkin REQUIRED)
+catkin_package()
+catkin_install_python(PROGRAMS hello.py DESTINATION ${{CATKIN_PACKAGE_BIN_DESTINATION}})
+"""
+HELLO = """#!/usr/bin/env python3
+import {module}
+print("hello from", {module}.__name__)
+"""
 TIMEOUT = 60.0  # s
 START = """
 set -euo pipefail
@@ -44,3 +64,11 @@ def in_checkout(folder, commands, **variables):
     run = start_in_checkout(folder, commands, **variables)
     run.wait(TIMEOUT)
     return run
+
+
+def make_package(folder, module):
+    """Make a package of the folder's name, whose hello.py greets from a module that it imports."""
+    folder.mkdir(parents=True)
+    for name, content in (('package.xml', MANIFEST), ('CMakeLists.txt', CMAKE), ('hello.py', HELLO)):
+        (folder / name).write_text(content.format(name=folder.name, module=module))
+    (folder / 'hello.py').chmod(0o755)

@@ -1,7 +1,9 @@
 """The commands in a Markdown document, with what it shows of their output."""
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+
+from markdown_it import MarkdownIt
 
 from odometry_tests.scripts import ROOT
 
@@ -10,10 +12,8 @@ DOCUMENTS = [README, ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md'))]
 WORDS = {'./ws', 'rosrun', 'roslaunch', 'rostopic', 'rosparam', 'rosnode', 'rosservice', 'rosbag',
          'rosmsg', 'rostest', 'rospack', 'roscore', 'rosdep', 'catkin_make', 'git', 'cd', 'mkdir',
          'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', 'docker', 'podman', '.'}
-FENCE = '```'
 PROMPT = '$ '
 MORE = '...'  # what a document has for the rest of an output
-INLINE = re.compile(r'`([^`]+)`')
 ARGUMENT = re.compile(r'(?<!\S)[a-z]\w*:=[^\s`A-Z]+(?!\S)')
 
 
@@ -40,57 +40,38 @@ def is_command(text):
 
 def read_commands(name, text):
     """Return the commands of a document in their order."""
-    return _Parser(name).read(text.splitlines())
+    commands, heading = [], ''
+    tokens = MarkdownIt().enable('table').parse(text)
+    for before, token in zip([None, *tokens], tokens):
+        if token.type == 'inline' and before.type == 'heading_open':
+            heading = token.content
+        if token.type == 'fence' and not token.info:  # with a language it is a file
+            _read_code(token, Command('', name, heading, token.map[0] + 1, inline=False), commands)
+        for child in token.children or []:
+            if child.type == 'code_inline':
+                text = _inline_command(child.content)
+                if text:
+                    commands.append(Command(text, name, heading, token.map[0] + 1, inline=True))
+    return commands
 
 
-class _Parser:
+def _read_code(fence, place, commands):
+    """Add the commands in a block, or its output to the last one."""
+    lines = fence.content.splitlines()
+    prompted = any(line.startswith(PROMPT) for line in lines)
+    output = not prompted and not is_command(lines[0])
+    for number, line in enumerate(lines, start=place.line + 1):
+        if line.startswith(PROMPT) or not (prompted or output):
+            text = line[len(PROMPT):] if line.startswith(PROMPT) else line
+            commands.append(replace(place, text=text, line=number, shown=[]))
+        elif line and line != MORE:
+            assert commands, f'{place}:{number}: this output is of no command'
+            commands[-1].shown.append(line)
 
-    def __init__(self, document):
-        self._document = document
-        self._heading = ''
-        self._commands = []
 
-    def read(self, lines):
-        """Go through the blocks between blank lines, fences, table rows and headings."""
-        block, start, fenced, language = [], 1, False, ''
-        for number, line in enumerate([*lines, ''], start=1):
-            if line.startswith(FENCE):
-                if not language:  # a file, not commands
-                    (self._read_code if fenced else self._read_prose)(block, start)
-                block, start, fenced = [], number + 1, not fenced
-                language = line[len(FENCE):]
-            elif fenced or (line and line[0] not in '#|'):
-                block.append(line)
-            else:
-                self._read_prose(block, start)
-                if line.startswith('#'):
-                    self._heading = line.strip('# ')
-                self._read_prose([line], number)
-                block, start = [], number + 1
-        return self._commands
-
-    def _read_code(self, lines, start):
-        prompted = any(line.startswith(PROMPT) for line in lines)
-        output = not prompted and not is_command(lines[0])
-        for number, line in enumerate(lines, start=start):
-            if line.startswith(PROMPT) or not (prompted or output):
-                command = line[len(PROMPT):] if line.startswith(PROMPT) else line
-                self._add(command, number, inline=False)
-            elif line and line != MORE:
-                assert self._commands, f'{self._document}:{number}: this output is of no command'
-                self._commands[-1].shown.append(line)
-
-    def _read_prose(self, lines, start):
-        text = '\n'.join(lines)
-        for found in INLINE.finditer(text):
-            code = ' '.join(found[1].split())
-            number = start + text.count('\n', 0, found.start())
-            if is_command(code) and ' ' in code:
-                self._add(code, number, inline=True)
-            elif ARGUMENT.fullmatch(code.split()[0]):
-                # Such as view:=true, which the text says every launch file takes.
-                self._add(f'roslaunch odometry_launch move_two_meters.launch {code}', number, True)
-
-    def _add(self, text, number, inline):
-        self._commands.append(
-            Command(text, self._document, self._heading, number, inline))
+def _inline_command(code):
+    """Return the command that text between backticks stands for, or None."""
+    if ARGUMENT.fullmatch(code.split()[0]):
+        # Such as view:=true, which the text says every launch file takes.
+        return f'roslaunch odometry_launch move_two_meters.launch {code}'
+    return code if is_command(code) and ' ' in code else None

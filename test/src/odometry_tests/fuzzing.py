@@ -1,7 +1,7 @@
 """Random sequences of events: values, how many, and the settings of hypothesis.
 
-By day the examples are the same each time, so that only a change makes a test fail; at night, new
-ones are tried.
+The profile ci always tries the same examples, so that only a change makes a test fail; nightly tries
+new ones.
 """
 
 import os
@@ -26,6 +26,6 @@ def load_profile():
 
 
 def sequence_count(share=1):
-    """Return how many sequences to try; by day only one in `share` of them."""
+    """Return how many sequences to try; in the profile ci, one in `share`."""
     nightly = settings.default.max_examples == NIGHTLY_SEQUENCES
     return NIGHTLY_SEQUENCES if nightly else SEQUENCES // share

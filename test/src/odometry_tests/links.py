@@ -1,4 +1,4 @@
-"""Who is connected with whom, as the nodes themselves see it."""
+"""The connections of nodes, as the nodes report them."""
 
 import xmlrpc.client
 from typing import NamedTuple
@@ -6,7 +6,7 @@ from typing import NamedTuple
 import rosgraph
 from odometry_common.connections import ANSWER, SENDS
 
-HEARS = 'i'
+RECEIVES = 'i'
 CALLER = '/links'
 
 
@@ -14,12 +14,12 @@ class Link(NamedTuple):
     """A connection of a node."""
 
     topic: str
-    peer: str  # full name of the node that hears, or address of the one that sends
+    peer: str  # full name of the subscriber, or address of the publisher
     number: int  # of the connection; never used again
 
 
 def links(node, direction=SENDS, master_uri=None):
-    """Return the set of Links over which a node (its full name) sends or hears.
+    """Return the set of Links over which a node (its full name) publishes, or subscribes.
 
     :raises rosgraph.MasterError, OSError: if there is no such node
     """

@@ -34,3 +34,9 @@ def strange_odometry():
         messages.append(message)
     messages.append(Odometry())  # empty frames, no length of the quaternion, no stamp
     return messages
+
+
+def stamp(message):
+    """Return the time (s) in the header of a message, or of a TFMessage's first transform."""
+    header = message.transforms[0].header if hasattr(message, 'transforms') else message.header
+    return header.stamp.to_sec()

@@ -1,4 +1,4 @@
-"""What a test is to a node that runs alone: the one it talks with, and the keeper of its time."""
+"""The partner of a node that runs alone, and its clock."""
 
 import rospy
 from rosgraph_msgs.msg import Clock, Log
@@ -10,14 +10,14 @@ START_TIME = 1000  # s
 
 
 class Partner:
-    """Publishes what a node listens to, and hears what it answers."""
+    """Publishes to a node, and records its answers."""
 
     def __init__(self, topic, kind, answer_topic, answer_kind):
         self._publisher = rospy.Publisher(topic, kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
         self.answers = Recorder(answer_topic, answer_kind)
 
     def wait_for_listener(self):
-        """Return once somebody hears what is said: nothing is lost from then on."""
+        """Return once the node has subscribed: no message is lost from then on."""
         wait_for_subscribers(self._publisher)
 
     def say(self, *messages):
@@ -47,10 +47,10 @@ class Partner:
 
 
 class NodeLog(Recorder):
-    """What the nodes log."""
+    """The log of all nodes."""
 
     def __init__(self):
-        """Listen; what a node has said last is heard also if it was before."""
+        """Subscribe; the latest line of each node arrives too."""
         super().__init__('/rosout', Log)
 
     def has_heard(self, node, stamp):

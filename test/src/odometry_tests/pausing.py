@@ -1,4 +1,4 @@
-"""The simulator's services, and a pause of which a test can be sure."""
+"""The simulator's services, and a pause that is certain."""
 
 import rospy
 from std_srvs.srv import Empty
@@ -16,13 +16,13 @@ def call(service, namespace='/'):
 
 
 def pause(*recorders, namespace='/'):
-    """Pause the robot; return once the recorders have heard all that was on its way.
+    """Pause the robot; return once the recorders have all messages sent before.
 
-    A starved simulator is silent too, so wall time says nothing: the recorders have to stay as
-    they are while the simulator takes many turns. What others have sent it is read by then.
+    A starved simulator is silent too, so wall time proves nothing: the recorders must not change
+    while the simulator's loop turns many times. By then it has also read its own input.
     """
     for recorder in recorders:
-        recorder.wait_for(what='a robot that is heard, before it falls silent')
+        recorder.wait_for(what='a message before the pause')
     serve = _service('pause_physics', namespace, persistent=True)
 
     def heard():

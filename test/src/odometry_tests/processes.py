@@ -6,13 +6,17 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 from collections import deque
 
 import rosgraph
 from odometry_launch.process_guard import GuardedProcess
 
+from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
+
+EXIT_BAD_PARAMETER = 2
 
 started = deque(maxlen=20)  # the latest Processes of this test; a soak starts hundreds
 
@@ -23,7 +27,7 @@ class Process:
     def __init__(self, *command, env=None, start=GuardedProcess, **popen_options):
         """Start it; `env` is added to the environment.
 
-        :param start: GuardedProcess, or Forked for a Python script
+        :param start: GuardedProcess, with a command before this one
         """
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
@@ -92,7 +96,7 @@ class Process:
         return self
 
     def __exit__(self, kind=None, *_):
-        """End it, with everything it has started; whoever does not obey Ctrl-C fails the test."""
+        """End it, with everything it has started; a process that ignores Ctrl-C fails the test."""
         try:
             if self.running:
                 self.send(signal.SIGINT)
@@ -109,26 +113,25 @@ class Process:
 
 
 class Master(Process):
-    """A ROS master of its own, which this process and its children use from now on.
+    """A ROS master, which this process and its children use from now on.
 
-    So is the address of loopback at which all of them listen: a master that knows of a node that was
-    killed tells whoever has that node's address of other publishers, and asks it to shut down. Were
-    there only one address, that could be a node of another run.
+    All of them listen at this run's own loopback address: a master still calls the address of a node
+    that was killed, and asks it to shut down. With one address for all runs, a node of another run
+    might have it by then.
 
     roscore would give up after 10 s in which its master has not answered, as on a busy machine.
     """
 
-    def __init__(self, use_sim_time=False, port=None, **options):
+    def __init__(self, use_sim_time=False, port=None):
         """Start it and return once it answers.
 
         :param port: of own_address(); None: a free one
-        :param options: those of a Process
         """
         self._port = contextlib.ExitStack()
         address = own_address()
         port = port or self._port.enter_context(hold_port(address))
         os.environ.update(ROS_MASTER_URI=f'http://{address}:{port}', ROS_HOSTNAME=address)
-        super().__init__(shutil.which('rosmaster'), '--core', '-p', port, **options)
+        super().__init__(shutil.which('rosmaster'), '--core', '-p', port)
         try:
             wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
         except BaseException:
@@ -150,7 +153,7 @@ def own_address():
 def hold_port(host='localhost'):
     """Yield a TCP port of this machine that is given to nobody else meanwhile.
 
-    Only who is told of it can listen on it, or hold it as the demo does.
+    Only servers that set SO_REUSEADDR can listen on it.
     """
     with socket.socket() as holder:
         holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -161,6 +164,20 @@ def hold_port(host='localhost'):
 def rosrun(package, program, *arguments, **options):
     """Start a node as rosrun does, but for its search, which takes longer than many a node."""
     return Process(path_of(package, program), *arguments, **options)
+
+
+def run_script(script, *arguments, env=None):
+    """Run a script by its path in the project to its end, and return its Process."""
+    with Process(sys.executable, ROOT / script, *arguments, env=env) as process:
+        process.wait()
+    return process
+
+
+def assert_refused(ended, *words):
+    """Assert that a node has ended with status 2 and one line with all the words in it."""
+    assert ended.wait() == EXIT_BAD_PARAMETER, ended.output
+    line, = ended.stderr.splitlines()
+    assert all(word in line for word in words), line
 
 
 def path_of(package, program):

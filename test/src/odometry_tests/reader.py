@@ -1,4 +1,4 @@
-"""Somebody who types a section's commands into terminals, and looks at what they print."""
+"""A reader who types the commands of a section into terminals, and checks what they print."""
 
 import contextlib
 import re
@@ -8,7 +8,7 @@ import rosgraph
 from roslaunch.arg_dump import get_args
 
 from odometry_tests.forms import first_missing
-from odometry_tests.links import HEARS, links
+from odometry_tests.links import RECEIVES, links
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
@@ -46,7 +46,7 @@ class Reader:
     def __exit__(self, kind=None, *_):
         """Press Ctrl-C in every terminal, the last one first, and close all.
 
-        How the commands then end is judged only if nothing was amiss before.
+        Checks how the commands end only if nothing has failed before.
         """
         terminals = [*self._idle, *(terminal for _, terminal in self._running)]
         with contextlib.ExitStack() as stack:
@@ -101,12 +101,12 @@ class Reader:
         # A node of bare rospy may hang if Ctrl-C comes while it registers a topic.
         if words[:2] == ['rostopic', 'echo'] and '---' not in terminal.lines:
             return 'a message'
-        if words[0] == 'python3' and not any(map(self._hears, nodes)):
+        if words[0] == 'python3' and not any(map(self._receives, nodes)):
             return f'a message to {sorted(nodes)}'
         return self._partnerless(nodes)
 
     def _partnerless(self, nodes):
-        """Return the topic on which one of the nodes talks to itself, or None."""
+        """Return the topic on which one of the nodes has no partner, or None."""
         published, subscribed, _ = map(dict, self._state())
         alone = [topic for topic, kind in [
             *((topic, published) for topic in subscribed if NEEDS_PUBLISHER.search(topic)),
@@ -115,7 +115,7 @@ class Reader:
         return f'a partner on {alone}' if alone else None
 
     def _objection(self, words):
-        """Return what makes a command senseless that would end well all the same, or None."""
+        """Return why a command would do nothing and yet succeed, or None."""
         _, subscribed, services = map(dict, self._state())
         if words[:2] == ['rostopic', 'pub'] and words[3] not in subscribed:
             return f'nobody listens to {words[3]}'
@@ -134,10 +134,10 @@ class Reader:
     def _nodes(self):
         return {node for kind in self._state() for _, nodes in kind for node in nodes}
 
-    def _hears(self, node):
-        """Return whether a node is connected with somebody it listens to, beside the clock."""
+    def _receives(self, node):
+        """Return whether a node receives a topic other than the clock."""
         with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
-            return any(link.topic != '/clock' for link in links(node, HEARS, self._master.master_uri))
+            return any(link.topic != '/clock' for link in links(node, RECEIVES, self._master.master_uri))
 
     def _interrupt(self, running):
         words, terminal = running
@@ -185,7 +185,7 @@ def words_of(text):
 
 
 def _role(words):
-    """Return what a reader has only one of: who types another ends the first with Ctrl-C."""
+    """Return a key: a command ends an earlier one with the same key by Ctrl-C."""
     if '--help' in words:
         return object()
     if words[0] == 'roslaunch' or words[:2] == ['./ws', 'demo']:

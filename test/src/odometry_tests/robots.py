@@ -1,9 +1,9 @@
-"""A simulated robot as a test sees it: what it publishes, and what it can be told."""
+"""The topics and services of a simulated robot."""
 
 import math
 
 import rospy
-from geometry_msgs.msg import Twist, Vector3
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, Twist, Vector3
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 
@@ -11,66 +11,51 @@ from odometry_tests.pausing import call, pause
 from odometry_tests.tutorial import Truth, heading
 from odometry_tests.waiting import Recorder, wait_for_subscribers
 
+VELOCITY, BASE = 'cmd_vel', 'mobile_base/commands/velocity'
+TELEOP, NAVI = 'cmd_vel_mux/input/teleop', 'cmd_vel_mux/input/navi'
+ON_ITS_SIDE = Quaternion(math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))
+
 
 class Robot:
     """The topics and services of a simulated robot."""
 
     def __init__(self, namespace=''):
+        """Take a namespace that ends in a slash."""
         self._namespace = f'/{namespace}'
         self.odometry = Recorder(f'{self._namespace}odom', Odometry)
         self.truth = Truth(self._namespace)
         self.joints = Recorder(f'{self._namespace}joint_states', JointState)
-        self._velocity = self._publisher('cmd_vel', Twist)
-        self._base_velocity = self._publisher('mobile_base/commands/velocity', Twist)
-        self._inputs = {name: self._publisher(f'cmd_vel_mux/input/{name}', Twist)
-                        for name in ('teleop', 'navi')}
-
-    def _publisher(self, topic, kind):
-        return rospy.Publisher(self._namespace + topic, kind, queue_size=10)
+        self._publishers = {topic: rospy.Publisher(self._namespace + topic, Twist, queue_size=10)
+                            for topic in (VELOCITY, BASE, TELEOP, NAVI)}
 
     def wait_until_ready(self):
-        """Return once it listens and is heard."""
-        for publisher in (self._velocity, self._base_velocity, *self._inputs.values()):
+        """Return once its topics are connected."""
+        for publisher in self._publishers.values():
             wait_for_subscribers(publisher, timeout=20.0)
         for recorder in self.odometry, self.truth, self.joints:
             recorder.wait_for()
 
-    def drive(self, forwards, left=0.0, **others):
-        """Command velocities (m/s, rad/s); `others` are axes that it cannot move along."""
-        self._velocity.publish(twist(forwards, left, **others))
-
-    def drive_base(self, forwards):
-        """Command a velocity (m/s) on TurtleBot 2's own topic."""
-        self._base_velocity.publish(twist(forwards))
-
-    def drive_through(self, mux_input, forwards):
-        """Command a velocity (m/s) through an input of TurtleBot 2's multiplexer."""
-        self._inputs[mux_input].publish(twist(forwards))
-
-    def pause(self):
-        """Let its time stand still; return once that is so."""
-        pause(self.odometry, self.truth, namespace=self._namespace)
+    def drive(self, forwards, left=0.0, topic=VELOCITY):
+        """Command velocities (m/s, rad/s)."""
+        self._publishers[topic].publish(twist(forwards, left))
 
     def restart(self):
         """Reset robot and time; return the first odometry and the first truth of the new run.
 
         Paused, so that no later message pushes them out of a queue before they are read.
         """
-        self.pause()
+        pause(self.odometry, self.truth, namespace=self._namespace)
         for recorder in self.odometry, self.truth:
             recorder.clear()
-        self.call('reset_simulation')
+        call('reset_simulation', self._namespace)
         first = [recorder.wait_for() for recorder in (self.odometry, self.truth)]
-        self.call('unpause_physics')
+        call('unpause_physics', self._namespace)
         return first
 
-    def call(self, service):
-        call(service, self._namespace)
 
-
-def twist(forwards, left=0.0, sideways=0.0, up=0.0, roll=0.0, pitch=0.0):
+def twist(forwards, left=0.0):
     """Return a Twist (m/s, rad/s)."""
-    return Twist(Vector3(forwards, sideways, up), Vector3(roll, pitch, left))
+    return Twist(Vector3(x=forwards), Vector3(z=left))
 
 
 def place(message):
@@ -78,3 +63,33 @@ def place(message):
     position = message.pose.pose.position
     return tuple(round(number, 2) + 0.0 for number in
                  (position.x, position.y, math.radians(heading(message))))
+
+
+class Placer:
+    """Puts one robot somewhere."""
+
+    def __init__(self, namespace='/', robot=''):
+        """Return once the simulator listens.
+
+        :param namespace: of the simulator; it ends in a slash
+        :param robot: of the robot, if there are several; it ends in a slash
+        """
+        self._publisher = rospy.Publisher(f'{namespace}sim_turtlebot/{robot}set_pose', PoseStamped,
+                                          queue_size=10)
+        wait_for_subscribers(self._publisher)
+
+    def put(self, x, y, z=0.0, yaw=0.0, orientation=None, frame='world'):
+        """Put it there; m, rad, or an orientation instead of the yaw."""
+        self._publisher.publish(pose(x, y, z, yaw, orientation, frame))
+
+
+def pose(x, y, z=0.0, yaw=0.0, orientation=None, frame='world'):
+    """Return a PoseStamped; m, rad, or an orientation instead of the yaw."""
+    message = PoseStamped(pose=Pose(Point(x, y, z), orientation or quaternion(yaw)))
+    message.header.frame_id = frame
+    return message
+
+
+def quaternion(yaw):
+    """Return the orientation with a yaw (rad)."""
+    return Quaternion(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))

@@ -1,12 +1,12 @@
 """The tutorials' nodes as processes, and what a test wants to know of the robot."""
 
 import math
+from functools import partial
 
 import rosgraph
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
-from odometry_tests.forked import Forked
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import Recorder, wait_until
 
@@ -18,29 +18,14 @@ LONGEST_STEP = 0.0055  # m in a period
 OVERSHOOT = 0.0075  # m: the way of a period and of the brakes
 
 
-def simulator(*arguments, **options):
-    return _node('sim_turtlebot', 'sim_turtlebot_node.py', *arguments, **options)
-
-
-def simulator_in_step(*arguments, **options):
-    """Start the simulated robot in lockstep, with a clock that is as coarse as its odometry.
-
-    Whatever the pace, no message is lost then and no command is late: what the robot does is the
-    same on every machine.
-    """
-    return simulator('_lockstep:=true', '_clock_rate:=20', *arguments, **options)
-
-
-def detector(*arguments, **options):
-    return _node('odom_movement_detector', 'odom_movement_detector.py', *arguments, **options)
-
-
-def mover(*arguments, **options):
-    return _node('test_movement', 'test_movement.py', *arguments, **options)
-
-
-def rotator(*arguments, **options):
-    return _node('rotate_robot', 'rotate.py', *arguments, **options)
+# Each starts a node, and takes its arguments and a Process's options.
+simulator = partial(rosrun, 'sim_turtlebot', 'sim_turtlebot_node.py')
+# In lockstep, with a clock that is as coarse as the odometry: at any pace no message is lost and no
+# command is late, so that the robot does the same on every machine.
+simulator_in_step = partial(simulator, '_lockstep:=true', '_clock_rate:=20')
+detector = partial(rosrun, 'odom_movement_detector', 'odom_movement_detector.py')
+mover = partial(rosrun, 'test_movement', 'test_movement.py')
+rotator = partial(rosrun, 'rotate_robot', 'rotate.py')
 
 
 def forget_parameters():
@@ -62,11 +47,6 @@ def heading(message):
     # A quaternion and its negative are the same orientation.
     yaw = 2 * math.atan2(orientation.z, orientation.w)
     return math.degrees(math.remainder(yaw, 2 * math.pi))
-
-
-def _node(*command, start=Forked, **options):
-    """Start a node; parameters as for a Process."""
-    return rosrun(*command, start=start, **options)
 
 
 class Truth(Recorder):
