@@ -162,7 +162,8 @@ class Rest:
         for pid, process in list(self.processes.items()):
             try:
                 process.list_threads()
-                process.cpu_time()
+                if pid != os.getpid():  # a thread of this one may have ended just now
+                    process.cpu_time()
             except OSError:
                 self.remove(pid)
 
