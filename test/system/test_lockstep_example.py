@@ -22,9 +22,9 @@ BUSY = 'while True: pass'
 
 @pytest.fixture
 def load():
-    """Have two processes for each processor compute."""
+    """Have a process for each processor compute."""
     with contextlib.ExitStack() as stack:
-        for _ in range(2 * os.cpu_count()):
+        for _ in range(os.cpu_count()):
             stack.enter_context(Process(sys.executable, '-c', BUSY))
         yield
 
