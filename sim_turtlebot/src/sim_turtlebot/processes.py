@@ -1,5 +1,6 @@
 """What /proc shows of a process and its threads."""
 
+import contextlib
 import os
 import threading
 import time
@@ -8,6 +9,7 @@ import time
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
 SLEEPING, STOPPED = b'S', (b't', b'T', b'Z', b'X')  # states in /proc/PID/task/TID/stat
 NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
+LONGEST_LINE = 128  # bytes, of wchan and of schedstat
 SLEEPS = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 CPP_LIBRARY = 'libroscpp.so'
 # Kinds of CPU clocks: CPUCLOCK_SCHED and CPUCLOCK_PERTHREAD_MASK in linux/posix-timers_types.h
@@ -20,19 +22,20 @@ class Thread:
     """A thread of any process; whatever asks for its state raises OSError if it has ended."""
 
     def __init__(self, pid, tid):
-        """Open its files when they are needed."""
+        """Open the files that each look reads."""
         self.pid, self.tid = pid, tid
+        self._path, self._wait = f'/proc/{pid}/task/{tid}', None
+        self._schedstat, self._wchan = self._open('schedstat'), self._open('wchan')
         self.polls = False  # whether it looks for work all the time, as timers of roscpp do
         self.is_asleep = False  # when it was looked at last
         self.settled = None  # its usage when it had fallen asleep
         self.naps_seen = 0
-        self._path, self._files, self._wait = f'/proc/{pid}/task/{tid}', {}, None
         self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False
 
     def close(self):
         """Close its files."""
-        while self._files:
-            os.close(self._files.popitem()[1])
+        os.close(self._schedstat)
+        os.close(self._wchan)
 
     @property
     def name(self):
@@ -41,7 +44,7 @@ class Thread:
 
     def look(self):
         """Return whether it sleeps."""
-        self._wait = self._read('wchan')
+        self._wait = os.pread(self._wchan, LONGEST_LINE, 0)
         self.is_asleep = self._wait in _waits or self._is_asleep_in(self._wait)
         return self.is_asleep
 
@@ -54,7 +57,7 @@ class Thread:
 
     def settle(self):
         """Return whether it sleeps, or has not run since it was last seen asleep."""
-        usage = self._read('schedstat')
+        usage = os.pread(self._schedstat, LONGEST_LINE, 0)
         if usage != self.settled:
             if not self.look():
                 return False
@@ -66,7 +69,7 @@ class Thread:
 
         A virtual machine that was kept from its processor counts the next time on it as lost.
         """
-        return self._read('schedstat') == self.settled
+        return os.pread(self._schedstat, LONGEST_LINE, 0) == self.settled
 
     @property
     def naps(self):
@@ -81,7 +84,7 @@ class Thread:
     @property
     def usage(self):
         """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
-        return tuple(map(int, self._read('schedstat').split()))
+        return tuple(map(int, os.pread(self._schedstat, LONGEST_LINE, 0).split()))
 
     @property
     def sleeps(self):
@@ -103,10 +106,12 @@ class Thread:
         self._nap_is_long |= self._nap_time > limit
         return self._nap_is_long
 
+    def _open(self, name):
+        return os.open(f'{self._path}/{name}', os.O_RDONLY)
+
     def _read(self, name):
-        if name not in self._files:
-            self._files[name] = os.open(f'{self._path}/{name}', os.O_RDONLY)
-        return os.pread(self._files[name], 4096, 0)
+        with open(self._open(name), 'rb') as file:
+            return file.read()
 
 
 class Process:
@@ -174,4 +179,6 @@ class Process:
         tids = {int(tid) for tid in os.listdir(self._folder)} - {self._looker}
         for tid in self.threads.keys() - tids:
             self.threads.pop(tid).close()
-        self.threads.update({tid: Thread(self.pid, tid) for tid in tids - self.threads.keys()})
+        for tid in tids - self.threads.keys():
+            with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # it has ended
+                self.threads[tid] = Thread(self.pid, tid)
