@@ -97,14 +97,11 @@ class GraphProcesses:
         if not addresses:
             return
         self._addresses.update(addresses)
-        pids = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
-                if connection.status == psutil.CONN_LISTEN}
-        for name, address in addresses.items():
-            host, port = urlparse(address).hostname, urlparse(address).port
-            # Nobody serves the address of a node that was killed.
-            pid = next((pids[ip, port] for ip in (*_ips(host), *ANY_IP) if (ip, port) in pids),
-                       0) if is_local_address(host) else None
-            self._pids[name] = pid
+        before, pids = None, _pids_at(addresses)
+        while pids != before:  # a list that others change meanwhile may lack one, or name its child
+            before, pids = pids, _pids_at(addresses)
+        self._pids.update(pids)
+        for name, pid in pids.items():
             if pid is None:
                 self._on_unseen(name)
             elif pid in self._rest.processes:
@@ -122,8 +119,22 @@ class GraphProcesses:
             pass
 
 
-def _ips(host):
-    return {address[0] for *_, address in socket.getaddrinfo(host, None)}
+def _pids_at(addresses):
+    """Return the process that serves each address, by name.
+
+    It is None on another machine, and 0 where nobody serves it, as of a node that was killed.
+    """
+    listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
+                 if connection.status == psutil.CONN_LISTEN}
+    return {name: _pid_at(urlparse(address), listening) for name, address in addresses.items()}
+
+
+def _pid_at(address, listening):
+    if not is_local_address(address.hostname):
+        return None
+    ips = {ip for *_, (ip, *_) in socket.getaddrinfo(address.hostname, None)}
+    return next((listening[ip, address.port] for ip in (*ips, *ANY_IP)
+                 if (ip, address.port) in listening), 0)
 
 
 def _names(*states):
