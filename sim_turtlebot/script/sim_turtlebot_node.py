@@ -4,36 +4,30 @@
 Subscribes:
     cmd_vel, mobile_base/commands/velocity (geometry_msgs/Twist): linear.x up to 0.7 m/s,
         angular.z up to 180 degrees/s; the rest is ignored
-    cmd_vel_mux/input/teleop, cmd_vel_mux/input/navi (geometry_msgs/Twist): the same by way of a
-        TurtleBot 2's multiplexer: nothing comes through navi while teleop speaks, and for one
-        second after
+    cmd_vel_mux/input/teleop, cmd_vel_mux/input/navi (geometry_msgs/Twist): the same through a
+        TurtleBot 2's multiplexer: teleop blocks navi until one second after its last message
     mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
-    ~set_pose (geometry_msgs/PoseStamped): puts the robot there, at rest; z is 0 where it stands on
-        the floor, and frame_id world or empty. Of several robots ~robot_k/set_pose; where there is
-        no room, it is refused with a warning
+    ~set_pose (geometry_msgs/PoseStamped): puts the robot there, at rest, or warns if there is no
+        room; z is 0 on the floor, frame_id world or empty. Of several robots ~robot_k/set_pose
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
     base_pose_ground_truth (nav_msgs/Odometry): where the robot really is, in the frame world
     joint_states (sensor_msgs/JointState): both wheels
     mobile_base/sensors/imu_data (sensor_msgs/Imu): the gyro's heading, zero where odom is, and
-        its rate, in the frame gyro_link
-    scan (sensor_msgs/LaserScan): with ~scan, what the depth camera sees at its height
+        rate
+    scan (sensor_msgs/LaserScan): with ~scan, what the depth camera sees
     /tf (tf2_msgs/TFMessage): odom -> base_footprint, base_link -> wheels
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
-    ~warning (std_msgs/String): latched; that the machine is too slow for the real-time factor,
-        and which one it reaches; which robot lies on its side, and where; why a pose was refused,
-        until one is accepted; empty otherwise
+    ~warning (std_msgs/String): latched; the machine is too slow, a robot lies on its side, or why
+        a pose was refused, until one is accepted; empty otherwise
 
 Services:
-    ~pause_physics, ~unpause_physics (std_srvs/Empty): as Gazebo's. Each service answers when it is
-        done, and fails after 5 s of wall time; a call that has not begun by then has no effect
-    ~reset_simulation (std_srvs/Empty): back to the start: simulated time and header.seq are zero;
-        robots, and whatever a world file adds, are at their first poses, at rest; odometry and gyro
-        are zero; the noise repeats its random numbers; the multiplexer is open to every input; all
-        commands are forgotten. It takes back the ~warning of a robot on its side, but not that of
-        a slow machine. A paused simulation stays paused
+    ~pause_physics, ~unpause_physics (std_srvs/Empty): as Gazebo's
+    ~reset_simulation (std_srvs/Empty): back to the start: time and header.seq; poses and speeds, a
+        world file's too; odometry, gyro, noise, multiplexer, commands, and the ~warning of a robot
+        on its side. A paused simulation stays paused
 """
 
 import signal

@@ -22,6 +22,10 @@ SECTION = re.compile(rf'^({"|".join(KINDS)}):\n((?: +.*\n?)+)', re.MULTILINE)
 ENTRY = re.compile(r'^    (?=\S)', re.MULTILINE)
 PARTS = re.compile(r'(?P<names>[^(]+) \((?P<type>.+?)\): (?P<meaning>.*)')
 BASE_LAUNCH = 'sim.launch'
+# The node of each launch file whose parameters are its arguments.
+LAUNCHED_NODE = {'sim.launch': 'sim_turtlebot_node.py',
+                 'move_two_meters.launch': 'test_movement.py',
+                 'rotate.launch': 'rotate.py'}
 PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parser}
 
 
@@ -80,16 +84,28 @@ def _node_part(heading):
 
 
 def _launch_part(name):
-    own, base = _arguments(name), _arguments(BASE_LAUNCH)
-    if own == base:
-        intro, new = '', own
-    else:
-        missing = ', '.join(_code(argument) for argument in base if argument not in own)
-        but = f' but {missing}' if missing else ''
-        intro = f'Every argument of {BASE_LAUNCH}{but}, and:\n\n'
-        new = {argument: own[argument] for argument in own if argument not in base}
-    return intro + _table('argument | default | meaning', [
-        (_code(argument), _code(default), meaning) for argument, (default, meaning) in new.items()])
+    """Name the arguments that are described elsewhere, and describe the others."""
+    own = _arguments(name)
+    base = _arguments(BASE_LAUNCH) if name != BASE_LAUNCH else {}
+    parameters = defaults(LAUNCHED_NODE[name])
+    passed = [argument for argument, (default, _) in own.items() if parameters.get(argument) == default]
+    lines = []
+    if base:
+        missing = _code(', '.join(argument for argument in base if argument not in own))
+        lines.append(f'Every argument of {BASE_LAUNCH}' + f' but {missing}' * bool(missing))
+    names = 'every parameter' if {*passed} == {*parameters} else _code(', '.join(passed))
+    lines.append(f'{names} of {LAUNCHED_NODE[name]}')
+    new = _table('argument | default | meaning', [
+        (_code(argument), _code(default), meaning) for argument, (default, meaning) in own.items()
+        if argument not in [*base, *passed]])
+    text = ', and '.join(lines)
+    return text[0].upper() + text[1:] + (f', and:\n\n{new}' if new else '.')
+
+
+def defaults(node):
+    """Return the default of each parameter of a node, as a launch file has it."""
+    texts = {row.name[1:]: str(row.default) for row in _script(node).PARAMETERS.rows}
+    return {name: {'False': 'false', 'True': 'true'}.get(text, text) for name, text in texts.items()}
 
 
 def _arguments(name):

@@ -9,8 +9,8 @@ PARAMETERS = Parameters(
     Parameter('~max_angular_speed', 3.14, 'rad/s', above(0), 'the command is clamped to this'),
     Parameter('~tolerance', 0.0, 'degrees',
               Range('from 0 to below 180', lambda value, _: 0 <= value < 180),
-              '0 controls for ever; above 0, the node exits once the heading has stayed this '
-              'close and the robot has come to rest'),
+              'exit once the heading stays this close and the robot is at rest; 0 controls for '
+              'ever'),
     Parameter('~timeout', 1.0, 's', between(0, 3600),
-              'stop, with a warning, when no odometry has arrived for this long (ROS time, and at '
-              'least 0.2 s of wall time); go on when it returns; 0 turns it off'))
+              'stop and warn after this long without odometry (ROS time, and at least 0.2 s of '
+              'wall time); continue when it returns; 0 turns it off'))

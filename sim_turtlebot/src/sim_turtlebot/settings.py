@@ -28,10 +28,9 @@ START = 'where the robot starts; odom is zero there'
 PARAMETERS = Parameters(
     Parameter('~gui', False, '', ANY, "open PyBullet's window"),
     Parameter('~world', '', '', ANY,
-              'URDF or SDF file to load beside the floor; refused if it cannot be loaded, or if a '
-              'robot would start inside something'),
+              'URDF or SDF file to load beside the floor'),
     Parameter('~robots', 1, '', between(1, 1000),
-              'more than one share a world, robot k in namespace robot_k, one metre to the left '
+              'of more than one, robot k has namespace robot_k and starts one metre to the left '
               'of the one before'),
     Parameter('~x', 0.0, 'm', COORDINATE, START),
     Parameter('~y', 0.0, 'm', COORDINATE, START),
@@ -43,9 +42,9 @@ PARAMETERS = Parameters(
     Parameter('~clock_rate', 0.0, 'Hz',
               Range('0 or from ~odom_rate to 1000',
                     lambda value, earlier: value == 0 or earlier.odom_rate <= value <= 1000),
-              'ticks of /clock per simulated second, or as few more as divide the time between '
-              'two odometry messages evenly; 0 is 200, but about 1000 per second of wall time at '
-              'most, 100 in lockstep, and else one with each odometry if unpaced'),
+              'ticks of /clock per simulated second, rounded up to a multiple of ~odom_rate; 0 is '
+              '200, but at most about 1000 per second of wall time; 100 in lockstep; otherwise '
+              '~odom_rate if unpaced'),
     Parameter('~odometry_source', 'world', '', one_of('world', 'encoder'),
               'world is the true pose, encoder counts wheel ticks'),
     Parameter('~gyro', True, '', ANY,
@@ -59,28 +58,27 @@ PARAMETERS = Parameters(
               "standard deviation of the gyro's yaw after one second"),
     Parameter('~gyro_drift', 0.0, 'rad/s', between(-1, 1), 'bias of the gyro, also at rest'),
     Parameter('~wheel_diameter_ratio', 1.0, '', FACTOR,
-              "E_d of UMBmark: the right wheel's diameter divided by the left one's, which the driver "
-              'believes to be equal; their average is as it believes'),
+              'E_d of UMBmark: diameter of the right wheel divided by that of the left, with the '
+              'mean that the driver believes'),
     Parameter('~wheel_separation_ratio', 1.0, '', FACTOR,
-              'E_b of UMBmark: the true distance between the wheels divided by the one that the '
-              'driver believes'),
+              'E_b of UMBmark: true distance between the wheels divided by the one that the driver '
+              'believes'),
     Parameter('~gyro_scale_error', 0.0, '', between(-0.5, 0.5),
               'share by which the gyro measures too much'),
     Parameter('~left_wheel_radius_multiplier', 1.0, '', FACTOR,
-              "the driver's correction of that wheel's size, as diff_drive_controller's"),
-    Parameter('~right_wheel_radius_multiplier', 1.0, '', FACTOR, 'likewise'),
+              "the driver's correction of that wheel, as diff_drive_controller's"),
+    Parameter('~right_wheel_radius_multiplier', 1.0, '', FACTOR,
+              "the driver's correction of that wheel"),
     Parameter('~wheel_separation_multiplier', 1.0, '', FACTOR,
-              "the driver's correction of the distance between the wheels, as "
-              "diff_drive_controller's"),
+              "the driver's correction of the distance between the wheels"),
     Parameter('~gyro_scale_correction', 1.0, '', FACTOR,
               "the driver's correction of the gyro's rate, as turtlebot_node's"),
     Parameter('~scan', False, '', ANY,
-              'publish scans; their beams meet whatever a robot can run into'),
+              'publish scans'),
     Parameter('~scan_rate', scanner.RATE, 'Hz',
               Range('from 0.1 to ~odom_rate',
                     lambda value, earlier: 0.1 <= value <= earlier.odom_rate),
-              'scans per simulated second, each with an odometry of the same stamp; lower if '
-              '~odom_rate is'),
+              'scans per simulated second; lower if ~odom_rate is'),
     Parameter('~scan_beams', scanner.BEAMS, '', between(2, 10000), 'ranges in a scan'),
     Parameter('~scan_fov', scanner.FIELD_OF_VIEW, 'rad',
               Range('from 0.01 to 2 pi', lambda value, _: 0.01 <= value <= 2 * math.pi),
@@ -100,8 +98,7 @@ PARAMETERS = Parameters(
                     lambda value, _: value == 0 or 0.001 <= value <= 1000),
               'simulated seconds per second; 0 is as fast as the machine can'),
     Parameter('~lockstep', False, '', ANY,
-              'time advances only when every node on this machine has finished its work for the '
-              'current moment'),
+              'time advances only when every node on this machine has finished its work'),
     Parameter('~paused', False, '', ANY, 'time begins with ~unpause_physics'))
 USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
 

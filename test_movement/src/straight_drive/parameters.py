@@ -7,11 +7,10 @@ PARAMETERS = Parameters(
     Parameter('~speed', 0.1, 'm/s', Range('other than 0', lambda value, _: value != 0),
               'how fast; negative drives backwards'),
     Parameter('~relative', False, '', ANY,
-              "count from the first message instead of from the detector's start, so that a "
-              'second run moves again'),
+              "count from the first message, not from the detector's start: a second run moves "
+              'again'),
     Parameter('~exit_when_done', False, '', ANY,
-              'exit once the robot has stopped, instead of commanding zero for ever'),
+              'exit once the robot has stopped; otherwise command zero for ever'),
     Parameter('~timeout', 1.0, 's', between(0, 3600),
-              'stop, with a warning, when no message has arrived for this long (ROS time, and at '
-              'least 0.2 s of wall time) while the robot moves; go on when messages return; 0 '
-              'turns it off'))
+              'while the robot moves, stop and warn after this long without a message (ROS time, '
+              'and at least 0.2 s of wall time); continue when messages return; 0 turns it off'))
