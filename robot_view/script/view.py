@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Show the robots in a browser, by their topics: simulated ones and real ones.
+"""Show robots, simulated or real, in a browser.
 
-Everybody who opens the page can drive the robot. While no page is open, the node subscribes to the
-simulator's warning only.
+Everybody who opens the page can drive the robot.
 
 Subscribes:
     odom (nav_msgs/Odometry): the odometry of each robot

@@ -16,9 +16,14 @@ from PIL import Image
 
 IMAGES = ROOT / 'docs' / 'images'
 DRAWN = 100  # colours on a screen on which a robot has been drawn
+COLOURS = 256  # of a picture: a palette makes it a third as large
 START_TIMEOUT = 60.0  # s
 DRIVE_TIMEOUT = 60.0  # s
-MOMENT = 1.3  # m from the start, where the robot is photographed
+GOAL = 2.0  # m
+MOMENT = 1.9  # m from the start, where the robot is photographed
+# An unequal wheel, so that odometry and truth differ, and something that the scan sees.
+ERRING = ['odometry_source:=encoder', 'gyro:=false', 'wheel_diameter_ratio:=1.02', 'scan:=true',
+          f'world:={ROOT}/sim_turtlebot/worlds/corridor.urdf']
 
 
 def main():
@@ -34,7 +39,7 @@ def main():
 def save(image, name):
     """Write an image as a small PNG."""
     path = IMAGES / f'{name}.png'
-    image.convert('RGB').save(path, optimize=True)
+    image.convert('RGB').quantize(COLOURS).save(path, optimize=True)
     print(f'{path.relative_to(ROOT)}: {path.stat().st_size // 1000} kB')
 
 
@@ -48,20 +53,21 @@ def view():
 
 
 def drive_before(page):
-    """Return what a page shows of a robot on its way."""
+    """Return what a page shows of a robot that has arrived."""
     page.dismiss_notices()
     # The page is there first, and sees all of the way.
     with launched():
-        page.wait_for_reading('moved_distance', lambda metres: metres > MOMENT, DRIVE_TIMEOUT)
+        page.wait_for_reading('moved_distance', lambda metres: metres >= GOAL, DRIVE_TIMEOUT)
+        page.wait_for_reading('speed', lambda speed: speed == 0.0)
         return page.photograph()
 
 
 def rviz():
-    return photograph_screen('rviz:=true', (1100, 768))
+    return photograph_screen((1100, 768), 'rviz:=true', *ERRING)
 
 
 def gui():
-    return photograph_screen('gui:=true', (1024, 768))
+    return photograph_screen((1024, 768), 'gui:=true').crop((112, 134, 912, 634))
 
 
 def run():
@@ -75,13 +81,15 @@ def launched(*arguments):
     return Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', *arguments)
 
 
-def photograph_screen(argument, size):
-    """Return what a launch argument brings to a screen of this size."""
-    with virtual_screen(*size), launched(argument):
+def photograph_screen(size, *arguments):
+    """Return the window of this size that launch arguments open."""
+    width, height = size
+    # The mouse pointer is in the middle of the screen, outside the window.
+    with virtual_screen(3 * width, 3 * height), launched(*arguments):
         truth = Truth()
         wait_until(lambda: colours() > DRAWN, START_TIMEOUT, 'a robot on the screen')
         truth.wait_for(lambda m: m.pose.pose.position.x > MOMENT, DRIVE_TIMEOUT)
-        return photograph()
+        return photograph().crop((0, 0, width, height))
 
 
 PICTURES = {function.__name__: function for function in (view, rviz, gui, run)}

@@ -42,14 +42,13 @@ def make_parser():
     parser.add_argument('--target', type=_number(-1e6, 1e6), metavar='DEGREES',
                         help=f'rotate: heading to turn to (default: {DEFAULTS["target"][1]})')
     parser.add_argument('--real-time-factor', type=_factor, default=1.0, metavar='N',
-                        help='simulated seconds per second; 0: as fast as possible. At '
-                             'each but 1 the robot waits for its controller, so that it goes '
-                             'equally far (default: %(default)s)')
+                        help='simulated seconds per second; 0: as fast as possible; other than 1, '
+                             'in lockstep (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
     parser.add_argument('--view', action='store_true',
                         help=f'show the robot in a browser, at http://localhost:{PAGE_PORT} or the '
-                             'next port that is free; on a terminal the page stays after the run, '
-                             'and its pad drives the robot, until Ctrl-C')
+                             'next free port; on a terminal the page stays after the run, until '
+                             'Ctrl-C')
     return parser
 
 

@@ -37,23 +37,21 @@ def make_parser():
     parser.add_argument('tutorial', nargs='?', choices=TUTORIALS,
                         help='drive two metres, or turn to a heading')
     parser.add_argument('--seeds', type=_whole, metavar='N',
-                        help='number of runs of each combination of values, each with another '
-                             'seed (default: 1)')
+                        help='runs of each combination of values, each with another seed '
+                             '(default: 1)')
     parser.add_argument('--set', type=_values, action='append', default=[],
                         metavar='NAME=VALUE[,VALUE...]',
-                        help='the values of a parameter of the nodes; each combination of all is '
-                             'run')
+                        help='values of a parameter of the nodes; each combination is run')
     source.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     machine.add_argument('--jobs', type=_whole, metavar='N',
-                         help='processes that run side by side, at most two for each processor and '
-                              'one for each run (default: one for each processor)')
+                         help='processes, at most two for each processor (default: one for each '
+                              'processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
-                         help='have the workers of a Dask cluster do the runs, instead of the '
-                              'processors of this machine')
+                         help='run on the workers of a Dask cluster')
     source.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
-                        help='have the nodes do one of the runs in the folder of a sweep again, in '
-                             'lockstep and recorded, and compare to the last bit')
+                        help='repeat a run in the folder of a sweep with the nodes, in lockstep and '
+                             'recorded, and compare to the last bit')
     return parser
 
 

@@ -22,8 +22,8 @@ PARAMETERS = Parameters(
               'name or address to listen on; 0.0.0.0 lets the whole network in; the environment '
               f'variable {HOST_VARIABLE} sets another default'),
     Parameter('~allowed_hosts', '', '', ANY,
-              'further names of the page, for a proxy or a forwarded port, such as '
-              'robots.example, lab:9000: separated by commas or spaces; without a port, any will do'))
+              'further names of the page, for a proxy, such as robots.example, lab:9000; without a '
+              'port, any will do'))
 
 
 class Address(NamedTuple):

@@ -1,6 +1,11 @@
 """The physics: a floor and TurtleBots in PyBullet, driven by their wheel motors.
 
-The solver and its settings were chosen by measurement; the study is in docs/simulator.md.
+The solver was chosen by measurement. Millimetres from the straight line after 10 m at 0.5 m/s, of the
+centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m radius; us per step:
+
+    direct (Dantzig), 240 Hz            0.5   0.05   0.9   10 to 37
+    direct (Dantzig), 120 Hz            1.0   0.14   1.8   11 to 37
+    iterative, 50 iterations, 240 Hz    2.1   0.08   2.5   18 to 51
 """
 
 import contextlib

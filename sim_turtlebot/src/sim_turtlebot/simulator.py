@@ -39,7 +39,7 @@ def simulate():
     try:
         simulation = Simulation(settings)
     except NoScreenError as error:
-        raise ParameterError('~gui', True, f'false where {error}') from None
+        raise ParameterError('~gui', True, f'false: {error}') from None
     except WorldFileError as error:
         raise ParameterError('~world', settings.world, error) from None
     Simulator(simulation, settings).run()

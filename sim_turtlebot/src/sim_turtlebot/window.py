@@ -50,7 +50,7 @@ def screen():
     x11.XOpenDisplay.restype = ctypes.c_void_p
     display = x11.XOpenDisplay(None)
     if not display:
-        raise NoScreenError('there is no screen (DISPLAY)')
+        raise NoScreenError('no display; set DISPLAY')
     try:
         yield
     finally:
