@@ -54,9 +54,11 @@ class GraphProcesses:
         """
         self._rest.wait()
         if self._was_asked():
-            while self._refresh():
-                self._rest.wait_for_naps(self._pids[MASTER])
-            self._rest.wait()
+            try:
+                while self._refresh():
+                    self._rest.wait_for_naps(self._pids[MASTER])
+            finally:  # also if the master does not answer
+                self._rest.wait()
             self._was_asked()
 
     def _was_asked(self):
