@@ -15,12 +15,9 @@ class Metronome:
     def is_due(self, now):
         """Return whether `now` (s) begins a new period.
 
-        A repeated time is due again: a simulator that waits for an answer repeats its message. When
-        time goes backwards or leaps, the periods start again.
+        When time goes backwards or leaps, the periods start again.
         """
-        if now == self._due_at:
-            return True
-        in_order = self._due_at is not None and now > self._due_at
+        in_order = self._due_at is not None and now >= self._due_at
         if in_order and now - self._beat < 0.99 * self._period:  # time stamps are rounded
             return False
         in_row = in_order and now - self._beat < 2 * self._period
