@@ -12,7 +12,6 @@ try:
 except ImportError:
     sys.exit('the tests need ROS and the built packages: type ./ws test, or ./ws shell first')
 import rospy
-from odometry_tests.fuzzing import load_profile
 from odometry_tests.partners import SteppedClock
 from odometry_tests.processes import Master, hold_port, own_address, started
 from odometry_tests.tutorial import forget_parameters
@@ -23,9 +22,7 @@ NAMESPACES = (f'case_{number}' for number in itertools.count(1))
 # A run that a script starts in the background, or by nohup, ignores signals that the tests send.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)
-pytest_plugins = ['odometry_tests.pytest_run', 'odometry_tests.rostest_items']
-
-load_profile()
+pytest_plugins = ['odometry_tests.fuzzing', 'odometry_tests.pytest_run', 'odometry_tests.rostest_items']
 
 
 @pytest.fixture(scope='session')

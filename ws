@@ -21,7 +21,6 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws demo              drive a simulated TurtleBot 2 two metres; ./ws demo --help tells more
   ./ws test              run all tests; ./ws test --help tells more
   ./ws bench             measure speed and delay, each as a ratio to its limit
-  ./ws soak              drive at random for a simulated day and check every step
   ./ws sweep             run a tutorial many times without ROS; ./ws sweep --help tells more
   ./ws shell             open a shell in the workspace
   ./ws --set-up COMMAND  only install what that command needs
@@ -81,7 +80,6 @@ main() {
         demo) shift; exec_guarded "$ROOT/launch/scripts/demo.py" "$@" ;;
         bench) shift; exec_guarded "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
         sweep) shift; exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
-        soak) shift; exec_guarded "$ROOT/test/soak/run_soak.py" "$@" ;;
     esac
     enter
     case $1 in

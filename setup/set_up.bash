@@ -58,7 +58,7 @@ make_parser().print_help()'
 
 # asks_for_help COMMAND ARGUMENT...: whether a command of ./ws should only print its usage.
 asks_for_help() { is_own "${1:-}" && [[ " ${*:2} " =~ ' '(-h|--help)' ' ]]; }
-is_own() { [[ $1 =~ ^(demo|test|bench|soak|sweep)$ ]]; }
+is_own() { [[ $1 =~ ^(demo|test|bench|sweep)$ ]]; }
 
 # add_extras COMMAND ARGUMENT...: add to PARTS and EXTRAS what only some commands need.
 add_extras() {
@@ -139,4 +139,4 @@ refuse_unknown() {
 
 CLOSE_SPELLING='
 import difflib, sys
-print(*difflib.get_close_matches(sys.argv[1], "demo test bench soak sweep shell".split(), 1))'
+print(*difflib.get_close_matches(sys.argv[1], "demo test bench sweep shell".split(), 1))'

@@ -2,11 +2,10 @@
 
 import math
 
-from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 from moved_distance.distance_counter import LONGEST_STEP, DistanceCounter
-from odometry_tests.fuzzing import any_number, sequence_count
+from odometry_tests.fuzzing import any_number
 
 FIRST_PERIOD = 0.05  # s, usual between two messages until there were some
 SILENCE = 1.0  # s; no usual time between messages is that long
@@ -140,4 +139,3 @@ class DetectorMachine(RuleBasedStateMachine):
 
 
 TestDetector = DetectorMachine.TestCase
-TestDetector.settings = settings(TestDetector.settings, max_examples=sequence_count())

@@ -71,7 +71,6 @@ IN_PLACE = [
     (r'^(\w+=\w+ )?\./ws test\b[^#]*', r'\g<0> --help ', 'is what runs this test'),
     (r'^(\./ws bench) --runs 3$', rf'\1 {PRINTED} --runs 1 --window 0.1', 'takes ten minutes'),
     (r'^(\./ws sweep .*--seeds) \d+', r'\1 2', 'takes minutes'),
-    (r'^\./ws soak\b.*', r'\g<0> --hours 0.003', 'takes an hour'),
     (r'^\./ws python3 test/tools/\S+', r'\g<0> --help', 'changes the documents'),
     (r'^sudo apt (install|autoremove)', r'apt-get --simulate \1', 'is in the way of others'),
     (r'^CFLAGS=\S+ pip install .*',

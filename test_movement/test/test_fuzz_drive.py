@@ -3,16 +3,15 @@
 import math
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
-from odometry_tests.fuzzing import any_number, sequence_count
+from odometry_tests.fuzzing import any_number
 from straight_drive.drive import Drive
 
 finite = any_number.filter(math.isfinite)
 goals = st.just(2.0) | finite.filter(lambda value: value > 0)
 
 
-@settings(max_examples=sequence_count())
 @given(goals, finite.filter(bool), st.booleans(), st.lists(st.floats(0, 10) | any_number, max_size=50))
 @example(2.0, 0.1, False, [2.0 - 2**-52, 2.0])  # exactly two metres are far enough
 def test_the_latest_distance_decides(goal, speed, relative, sequence):

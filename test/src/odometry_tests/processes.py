@@ -18,7 +18,7 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 EXIT_BAD_PARAMETER = 2
 
-started = deque(maxlen=20)  # the latest Processes of this test; a soak starts hundreds
+started = deque(maxlen=20)  # the latest Processes of this test
 
 
 class Process:

@@ -7,13 +7,24 @@ import pytest
 from xdist.scheduler import LoadFileScheduling
 
 WORKERS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
+BY_DAY = 'not nightly'  # of pytest.ini
 OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['skipped']}
 
 
 def pytest_configure(config):
     """Keep the order of pytest.ini, and take a file by its name alone: test_drive, detector.test."""
+    if not hasattr(config, 'workerinput'):
+        choose_tests(config)
     config.option.loadscopereorder = False  # those that take longest come first already
     config.args = [_path_of(argument, config.rootpath) for argument in config.args]
+
+
+def choose_tests(config):
+    """Run named files whole, with their nightly tests; at night, try new random sequences, too."""
+    by_day = config.option.markexpr == BY_DAY
+    config.option.hypothesis_profile = 'ci' if by_day else 'nightly'
+    if by_day and config.args_source == config.ArgsSource.ARGS:
+        config.option.markexpr = ''
 
 
 def _path_of(argument, root):

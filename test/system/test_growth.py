@@ -1,0 +1,58 @@
+"""In half an hour of the robot's time no process comes to need more and more."""
+
+import signal
+from typing import NamedTuple
+
+import psutil
+import pytest
+import rospy
+from odometry_tests.pausing import call, pause
+from odometry_tests.tutorial import Truth, detector, mover, simulator_in_step
+from odometry_tests.waiting import wait_for_subscribers
+from std_msgs.msg import Empty
+
+PARTS, PART = 6, 300  # s of the robot's time
+
+pytestmark = [pytest.mark.nightly, pytest.mark.usefixtures('simulated_time')]
+
+
+class Usage(NamedTuple):
+    """What a process needs."""
+
+    memory: float  # MB, resident
+    threads: int
+    files: int  # open
+
+    @classmethod
+    def of(cls, process):
+        found = psutil.Process(process.pid)
+        return cls(found.memory_info().rss / 2**20, found.num_threads(), found.num_fds())
+
+
+ALLOWED = Usage(memory=3.0, threads=2, files=3)
+
+
+def test_memory_threads_and_files_stay_the_same(master):
+    """Though everything is reset, and detectors come and are killed."""
+    truth = Truth()
+    reset = rospy.Publisher('moved_distance/reset', Empty, queue_size=1)
+    with simulator_in_step('_real_time_factor:=0', '_scan:=true') as robot, detector() as counter, \
+            mover('_distance:=1000000') as driver:
+        wait_for_subscribers(reset)
+        used = []
+        for _ in range(PARTS):
+            with detector('__name:=killed') as killed:
+                truth.wait_for(lambda m: m.header.stamp.to_sec() > PART, 120.0, 'the end of a part')
+                killed.send(signal.SIGKILL)
+                killed.wait()
+            used.append({name: Usage.of(process) for name, process in [
+                ('simulator', robot), ('detector', counter), ('mover', driver), ('master', master)]})
+            pause(truth)
+            truth.clear()
+            reset.publish()
+            call('reset_simulation')
+            call('unpause_physics')
+    # The allocator, and what is loaded at the first use, have settled after the first parts.
+    for name, usage in used[2].items():
+        growth = [after - before for before, after in zip(usage, used[-1][name])]
+        assert all(more <= allowed for more, allowed in zip(growth, ALLOWED)), (name, used)
