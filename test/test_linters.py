@@ -8,10 +8,12 @@ from odometry_tests.scripts import ROOT
 
 CONFIG = yaml.safe_load((ROOT / '.pre-commit-config.yaml').read_text())
 HOOKS = [hook['id'] for repository in CONFIG['repos'] for hook in repository['hooks']]
+SLOW = {'vermin', 'roslaunch-check'}
 
 
 @pytest.mark.skipif(not (ROOT / '.git').exists(), reason='pre-commit needs a clone')
-@pytest.mark.parametrize('hook', HOOKS)
+@pytest.mark.parametrize('hook', [
+    pytest.param(hook, marks=pytest.mark.nightly if hook in SLOW else []) for hook in HOOKS])
 def test_a_linter_finds_nothing(hook, tmp_path, monkeypatch):
     """In any file that git knows."""
     monkeypatch.setenv('PRE_COMMIT_HOME', str(tmp_path))

@@ -20,7 +20,7 @@ def start(port, *arguments):
 
 def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
     """In lockstep the distances are the same at each pace."""
-    with hold_port() as port, start(port, '--real-time-factor', '20') as run:
+    with hold_port() as port, start(port, '--real-time-factor', '0') as run:
         assert run.wait(90.0) == 0, run.output
     assert number_after('moved distance', run.stdout) == 2.005
     assert number_after('true distance', run.stdout) == 2.005
@@ -34,15 +34,13 @@ def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
 
 
 def test_demos_that_start_together_all_arrive():
-    """Beside one that has the usual port: each says where its master is, and has its own folder."""
-    with hold_port() as port, start(port, '--distance', '100') as first:
-        first.wait_for_output(' of 100.00 m', 60.0)
+    """The one without the usual port says where its master is, and each has its own folder."""
+    with hold_port() as port:
         demos = [start(port, '--distance', '0.3', '--real-time-factor', '0') for _ in range(2)]
         for demo in demos:
             assert demo.wait(90.0) == 0, demo.output
     output = '\n'.join(demo.output for demo in demos)
-    told = re.findall(r'^rostopic in another terminal: export ROS_MASTER_URI=.*:(\d+)$', output,
-                      re.MULTILINE)
-    assert len(told) == len({str(port), *told}) - 1 == 2, output
+    told, = re.findall(r'^rostopic in another terminal: export ROS_MASTER_URI=.*:(\d+)$', output,
+                       re.MULTILINE)
+    assert int(told) != port
     assert len(set(re.findall('^picture +(.*)', output, re.MULTILINE))) == 2, output
-    assert 'export ROS_MASTER_URI' not in first.stdout

@@ -44,6 +44,7 @@ def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run
         assert connection.connect_ex(('localhost', int(port))) == errno.ECONNREFUSED
 
 
+@pytest.mark.nightly
 def test_without_a_terminal_the_demo_ends_as_without_a_page():
     """Nobody could press Ctrl-C. If the usual port is taken, the page has a later one."""
     with contextlib.ExitStack() as stack:

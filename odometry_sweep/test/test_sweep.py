@@ -95,6 +95,7 @@ def test_ctrl_c_keeps_what_is_done():
     assert len(rows) >= 2 and all(row['ended'] == 'arrived' for row in rows)
 
 
+@pytest.mark.nightly
 def test_a_process_that_is_killed_ends_the_sweep_with_one_line():
     """As the system does when memory is short; what is done is kept."""
     with Process(ROOT / 'ws', 'sweep', *MANY) as run:

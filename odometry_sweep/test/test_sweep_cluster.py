@@ -63,6 +63,7 @@ def sweeping(scheduler, runs):
         yield run, folder
 
 
+@pytest.mark.nightly
 def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers):
     """In the middle of the sweep; the other one does the rest."""
     killed, other = workers
@@ -78,6 +79,7 @@ def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers
     assert lines_in(folder) == rows and len(rows) == RUNS
 
 
+@pytest.mark.nightly
 @pytest.mark.usefixtures('workers')
 def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
     """What is done is kept."""
@@ -89,7 +91,8 @@ def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
     assert found and len(lines_in(folder)) == int(found[1]) > 0, run.stderr
 
 
-@pytest.mark.parametrize('address', ['tcp://127.0.0.1:1', 'nonsense'])
+@pytest.mark.parametrize('address', [
+    pytest.param('tcp://127.0.0.1:1', marks=pytest.mark.nightly), 'nonsense'])
 def test_no_scheduler_is_one_line(address):
     """And exit status 2."""
     run = ws('sweep', 'move', '--cluster', address)
@@ -97,6 +100,7 @@ def test_no_scheduler_is_one_line(address):
     assert re.fullmatch(f'sweep: no scheduler answers at {address}: .*', run.stderr), run.stderr
 
 
+@pytest.mark.nightly
 def test_a_cluster_without_workers_is_one_line(scheduler):
     """After a while: they may be starting."""
     run = ws('sweep', 'move', '--cluster', scheduler.address)

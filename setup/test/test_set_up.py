@@ -70,6 +70,7 @@ def another_set_up(folder):
         yield
 
 
+@pytest.mark.nightly
 def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
     """Packages of the user stay, and nothing comes in from another workspace that is sourced."""
     (tmp_path / 'other').mkdir()
@@ -92,6 +93,7 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
     assert 'building the packages' in run.stderr and 'hello from pybullet' in run.stdout
 
 
+@pytest.mark.nightly
 def test_a_package_that_cannot_be_configured_is_left_out_and_named(checkout):
     """All others run, in this call and in later ones; once it is mended, it is built."""
     broken = checkout / '.ws' / 'src' / 'broken'
@@ -112,7 +114,8 @@ def test_a_package_that_cannot_be_configured_is_left_out_and_named(checkout):
 
 
 @pytest.mark.parametrize('commands', [
-    INTERRUPT, FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready'])
+    INTERRUPT, pytest.param(FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready',
+                            marks=pytest.mark.nightly)])
 def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, commands):
     run = in_checkout(checkout, commands)
     assert run.wait() == 0 and run.stderr == './ws: building the packages ...', run.output

@@ -9,8 +9,7 @@ TICKS = 200
 
 
 @pytest.mark.parametrize('arguments, period', [
-    ([], 5), (['_real_time_factor:=0.5'], 5), (['_real_time_factor:=10'], 10),
-    (['_real_time_factor:=0'], 50), (['_clock_rate:=100'], 10), (['_odom_rate:=50'], 5),
+    ([], 5), (['_real_time_factor:=10'], 10), (['_real_time_factor:=0'], 50),
     (['_real_time_factor:=0', '_clock_rate:=500'], 2)])
 def test_the_clock_ticks_with_this_period(simulated_time, arguments, period):
     """In ms; a message that gets lost makes a gap, and none makes it shorter."""

@@ -25,7 +25,7 @@ from tf2_msgs.msg import TFMessage
 
 # The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
 CLIENTS = {
-    'rospy.Rate(10)': ['rate 10'], 'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
+    'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
     'rospy.sleep': ['sleep'], 'rospy.wait_for_message': ['wait_for_message'],
     'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
     'service': ['service'], 'latched topic': ['latched', 'latching'],
@@ -33,6 +33,7 @@ CLIENTS = {
     'rosbag record': ['rate 20', 'bag'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
     'ros::MultiThreadedSpinner': ['C++ spinners']}
+BY_DAY = 'tf2_ros', 'service'
 CLIENT_TIME = 3  # s of simulated time
 LEAST_COMMANDS = 5
 
@@ -60,7 +61,8 @@ def start_client(tmp_path_factory):
     return start
 
 
-@pytest.mark.parametrize('client', CLIENTS)
+@pytest.mark.parametrize('client', [
+    pytest.param(client, marks=[] if client in BY_DAY else pytest.mark.nightly) for client in CLIENTS])
 def test_two_runs_with_any_node_are_the_same_bytes(client, start_client):
     """Whatever it waits for: the clock, a message, a service, a transform; with the default clock."""
     kinds = CLIENTS[client]
@@ -71,7 +73,8 @@ def test_two_runs_with_any_node_are_the_same_bytes(client, start_client):
     assert_same_bytes(*(record(starts, topics, ['_clock_rate:=100']) for _ in range(2)))
 
 
-@pytest.mark.parametrize('rate', [5, 10, 20, 30, 50, 100])
+@pytest.mark.parametrize('rate', [
+    30, *(pytest.param(rate, marks=pytest.mark.nightly) for rate in (5, 10, 20, 50, 100))])
 def test_a_loop_keeps_its_rate(rate, start_client):
     """In simulated time, with the default clock: so many commands in ten seconds."""
     with simulator('_lockstep:=true', UNPACED, '_paused:=true'), \
@@ -90,7 +93,8 @@ def test_a_loop_keeps_its_rate(rate, start_client):
 
 
 @pytest.mark.parametrize('kind, reason', [
-    ('busy', 'it has not rested for 2 s'), ('wall', 'it sleeps by wall time')])
+    pytest.param('busy', 'it has not rested for 2 s', marks=pytest.mark.nightly),
+    ('wall', 'it sleeps by wall time')])
 def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason, start_client):
     """With what to do."""
     with simulator_in_step('_real_time_factor:=5') as simulation, \

@@ -51,7 +51,7 @@ def test_noise_is_the_same_with_the_same_seed_and_another_with_another():
     assert len({run(seed) for seed in range(5)}) == 5
 
 
-@pytest.mark.parametrize('speed, duration', [(0.5, 2.0), (0.5, 8.0), (0.125, 8.0)])
+@pytest.mark.parametrize('speed, duration', [(0.5, 1.0), (0.5, 4.0), (0.125, 4.0)])
 def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
     """Each wheel has its own; the middle between two has half the variance."""
     travels = [distance(drive(encoders(wheel_noise=0.02, seed=seed), speed, 0.0, duration))
@@ -61,7 +61,7 @@ def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
     assert statistics.mean(travels) == pytest.approx(speed * duration, abs=4 * expected / RUNS**0.5)
 
 
-@pytest.mark.parametrize('duration', [1.0, 4.0])
+@pytest.mark.parametrize('duration', [0.5, 2.0])
 def test_gyro_noise_grows_with_the_root_of_time(duration):
     """Also while the robot stands, as a gyro's does."""
     yaws = [yaw_of(drive(encoders(gyro_noise=0.02, seed=seed), 0.0, 0.0, duration)[-1]

@@ -100,13 +100,10 @@ def test_noise_does_not_look_like_motion_and_a_target_is_where_the_robot_turns_t
     assert 'target, -90' in [text.get_text() for text in heading.get_legend().get_texts()]
 
 
-@pytest.mark.parametrize('make', [
-    lambda path: path.write_bytes(b'no bag at all'),
-    lambda path: record(path, [odometry(x=math.nan, stamp=START)] * 3)])
-def test_a_file_without_a_run_is_refused(tmp_path, make):
+def test_a_file_without_a_run_is_refused(tmp_path):
     """With status 2 and one line that names it."""
     path = tmp_path / 'broken.bag'
-    make(path)
+    path.write_bytes(b'no bag at all')
     run = plot(path, '-o', tmp_path / 'no.png')
     assert run.wait() == 2
     assert len(run.stderr.splitlines()) == 1 and str(path) in run.stderr, run.stderr
@@ -121,6 +118,11 @@ def test_of_several_odometries_the_user_has_to_choose(tmp_path):
                                        '/a/odom, /b/odom$'):
         read_run(path)
     assert read_run(path, '/b/odom').odometry.distance[-1] == pytest.approx(1.0)
+
+
+def test_odometry_without_a_position_is_no_run(tmp_path):
+    with pytest.raises(BagError, match='lost.bag'):
+        read_run(record(tmp_path / 'lost.bag', [odometry(x=math.nan, stamp=START)] * 3))
 
 
 def test_a_topic_of_another_type_is_refused(tmp_path):

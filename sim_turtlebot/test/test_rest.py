@@ -115,7 +115,7 @@ def test_who_rests_has_answered(resting, start, restless, code):
 def test_work_that_costs_no_cpu_time_is_waited_for(resting, start, monkeypatch):
     """A virtual machine that was kept from its processor does not count what runs next on it."""
     monkeypatch.setattr(Process, 'cpu_time', lambda _: 0)
-    for number, answers in enumerate(answers_after_rest(resting, start(RING), 1000)):
+    for number, answers in enumerate(answers_after_rest(resting, start(RING), 300)):
         assert answers == list(range(1, number + 2))
 
 

@@ -26,7 +26,7 @@ def total_turn(motions):
     return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in zip(yaws, yaws[1:]))
 
 
-@pytest.mark.parametrize('speed', [0.1, 0.5, -0.5])
+@pytest.mark.parametrize('speed', [0.1, -0.5])
 def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
     """0.3 % of the distance, a millimetre to the side, a 20th of a degree."""
     simulation = Simulation()
@@ -39,7 +39,7 @@ def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
 
 
 @pytest.mark.parametrize('phase', range(12))
-@pytest.mark.parametrize('speed', [0.1, 0.15, 0.2, -0.2])
+@pytest.mark.parametrize('speed', [0.1, -0.2])
 def test_the_twist_of_odometry_is_as_smooth_as_its_pose(speed, phase):
     """Also where a message falls on the moment in which the robot tips onto its rear caster.
 
@@ -53,7 +53,7 @@ def test_the_twist_of_odometry_is_as_smooth_as_its_pose(speed, phase):
         [motion.linear[0] for motion in seen[1:]], abs=0.002)
 
 
-@pytest.mark.parametrize('turn_speed', [0.5, 1.5, -1.5])
+@pytest.mark.parametrize('turn_speed', [0.5, -1.5])
 def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
     """0.3 % of the angle, and the middle between the wheels stays within 2 mm."""
     simulation = Simulation()
@@ -65,7 +65,7 @@ def test_a_spin_turns_as_far_as_commanded_on_the_spot(turn_speed):
 
 
 @pytest.mark.parametrize('source', ['world', 'encoder'])
-@pytest.mark.parametrize('before', [[], [(0.5, 0.0)], [(0.0, 2.0)], [(-0.3, 0.8), (0.7, 3.0)]])
+@pytest.mark.parametrize('before', [[], [(-0.3, 0.8), (0.7, 3.0)]])
 def test_at_rest_for_ten_minutes_it_does_not_creep(before, source):
     """On arrival and after driving: the odometry is constant to the last bit."""
     simulation = Simulation(odometry_source=source)
@@ -75,7 +75,7 @@ def test_at_rest_for_ten_minutes_it_does_not_creep(before, source):
         simulation.drive(0.0, 0.0, STOPPING)
     start = simulation.robot.ground_truth
     record = simulation.drive(0.0, 0.0, TEN_MINUTES)
-    assert max(distance_between(start, motion) for motion in record.ground_truth) <= 1e-6
+    assert max(distance_between(start, motion) for motion in set(record.ground_truth)) <= 1e-6
     assert len(set(record.odometry)) == 1
 
 

@@ -29,7 +29,8 @@ def wait_for_odometry(process):
     wait_until(lambda: truth.last, 40.0, lambda: f'odometry; it printed:\n{process.output}')
 
 
-@pytest.mark.parametrize('argument', ['rviz:=true', 'gui:=true'])
+@pytest.mark.parametrize('argument', [
+    'rviz:=true', pytest.param('gui:=true', marks=pytest.mark.nightly)])
 def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
     """RViz with our configuration, and PyBullet's own window."""
     if 'rviz' in argument and not shutil.which('rviz'):
@@ -42,6 +43,7 @@ def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
     assert 'has died' not in launch.output
 
 
+@pytest.mark.nightly
 def test_closing_the_window_ends_the_simulator_cleanly(screen):
     """A window manager cuts the connection of a program whose window is closed."""
     if not shutil.which('xkill'):

@@ -3,12 +3,14 @@
 import csv
 import re
 
+import pytest
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 
 TIMEOUT = 180.0  # s
 
 
+@pytest.mark.nightly
 def test_figures_are_measured_and_shown_as_a_table(tmp_path):
     """Name, value, limit and ratio in the table and in a file; the status says what is missed."""
     file = tmp_path / 'figures.csv'

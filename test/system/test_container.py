@@ -27,6 +27,7 @@ BUILD_TIMEOUT = 900.0  # s
 START_TIMEOUT = 60.0  # s
 ENDED_BY_SIGTERM = 128 + 15
 LISTENS = re.compile(r'^ *\d+: ([0-9A-F]+):([0-9A-F]{4}) \S+ 0A ', re.MULTILINE)
+pytestmark = pytest.mark.nightly
 LOOPBACK = {'0100007F', '0' * 24 + '01000000'}
 
 

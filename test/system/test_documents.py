@@ -189,7 +189,8 @@ def environment(port, page_port):
             'PAGE_PORT': str(page_port), 'ODOMETRY_RUNS': os.environ['ODOMETRY_RUNS']}
 
 
-@pytest.mark.parametrize('key', SESSIONS)
+@pytest.mark.parametrize('key', [
+    pytest.param(key, marks=[] if key.startswith('README.md: ') else pytest.mark.nightly) for key in SESSIONS])
 def test_what_is_typed_does_what_is_shown(key, readers):
     """Each command ends well or is at work, and prints what the document shows."""
     if error := readers[key].exception():

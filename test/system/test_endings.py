@@ -58,11 +58,12 @@ STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 
 
 @pytest.mark.parametrize('script', [
-    'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
-    'rotate_robot/script/main.py', 'rotate_robot/script/rotate.py',
-    'sim_turtlebot/script/sim_turtlebot_node.py', 'robot_view/script/view.py',
-    'sim_turtlebot/script/world_frame.py', 'sim_turtlebot/script/plot_run.py',
-    'launch/scripts/rosout.py', 'setup/bin/roslaunch'])
+    'rotate_robot/script/rotate.py', 'setup/bin/roslaunch', *(
+        pytest.param(script, marks=pytest.mark.nightly) for script in (
+            'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
+            'rotate_robot/script/main.py', 'sim_turtlebot/script/sim_turtlebot_node.py',
+            'robot_view/script/view.py', 'sim_turtlebot/script/world_frame.py',
+            'sim_turtlebot/script/plot_run.py', 'launch/scripts/rosout.py'))])
 def test_ctrl_c_ends_a_script_at_any_moment_of_its_imports(script):
     """At once and without a word, where Python would end it with a traceback, or go on."""
     with Process(sys.executable, '-c', IMPORTING, ROOT / script, '--help') as process:
@@ -144,7 +145,7 @@ def truth(master):
     rosgraph.Master('/test').setParam('/use_sim_time', False)
 
 
-@pytest.fixture(params=['mover', 'rotator'])
+@pytest.fixture
 def driver(request, truth):
     """Start a node that moves the robot."""
     if request.param == 'mover':
@@ -164,11 +165,10 @@ def rosnode_kill(_node):
     assert rosnode.kill_nodes(['/driver']) == (['/driver'], [])
 
 
-ENDINGS = [lambda node: node.send(signal.SIGINT), lambda node: node.send(signal.SIGTERM),
-           lambda node: node.send(signal.SIGHUP), rosnode_kill]
-
-
-@pytest.mark.parametrize('ending', ENDINGS, ids=['SIGINT', 'SIGTERM', 'SIGHUP', 'rosnode kill'])
+@pytest.mark.parametrize('driver, ending', [
+    ('mover', lambda node: node.send(signal.SIGINT)), ('rotator', lambda node: node.send(signal.SIGTERM)),
+    ('mover', lambda node: node.send(signal.SIGHUP)), ('rotator', rosnode_kill)],
+    ids=['SIGINT', 'SIGTERM', 'SIGHUP', 'rosnode kill'], indirect=['driver'])
 def test_the_robot_is_at_rest_at_once(driver, truth, ending):
     """The node's last command is zero; nothing else could stop this robot.
 

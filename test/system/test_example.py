@@ -1,6 +1,5 @@
 """The example of docs/ci.md, set up and run as its workflow does, and how its nodes end."""
 
-import signal
 import subprocess
 import sys
 
@@ -43,6 +42,7 @@ def checkout(tmp_path_factory):
     return folder
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize('distance, passes', [('1.0', True), ('1.1', False)])
 def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, distance, passes):
     """By its exit status: a workflow looks at nothing else."""
@@ -65,8 +65,7 @@ def node_beside(truth, name):
     return Process(sys.executable, EXAMPLE / 'src' / name)
 
 
-@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
-def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
+def test_its_robot_stops_when_the_node_ends(simulated_time):
     truth, commands = Truth(), Recorder('cmd_vel', Twist)
     with simulator('_cmd_vel_timeout:=0', '_scan:=true', CORRIDOR, '_real_time_factor:=0.5'), \
             node_beside(truth, 'stop_before_wall.py') as node:
@@ -74,7 +73,7 @@ def test_its_robot_stops_when_the_node_ends(simulated_time, signum):
         commands.wait_for()
 
         def end():
-            assert node.end(signum) == 0, node.output
+            assert node.end() == 0, node.output
             wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
 
         assert moves_on(truth, end) <= STOPPING_TIME

@@ -29,6 +29,7 @@ def load():
         yield
 
 
+@pytest.mark.nightly
 def test_twenty_runs_beside_load_are_the_same_bytes(simulated_time, load):
     """With the default clock; and each stops where the example's test expects it."""
     start = partial(Process, sys.executable, ROOT / 'docs' / 'example' / 'src' / 'one_metre.py',

@@ -61,8 +61,8 @@ def test_the_mover_commands_others_notices_silence_and_ends(master):
 
 
 @pytest.mark.usefixtures('simulated_time')
-@pytest.mark.parametrize('start', [simulator, simulator_in_step],
-                         ids=['unpaced', 'in lockstep'])
+@pytest.mark.parametrize('start', [
+    simulator, pytest.param(simulator_in_step, marks=pytest.mark.nightly)], ids=['unpaced', 'in lockstep'])
 def test_the_simulator_goes_on_for_others_and_ends(start):
     """With a subscriber to each topic that does not read; the others miss nothing."""
     truth = Truth()

@@ -85,6 +85,7 @@ def stands(speeds):
     return abs(values(speeds)[-1]) < REST_SPEED
 
 
+@pytest.mark.nightly
 def test_two_metres_across_a_link_that_is_cut_for_three_seconds(machines):
     """The robot stops by its watchdog while the link is down, and ends at two metres."""
     with on(ROBOT, 'rosrun', 'sim_turtlebot', 'sim_turtlebot_node.py'), \

@@ -23,8 +23,13 @@ def choose_tests(config):
     """Run named files whole, with their nightly tests; at night, try new random sequences, too."""
     by_day = config.option.markexpr == BY_DAY
     config.option.hypothesis_profile = 'ci' if by_day else 'nightly'
-    if by_day and config.args_source == config.ArgsSource.ARGS:
+    if by_day and not has_folder(config):
         config.option.markexpr = ''
+
+
+def has_folder(config):
+    """Return whether folders of tests are to run, and not files alone."""
+    return any(Path(argument).is_dir() for argument in config.args)
 
 
 def _path_of(argument, root):
@@ -38,8 +43,7 @@ def _path_of(argument, root):
 def pytest_xdist_auto_num_workers(config):
     """Start so many workers for `-n auto`, and no more than there are files to run."""
     workers = WORKERS_PER_PROCESSOR * len(os.sched_getaffinity(0))
-    has_folder = any(Path(argument).is_dir() for argument in config.args)
-    return workers if has_folder else min(workers, len(config.args))
+    return workers if has_folder(config) else min(workers, len(config.args))
 
 
 def pytest_xdist_make_scheduler(config, log):
