@@ -22,9 +22,9 @@ def open_page():
 
 
 @pytest.fixture(scope='module')
-def view(master, request):
-    """Start a viewer, patient if the module says so."""
-    with viewing(patient=getattr(request.module, 'PATIENT', False)) as running:
+def view(master):
+    """Start a viewer in which only what the test does stops the robot."""
+    with viewing(patient=True) as running:
         yield running
 
 

@@ -44,6 +44,9 @@ class PageClient:
         return self
 
     def __exit__(self, *_):
+        self.close()
+
+    def close(self):
         self._websocket.close()
 
     def show(self):

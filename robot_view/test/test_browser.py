@@ -1,4 +1,4 @@
-"""What the page shows in a real browser: robots, numbers, plots."""
+"""What the page shows and does in a real browser: robots, numbers, plots, the pad."""
 
 import math
 
@@ -10,7 +10,7 @@ from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import ROBOT_PIXELS, Motion, viewing, wait_for_robot
+from viewer import MOVING, ROBOT_PIXELS, Motion, viewing, wait_for_robot
 
 SCAN_PIXELS = 100
 
@@ -67,6 +67,21 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
     page.wait_for_reading('true_distance', lambda metres: metres == 0)
 
 
+def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
+    """test_page_clients closes a page and the viewer in mid-drive."""
+    for sign, begin, end in [(1, lambda: page.hold('forward'), page.release),
+                             (-1, lambda: page.press_key('ARROW_DOWN'), lambda: page.release_key('ARROW_DOWN'))]:
+        page.wait_for_reading('speed', lambda speed: speed == 0)
+        robot.commands.clear()
+        robot.clear()
+        begin()
+        robot.wait_for(lambda m, sign=sign: sign * m.twist.twist.linear.x > MOVING, what='a robot that moves')
+        robot.commands.wait_for_publisher()
+        end()
+        robot.wait_until_stopped()
+
+
+@pytest.mark.nightly
 def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):
     with viewing('__ns:=real') as view:
         publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
@@ -80,6 +95,7 @@ def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):
     publisher.unregister()
 
 
+@pytest.mark.nightly
 def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
     """Dots on the walls of the room; a blue ghost where slipping wheels believe the robot to be."""
     with rosrun('sim_turtlebot', 'sim_turtlebot_node.py', '__ns:=slippery', '_scan:=true',

@@ -3,6 +3,7 @@
 import contextlib
 import http.client
 import math
+import signal
 import socket
 import time
 
@@ -59,6 +60,18 @@ def drive(page, recorder, label='forward'):
     page.set(label, True)
     recorder.wait_for(lambda m: m == Twist(), what='the zero of a release')
     return recorder.messages[0]
+
+
+@pytest.mark.parametrize('end', [lambda page, _view: page.close(), lambda _page, view: view.end(signal.SIGTERM)],
+                         ids=['page', 'viewer'])
+def test_a_page_or_a_viewer_that_ends_in_mid_drive_stops_the_robot(master, end):
+    """Nobody is left to release the button."""
+    recorder = Recorder('/left/robot_1/cmd_vel', Twist)
+    with published('/left'), viewing('__ns:=left', patient=True) as view, open_page(view) as page:
+        wait_until(lambda: page.hold('forward') or recorder.messages, TIMEOUT, 'a command', period=0.05)
+        end(page, view)
+        recorder.wait_for(lambda m: m == Twist(), what='zero')
+        assert recorder.last == Twist()
 
 
 def driven():

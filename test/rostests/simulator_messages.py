@@ -8,11 +8,12 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_tests.partners import NodeLog
 from odometry_tests.robots import Robot, place
 from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
-from rosgraph_msgs.msg import Clock
+from rosgraph_msgs.msg import Clock, Log
 from tf2_msgs.msg import TFMessage
 
 START = 1.0, -2.0, 1.5  # m, m, rad; where the robot in the corner starts
@@ -70,6 +71,17 @@ class SimulatorMessagesTest(unittest.TestCase):
         self.corner.drive(0.5)
         self.corner.odometry.wait_for(lambda m: place(m)[0] >= 0.5, what='half a metre')
         self.assertEqual(place(self.corner.odometry.last)[1:], (0.0, 0.0))
+
+    def test_a_command_that_is_not_finite_is_refused_and_stops_the_robot(self):
+        """With a warning."""
+        log = NodeLog()
+        log.wait_for_publisher()
+        self.corner.restart()
+        self.corner.drive(0.3, 0.5)
+        self.corner.truth.wait_until_moving()
+        self.corner.drive(math.nan)
+        self.corner.truth.wait_until_resting()
+        log.wait_for(lambda m: m.level == Log.WARN and 'is not finite' in m.msg)
 
     def test_tf_repeats_the_odometry(self):
         """From odom to base_footprint, with the same stamp; the wheels are behind it."""

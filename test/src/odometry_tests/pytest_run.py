@@ -13,8 +13,7 @@ OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['sk
 
 def pytest_configure(config):
     """Keep the order of pytest.ini, and take a file by its name alone: test_drive, detector.test."""
-    if not hasattr(config, 'workerinput'):
-        choose_tests(config)
+    choose_tests(config)
     config.option.loadscopereorder = False  # those that take longest come first already
     config.args = [_path_of(argument, config.rootpath) for argument in config.args]
 

@@ -1,0 +1,257 @@
+"""The figures that ./ws bench measures: a function each, which returns pairs of a value and its limit."""
+
+import contextlib
+import sys
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+from typing import Callable, NamedTuple
+
+import rospy
+from geometry_msgs.msg import Twist
+from graph import FINE_LOCKSTEP, LOCKSTEP, TIMEOUT, UNPACED, Graph
+from nav_msgs.msg import Odometry
+from odometry_common.publishing import advertise
+from odometry_tests.lockstep_runs import CLIENTS_FOLDER, compile_client
+from odometry_tests.messages import odometry
+from odometry_tests.processes import Process, hold_port, path_of
+from odometry_tests.scripts import ROOT
+from odometry_tests.tutorial import detector, forget_parameters, simulator
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from ring_speed import beside_ring
+from std_msgs.msg import Float64
+from worlds import SPEED, BareWorld, RobotWorld
+
+SLICES = 4  # of a window
+FOLDER = Path(__file__).parent
+SCRIPTS = {'demo': 'launch/src/odometry_launch/following.py',
+           'simulator': 'sim_turtlebot/script/sim_turtlebot_node.py',
+           'detector': 'odom_movement_detector/src/odom_movement_detector.py',
+           'mover': 'test_movement/src/test_movement.py'}
+PERIOD = 0.05  # s
+MESSAGES, WARM_UP = 60, 20
+STEP = 0.001  # m
+ROBOTS, DRIVES = 50, 1000
+PACE_WINDOW = 5.0  # s after each; the machine is not as fast in each second
+SWEEP_TIMEOUT = 300.0  # s
+
+
+class Figure(NamedTuple):
+    """What is measured, and what its ratio to its limit should be."""
+
+    title: str
+    unit: str
+    relation: str  # >= or <=
+    bound: float
+    measure: Callable
+
+
+FIGURES = {}
+
+
+def figure(title, unit, relation, bound):
+    """Decorate the function that measures a figure; `./ws bench` takes its name."""
+    def add(measure):
+        FIGURES[measure.__name__] = Figure(title, unit, relation, bound, measure)
+        return measure
+    return add
+
+
+def in_turns(options, measure, measure_limit):
+    """Measure value and limit in turns, so that a noisy moment hits both; return the pairs."""
+    return [(measure(), measure_limit()) for _ in range(options.runs)]
+
+
+def in_slices(options, measure, measure_limit):
+    """Measure value and limit in turns, for a slice of the window each, and return the pairs.
+
+    A slow moment of the machine lasts longer than a slice, and so hits both.
+
+    :param measure, measure_limit: functions of the s of wall time in which to watch
+    """
+    slice_ = options.window / SLICES
+    return [(measure(slice_), measure_limit(slice_)) for _ in range(SLICES * options.runs)]
+
+
+@figure('demo from call to prompt', 's', '<=', 1.25)
+def demo(options):
+    """Compare with a bare roslaunch of as many nodes with the same imports."""
+    def run_demo():
+        begin = time.perf_counter()
+        with Process(ROOT / 'ws', 'demo', '--real-time-factor', '0') as process:
+            process.wait(TIMEOUT)
+        return time.perf_counter() - begin
+
+    def run_bare():
+        """Tell roslaunch to end once each node has seen a message."""
+        scripts = [f'{name}:={ROOT / script}' for name, script in SCRIPTS.items()]
+        with hold_port() as port:
+            begin = time.perf_counter()
+            with Process('roslaunch', '-p', port, FOLDER / 'bare.launch', *scripts, env={
+                    'ROS_MASTER_URI': f'http://localhost:{port}', 'ROS_HOSTNAME': 'localhost'}) as process:
+                wait_until(lambda: process.stdout.count('seen') == len(SCRIPTS), TIMEOUT,
+                           lambda: f'{len(SCRIPTS)} nodes; roslaunch printed:\n{process.output}')
+                process.end()
+                return time.perf_counter() - begin
+
+    return in_turns(options, run_demo, run_bare)
+
+
+@figure('end of a node', 's', '<=', 1.25)
+def end(options):
+    """Compare the detector with a node of bare rospy, from Ctrl-C on."""
+    def end_after(process, word):
+        """Wait for a word first: rospy may never end if Ctrl-C comes while it registers a topic."""
+        with process:
+            process.wait_for_output(word, TIMEOUT)
+            begin = time.perf_counter()
+            process.end()
+            return time.perf_counter() - begin
+
+    return in_turns(options, lambda: end_after(detector(), 'waiting for odometry'),
+                    lambda: end_after(relay('/question', '/answer'), 'ready'))
+
+
+def relay(question, answer):
+    """Start a node of bare rospy that only passes odometry on."""
+    return Process(sys.executable, FOLDER / 'relay.py', question, answer)
+
+
+@figure('latency at 20 Hz, median', 'ms', '<=', 1.15)
+def latency(options):
+    """Compare the way from /odom to /moved_distance with a relay."""
+    forget_parameters()
+    with detector(), relay('/relayed/odom', '/relayed/answer'), \
+            contextlib.closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
+            contextlib.closing(Answers('/relayed/odom', '/relayed/answer', Odometry)) as relayed:
+        return in_turns(options, answers.latency, relayed.latency)
+
+
+class Answers:
+    """Odometry to a node, and the times at which it answers."""
+
+    def __init__(self, question, answer, answer_class):
+        self._arrivals = []
+        self._x = 0.0
+        self._publisher = advertise(question, Odometry)
+        self._subscriber = rospy.Subscriber(answer, answer_class, self._on_answer, tcp_nodelay=True)
+        wait_for_subscribers(self._publisher, timeout=TIMEOUT)
+        # The answers may be connected later than the questions.
+        wait_until(lambda: self._publisher.publish(odometry(stamp=rospy.get_time())) or self._arrivals,
+                   TIMEOUT, f'an answer on {answer}')
+
+    def close(self):
+        self._publisher.unregister()
+        self._subscriber.unregister()
+
+    def latency(self):
+        """Send messages at 20 Hz; return the median time until the answer (ms)."""
+        del self._arrivals[:]
+        start = time.perf_counter()
+        departures = [self._send_at(start + PERIOD * number) for number in range(WARM_UP + MESSAGES)]
+        wait_until(lambda: len(self._arrivals) == len(departures), TIMEOUT,
+                   lambda: f'{len(departures)} answers; there were {len(self._arrivals)}')
+        return median(1e3 * (arrival - departure) for departure, arrival
+                      in zip(departures[WARM_UP:], self._arrivals[WARM_UP:]))
+
+    def _send_at(self, moment):
+        """Send a message at a time, and return when it was really sent."""
+        self._x += STEP
+        message = odometry(self._x, stamp=rospy.get_time())
+        time.sleep(max(0.0, moment - time.perf_counter()))
+        departure = time.perf_counter()
+        self._publisher.publish(message)
+        return departure
+
+    def _on_answer(self, _):
+        self._arrivals.append(time.perf_counter())
+
+
+@figure('robot without ROS', 'simulated s/s', '>=', 0.85)
+def robot(options):
+    """Compare the simulator's robot, commanded after each odometry, with PyBullet alone."""
+    return in_slices(options, RobotWorld().speed, BareWorld().speed)
+
+
+@figure(f'cost per robot of {ROBOTS} robots', 'ms/simulated s/robot', '<=', 1.2)
+def robots(options):
+    """Compare each of fifty robots that drive in one simulator with one robot without ROS."""
+    alone, command = RobotWorld(), Twist()
+    command.linear.x = SPEED
+    with Graph('_cmd_vel_timeout:=0', f'_robots:={ROBOTS}', *UNPACED, movers=False) as graph, \
+            contextlib.ExitStack() as stack:
+        with graph.running():
+            for number in range(1, ROBOTS + 1):
+                publisher = advertise(f'/robot_{number}/cmd_vel', Twist)
+                stack.callback(publisher.unregister)
+                wait_for_subscribers(publisher)
+                publisher.publish(command)
+        return in_slices(options, lambda window: 1e3 / graph.speed(window) / ROBOTS,
+                         lambda window: 1e3 / alone.speed(window))
+
+
+@figure('start to first /odom', 's', '<=', 1.25)
+def start(options):
+    """Compare the simulator with a bare node with the same imports."""
+    def start_simulator():
+        forget_parameters()
+        with contextlib.closing(Recorder('/odom', Odometry)) as seen:
+            begin = time.perf_counter()
+            with simulator():
+                seen.wait_for(timeout=TIMEOUT)
+                return time.perf_counter() - begin
+
+    def start_bare():
+        script = path_of('sim_turtlebot', 'sim_turtlebot_node.py')
+        begin = time.perf_counter()
+        with Process(sys.executable, FOLDER / 'bare_node.py', script) as process:
+            wait_until(lambda: 'seen' in process.stdout, TIMEOUT, 'a message', period=0.001)
+            duration = time.perf_counter() - begin
+            process.wait(TIMEOUT)  # it ends by itself, in which rospy must not be interrupted
+        return duration
+
+    return in_turns(options, start_simulator, start_bare)
+
+
+@figure(f'{DRIVES} drives on two processors', 's', '<=', 1.3)
+def sweep(options):
+    """Compare ./ws sweep with PyBullet stepping as many drives."""
+    from odometry_sweep.closed_loop import run  # the package may be left out
+
+    def run_sweep():
+        begin = time.perf_counter()
+        with Process(ROOT / 'ws', 'sweep', 'move', '--seeds', DRIVES, '--jobs', 2) as process:
+            assert process.wait(SWEEP_TIMEOUT) == 0, process.output
+        return time.perf_counter() - begin
+
+    bare, simulated = BareWorld(), run('move', {})['time']
+    return in_turns(options, run_sweep, lambda: DRIVES * simulated / 2 / bare.speed(PACE_WINDOW))
+
+
+@figure('graph unpaced', 'simulated s/s', '>=', 0.55)
+def unpaced(options):
+    """Compare robot, detector and mover as fast as they can with PyBullet alone."""
+    with Graph(*UNPACED) as graph:
+        return in_slices(options, graph.speed, BareWorld().speed)
+
+
+@figure('graph in lockstep', 'simulated s/s', '>=', 0.35)
+def lockstep(options):
+    """Compare robot, detector and mover with bare nodes that step PyBullet, publish and answer."""
+    return beside_ring(options, Graph(*LOCKSTEP))
+
+
+@figure('tf client in lockstep', 'simulated s/s', '>=', 0.157)  # 25 times real time where the ring makes 159
+def lockstep_tf(options):
+    """Compare a client that drives by tf in a loop, with a clock of 100 Hz, with the same bare nodes."""
+    client = sys.executable, CLIENTS_FOLDER / 'clients.py', 'tf_listener'
+    return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))
+
+
+@figure('C++ client in lockstep', 'simulated s/s', '>=', 0.038)  # 6 times real time where the ring makes 159
+def lockstep_cpp(options):
+    """Compare a client with a loop of ros::Rate, with a clock of 100 Hz, with the same bare nodes."""
+    with tempfile.TemporaryDirectory() as folder:
+        client = compile_client(Path(folder, 'client')), 'rate'
+        return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))
