@@ -14,7 +14,7 @@ FRAME_RATE = 2.0  # Hz
 
 @pytest.fixture(scope='module')
 def open_page():
-    browser = pytest.importorskip('odometry_tests.browser', reason='selenium is not installed')
+    browser = pytest.importorskip('browser', reason='selenium is not installed')
     if not (browser.CHROMIUM and browser.DRIVER):
         pytest.skip('chromium and chromedriver are not installed')
     with contextlib.ExitStack() as stack:

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from odometry_tests.checkout import in_checkout, make_checkout
+from checkout import in_checkout, make_checkout
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 

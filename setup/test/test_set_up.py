@@ -6,7 +6,7 @@ import shutil
 import signal
 
 import pytest
-from odometry_tests.checkout import (
+from checkout import (
     FASTER,
     in_checkout,
     make_checkout,

@@ -14,12 +14,12 @@ from contextlib import ExitStack
 import pytest
 import rosbag
 import rospy
-from odometry_tests.documents import DOCUMENTS, read_commands
+from documents import read_commands
 from odometry_tests.messages import odometry
 from odometry_tests.processes import hold_port
-from odometry_tests.reader import Reader
 from odometry_tests.screen import virtual_screen
-from odometry_tests.scripts import ROOT
+from odometry_tests.scripts import DOCUMENTS, ROOT
+from reader import Reader
 
 NOETIC = [f'. {file}' for file in ('/opt/ros/noetic/setup.bash',) if os.path.exists(file)]
 # What is done already when a reader comes to a heading.
@@ -81,7 +81,7 @@ IN_PLACE = [
 ]
 NOT_HERE = {
     r'turtlebot_bringup|turtlebot_teleop|cmd_vel_mux': 'is on the robot',
-    r'^\./ws rostest one_metre ': 'is for test_example',
+    r'^\./ws rostest one_metre ': 'is for test_example_workflow',
     r'^ssh\b': 'there is no other machine',
     r'^rosnode kill$': 'names a command, not a node',
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',

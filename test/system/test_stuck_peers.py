@@ -15,10 +15,10 @@ from nav_msgs.msg import Odometry
 from odometry_launch.process_guard import GuardedProcess
 from odometry_tests.pausing import call
 from odometry_tests.processes import path_of
-from odometry_tests.stuck import connected, publisher_of, stuck_subscriber
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
+from stuck import connected, publisher_of, stuck_subscriber
 
 COUNT = 2000  # messages
 FULL_TIME = 60.0  # s, until a socket is full

@@ -9,7 +9,7 @@ import re
 import rospy
 from odometry_tests.processes import Master, Process, hold_port, rosrun
 from odometry_tests.screen import colours, photograph, virtual_screen
-from odometry_tests.scripts import ROOT
+from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import wait_until
 from PIL import Image
@@ -42,7 +42,7 @@ def save(image, name):
 
 
 def view():
-    from odometry_tests.browser import Page
+    Page = load_script('robot_view/test/browser.py').Page
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
         url = f'http://localhost:{port}'
         viewer.wait_for_output(url)

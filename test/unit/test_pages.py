@@ -4,8 +4,7 @@ import re
 from xml.etree import ElementTree
 
 import pytest
-from odometry_tests.documents import DOCUMENTS
-from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.scripts import DOCUMENTS, ROOT, load_script
 
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
 TEST = re.compile(r'`(test_\w+|\w+\.test)`')

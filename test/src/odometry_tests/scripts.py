@@ -1,9 +1,10 @@
-"""The nodes' scripts, which lie in no Python package, as modules."""
+"""The files of the project; the nodes' scripts, which lie in no Python package, as modules."""
 
 import importlib.util
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
+DOCUMENTS = [ROOT / 'README.md', ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md'))]
 
 
 def load_script(path):

@@ -5,10 +5,6 @@ from dataclasses import dataclass, field, replace
 
 from markdown_it import MarkdownIt
 
-from odometry_tests.scripts import ROOT
-
-README = ROOT / 'README.md'
-DOCUMENTS = [README, ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md'))]
 WORDS = {'./ws', 'rosrun', 'roslaunch', 'rostopic', 'rosparam', 'rosnode', 'rosservice', 'rosbag',
          'rosmsg', 'rostest', 'rospack', 'roscore', 'rosdep', 'catkin_make', 'git', 'cd', 'mkdir',
          'pip', 'python3', 'sudo', 'apt', 'ssh', 'source', 'docker', 'podman', '.'}

@@ -5,13 +5,12 @@ import re
 import shlex
 
 import rosgraph
-from roslaunch.arg_dump import get_args
-
 from odometry_tests.forms import first_missing
 from odometry_tests.links import RECEIVES, links
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
+from roslaunch.arg_dump import get_args
 
 TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends

@@ -9,9 +9,8 @@ import urllib.request
 
 import psutil
 import pytest
-from odometry_tests.checkout import make_package
-from odometry_tests.documents import DOCUMENTS
-from odometry_tests.scripts import ROOT
+from checkout import make_package
+from odometry_tests.scripts import DOCUMENTS, ROOT
 from odometry_tests.terminal import Terminal
 
 # What the documents show.

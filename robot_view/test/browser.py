@@ -6,13 +6,12 @@ import re
 import shutil
 
 import numpy
+from odometry_tests.waiting import PATIENCE, wait_until
 from PIL import Image
 from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
-
-from odometry_tests.waiting import PATIENCE, wait_until
 
 CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 # Without a graphics card Chromium draws with the processor, if it is told that it may.

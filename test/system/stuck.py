@@ -6,10 +6,9 @@ import xmlrpc.client
 from io import BytesIO
 
 import rosgraph
-from rosgraph.network import read_ros_handshake_header, write_ros_handshake_header
-
 from odometry_tests.links import ANSWER
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
+from rosgraph.network import read_ros_handshake_header, write_ros_handshake_header
 
 NAME = '/stuck'
 SMALL_SEGMENT = 536  # bytes; a publisher then sets aside little memory for what is not read yet
