@@ -1,12 +1,8 @@
 """What the page shows and does in a real browser: robots, numbers, plots, the pad."""
 
-import math
 
 import numpy
 import pytest
-import rospy
-from nav_msgs.msg import Odometry
-from odometry_tests.messages import odometry
 from odometry_tests.processes import rosrun
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import TIMEOUT, wait_until
@@ -79,20 +75,6 @@ def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
         robot.commands.wait_for_publisher()
         end()
         robot.wait_until_stopped()
-
-
-@pytest.mark.nightly
-def test_a_real_robot_is_shown_by_its_odometry_alone(master, open_page):
-    with viewing('__ns:=real') as view:
-        publisher = rospy.Publisher('/real/odom', Odometry, queue_size=1, latch=True)
-        publisher.publish(odometry(x=1.0, y=0.5, yaw=math.radians(30), stamp=5.0))
-        with open_page(view.url) as page:
-            page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(30))
-            page.wait_for_text('no simulator here')
-            assert page.reading('true_distance') is None
-            assert page.reading('moved_distance') is None
-            wait_for_robot(page)
-    publisher.unregister()
 
 
 @pytest.mark.nightly

@@ -2,7 +2,7 @@
 
 usage: clients.py KIND
 
-All but the last three command the robot, with an angular velocity that shows what they have seen.
+All but the last command the robot, with an angular velocity that shows what they have seen.
 """
 
 import sys
@@ -160,13 +160,6 @@ def wall(robot):
     while not rospy.is_shutdown():
         robot.drive()
         time.sleep(0.1)
-
-
-def sleeper(robot):
-    rospy.sleep(2.0)
-    print('awake', flush=True)
-    robot.drive()
-    rospy.spin()
 
 
 def action_server(_robot):

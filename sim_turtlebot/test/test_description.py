@@ -1,6 +1,5 @@
 """What tf and PyBullet make of the robot's URDF."""
 
-import math
 
 import numpy
 import pytest
@@ -45,17 +44,6 @@ def test_an_optical_frame_looks_along_z_and_has_x_to_the_right():
     rotation = JOINTS['camera_depth_optical_frame'].rotation
     assert rotate(rotation, (0.0, 0.0, 1.0)) == pytest.approx((1.0, 0.0, 0.0), abs=1e-15)
     assert rotate(rotation, (1.0, 0.0, 0.0)) == pytest.approx((0.0, -1.0, 0.0), abs=1e-15)
-
-
-@pytest.mark.parametrize('wheel', ['wheel_left_link', 'wheel_right_link'])
-def test_a_wheel_that_turns_forwards_rolls_forwards(wheel):
-    """Its top goes ahead, after a quarter of a turn."""
-    joint = JOINTS[wheel]
-    top = rotate(joint.rotation_at(0.0), (0.0, -1.0, 0.0))
-    assert top == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
-    turned = rotate(joint.rotation_at(math.pi / 2), (0.0, -1.0, 0.0))
-    assert turned == pytest.approx((1.0, 0.0, 0.0), abs=1e-15)
-    assert joint.rotation_at(0.0) == joint.rotation
 
 
 def test_the_physics_has_the_joints_that_it_needs_and_no_more():

@@ -76,7 +76,7 @@ def test_two_runs_with_any_node_are_the_same_bytes(client, start_client):
 @pytest.mark.parametrize('rate', [
     30, *(pytest.param(rate, marks=pytest.mark.nightly) for rate in (5, 10, 20, 50, 100))])
 def test_a_loop_keeps_its_rate(rate, start_client):
-    """In simulated time, with the default clock: so many commands in ten seconds."""
+    """In simulated time, with the default clock: so many commands in five seconds."""
     with simulator('_lockstep:=true', UNPACED, '_paused:=true'), \
             start_client(f'rate {rate}', 'client'), \
             contextlib.closing(Recorder('/cmd_vel', Twist)) as commands, \
@@ -85,11 +85,11 @@ def test_a_loop_keeps_its_rate(rate, start_client):
         clock.wait_for_publisher()
         call('unpause_physics')
         counts = []
-        for second in 2, 12:
+        for second in 1, 6:
             clock.wait_for(lambda m, second=second: m.clock.to_sec() >= second, RUN_TIME)
             counts.append(len(commands.messages))
     # A command of either moment may have come before or after this thread looked.
-    assert abs(counts[1] - counts[0] - 10 * rate) <= 1 + rate / 10, counts
+    assert abs(counts[1] - counts[0] - 5 * rate) <= 1 + rate / 10, counts
 
 
 @pytest.mark.parametrize('kind, reason', [
@@ -104,11 +104,3 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason, s
         truth = Truth()
         truth.wait_seconds(10.0)
         assert simulation.output.count(f'{NOT_AWAITED} /culprit') == 1
-
-
-def test_time_is_the_same_for_who_sleeps_on_the_clock_before_it_commands(start_client):
-    """Nobody has to speak first."""
-    with simulator_in_step(UNPACED), start_client('sleeper', 'sleeper') as sleeper:
-        sleeper.wait_for_output('awake')
-
-

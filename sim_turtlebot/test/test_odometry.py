@@ -100,13 +100,6 @@ def test_on_an_arc_the_encoders_keep_to_the_closed_form(speed, turn_speed):
     assert math.dist(last.position[:2], (x, y)) <= bound
 
 
-def test_the_twist_is_that_of_the_last_period():
-    for row in drive(encoders(), 0.5, 1.0):
-        assert row.linear == (pytest.approx(0.5, abs=TICK / PERIOD), 0.0, 0.0)
-        error = 2 * TICK / PERIOD / WHEEL_SEPARATION
-        assert row.angular == (0.0, 0.0, pytest.approx(1.0, abs=error))
-
-
 @pytest.mark.parametrize('gyro', [False, True])
 def test_a_reset_starts_from_zero_wherever_the_wheels_are(gyro):
     robot = encoders(gyro)

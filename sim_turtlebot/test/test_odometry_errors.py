@@ -89,17 +89,6 @@ def test_what_the_driver_believes_bends_the_path_and_shows_in_no_wheel(speed, tu
     assert yaw_of(record.ground_truth[-1].orientation) == pytest.approx(true_yaw, abs=0.004)
 
 
-def test_without_errors_it_is_the_rotation_since_the_reset():
-    """Past half a turn too."""
-    robot = Robot()
-    robot.start(motion(yaw=3.0))
-    assert (robot.gyro.heading, robot.gyro.rate) == (0.0, 0.0)
-    for number in range(1, 101):
-        robot.move(motion(yaw=3.0 + number * 0.1))
-        assert robot.gyro.rate == pytest.approx(0.1 / PERIOD)
-        assert math.remainder(robot.gyro.heading - number * 0.1, 2 * math.pi) == pytest.approx(0)
-
-
 @pytest.mark.parametrize('drift', [0.01, -0.002])
 @pytest.mark.parametrize('source', ['world', 'encoder'])
 def test_drift_is_in_proportion_to_time_also_at_rest(source, drift):

@@ -2,20 +2,17 @@
 
 import pytest
 import rospy
-from geometry_msgs.msg import PoseWithCovarianceStamped, Twist
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
-from odometry_tests.robots import ON_ITS_SIDE, Placer, place, pose, twist
+from odometry_tests.robots import ON_ITS_SIDE, Placer, place, pose
 from odometry_tests.tutorial import Distance, Truth, detector, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import String
 
 THERE = 3.0, -1.0, 1.2  # m, m, rad
 START = 0.0, 0.0, 0.0
-# 0.3 m high, from x 2.5 to 3.5 m
-TABLE = """<robot name="table"><link name="top"><collision><origin xyz="3 0 0.15"/>
-<geometry><box size="1 1 0.3"/></geometry></collision></link></robot>"""
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
@@ -94,22 +91,3 @@ def test_a_robot_on_its_side_is_warned_of_until_it_stands(ns):
         assert node.end() == 0, node.output
     assert node.output.count('robot_2 lies on its side') == 1
     assert node.output.count('robot_1 lies on its side') == 1
-
-
-def test_a_robot_that_drives_over_an_edge_is_warned_of(ns, tmp_path):
-    """Its encoders count what its wheels spin in the air, and the truth does not."""
-    world = tmp_path / 'table.urdf'
-    world.write_text(TABLE)
-    with simulator(f'_world:={world}', '_odometry_source:=encoder', '_gyro:=false',
-                   '_cmd_vel_timeout:=0') as node:
-        truth, odometry = Truth(ns), Recorder(f'{ns}odom', Odometry)
-        Placer(ns).put(3.0, 0.0, 0.3)
-        truth.wait_for(lambda m: m.pose.pose.position.z > 0.29, what='a robot on the table')
-        odometry.wait_for()
-        velocity = rospy.Publisher(f'{ns}cmd_vel', Twist, queue_size=1)
-        wait_for_subscribers(velocity)
-        velocity.publish(twist(0.1))
-        node.wait_for_output('the robot lies on its side at x 3.')
-        before = odometry.last.pose.pose.position.x
-        odometry.wait_for(lambda m: m.pose.pose.position.x > before + 0.1, what='10 cm more')
-        assert truth.last.pose.pose.orientation.y > 0.5

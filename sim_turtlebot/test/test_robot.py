@@ -82,12 +82,3 @@ def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
     simulation.run(1.0)
     assert all(robot.resting for robot in simulation.robots)
     assert len(set(simulation.run(10.0).odometry)) == 1
-
-
-def test_a_pushed_robot_still_obeys():
-    simulation = Simulation((0, 0, 0), (-0.6, 0, 0))
-    simulation.command(0.2, 0.0, robot=1)
-    simulation.run(3.0)
-    simulation.command(-0.2, 0.0, robot=1)
-    simulation.drive(0.3, 0.0, 2.0)
-    assert speeds(simulation) == pytest.approx((0.3, 0.0), abs=0.01)

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from odometry_common.geometry import yaw_of
 from odometry_tests.simulation import Simulation, lean
@@ -120,6 +120,7 @@ def test_at_other_odometry_rates_it_moves_the_same(odom_rate):
     assert simulation.robot.resting
 
 
+@settings(max_examples=settings.default.max_examples // 3)
 @given(st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-6.28, 6.28)),
        st.lists(st.tuples(st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi),
                           st.floats(0.05, 1.5)), min_size=1, max_size=5))

@@ -16,16 +16,12 @@ TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
 LONG = ('./ws sweep', './ws bench')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
-# roscore says so ten seconds after it has started a master, however busy the machine is.
-GAVE_UP, ATTEMPTS = 'could not contact master', 5
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace
 # The last is said of an unknown parameter.
 UNWANTED = ['Traceback (most recent call last)', 'has died', 'command not found', 'unknown: ']
 # What runs until Ctrl-C, as a node or with nodes.
 GOES_ON = re.compile(r'(roscore|rosrun|roslaunch|python3|rosbag record|rostopic (echo|pub -r\S*))( |$)')
-NEEDS_PUBLISHER = re.compile(r'/(odom|moved_distance)$')
-NEEDS_SUBSCRIBER = re.compile(r'/(cmd_vel|commands/velocity)$')
 
 
 class Reader:
@@ -63,20 +59,6 @@ class Reader:
                    lambda: f'{text}: {self._objection(words)}', LOOKING_PERIOD)
         terminal = self._terminal(text)
         self._running.append((words, terminal))
-        for _ in range(ATTEMPTS):
-            self._type(text, words, shown, terminal)
-            if terminal.status is None or GAVE_UP not in terminal.text:
-                break
-        if terminal.status is not None:
-            accepted = {0, 1} if text.startswith('./ws bench') else {0}  # 1: a target is missed
-            line = first_missing(shown, terminal.lines)
-            assert terminal.status in accepted and line is None, \
-                f'{text}\nended with {terminal.status}, without {line!r}; it printed:\n{terminal.output}'
-            self._running.remove((words, terminal))
-            self._idle.append(terminal)
-
-    def _type(self, text, words, shown, terminal):
-        """Type a command; return once it has ended, or is at work and has printed `shown`."""
         before = self._nodes()
         terminal.type(text)
         wait_until(lambda: terminal.status is not None
@@ -84,6 +66,13 @@ class Reader:
                    LONG_TIMEOUT if text.startswith(LONG) else TIMEOUT,
                    lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, before)}; '
                            f'it printed:\n{terminal.output}', LOOKING_PERIOD)
+        if terminal.status is not None:
+            accepted = {0, 1} if text.startswith('./ws bench') else {0}  # 1: a target is missed
+            line = first_missing(shown, terminal.lines)
+            assert terminal.status in accepted and line is None, \
+                f'{text}\nended with {terminal.status}, without {line!r}; it printed:\n{terminal.output}'
+            self._running.remove((words, terminal))
+            self._idle.append(terminal)
 
     def _missing(self, words, shown, terminal, before):
         """Return what a running command has not shown yet, or None if it is at work."""
@@ -102,16 +91,7 @@ class Reader:
             return 'a message'
         if words[0] == 'python3' and not any(map(self._receives, nodes)):
             return f'a message to {sorted(nodes)}'
-        return self._partnerless(nodes)
-
-    def _partnerless(self, nodes):
-        """Return the topic on which one of the nodes has no partner, or None."""
-        published, subscribed, _ = map(dict, self._state())
-        alone = [topic for topic, kind in [
-            *((topic, published) for topic in subscribed if NEEDS_PUBLISHER.search(topic)),
-            *((topic, subscribed) for topic in published if NEEDS_SUBSCRIBER.search(topic))]
-            if topic not in kind and nodes & {*published.get(topic, []), *subscribed.get(topic, [])}]
-        return f'a partner on {alone}' if alone else None
+        return None
 
     def _objection(self, words):
         """Return why a command would do nothing and yet succeed, or None."""
