@@ -5,6 +5,7 @@ import os
 import re
 from pathlib import Path
 
+import psutil
 import pytest
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
@@ -92,3 +93,18 @@ def test_ctrl_c_keeps_what_is_done():
         rows = rows_in(folder_of(terminal.output))
     assert [row['run'] for row in rows] == [str(number + 1) for number in range(int(found[1]))]
     assert len(rows) >= 2 and all(row['ended'] == 'arrived' for row in rows)
+
+
+@pytest.mark.nightly
+def test_a_process_that_is_killed_ends_the_sweep_with_one_line():
+    """As the system does when memory is short; what is done is kept."""
+    with Process(ROOT / 'ws', 'sweep', *MANY) as run:
+        run.wait_for_output(' of 100000 runs, ', TIMEOUT)
+        workers = [process for process in psutil.Process(run.pid).children(recursive=True)
+                   if 'popen_loky' in ' '.join(process.cmdline())]
+        workers[0].kill()
+        assert run.wait(TIMEOUT) == 1, run.output
+    found = re.fullmatch(r'sweep: a process that did runs was killed after (\d+) of 100000 runs, '
+                         r'which are in \S+', run.stderr)
+    assert found, run.stderr
+    assert len(rows_in(folder_of(run.stderr))) == int(found[1]) > 0

@@ -120,6 +120,25 @@ def test_only_listed_robots_are_driven(view, commands, value):
     assert driven() <= {f'/strange/{robot}/cmd_vel' for robot in ROBOTS}
 
 
+def test_while_no_robot_is_listed_none_is_driven(master):
+    """The robots of the last page are gone, and the next page has not found any yet."""
+    recorder = Recorder('/left/robot_1/cmd_vel', Twist)
+    with viewing('__ns:=left') as view:
+        with published('/left') as publishers:
+            with open_page(view):
+                pass
+            wait_until(lambda: not any(p.get_num_connections() for p in publishers), TIMEOUT,
+                       'a viewer without a page and without subscriptions')
+        with PageClient(view.port) as page:
+            page.show()
+            for _ in range(10):
+                page.hold('forward')
+            with published('/left'):
+                page.find('robot')
+                assert drive(page, recorder) != Twist()
+                assert '/left/cmd_vel' not in driven()
+
+
 @pytest.mark.parametrize('data', [
     'forward', b'\xc1\xff\x00', b'\x82\xa4type\xb0GuiUpdateMessage\xa4uuid\xa1x'], ids=repr)
 def test_noise_leaves_the_others_their_page(view, commands, data):

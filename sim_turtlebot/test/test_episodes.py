@@ -6,8 +6,8 @@ import math
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
+from lockstep_runs import bytes_of
 from nav_msgs.msg import Odometry
-from odometry_tests.lockstep_runs import bytes_of
 from odometry_tests.messages import stamp
 from odometry_tests.pausing import call, pause
 from odometry_tests.robots import twist

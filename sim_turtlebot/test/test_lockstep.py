@@ -5,14 +5,14 @@ import signal
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from nav_msgs.msg import Odometry
-from odometry_tests.lockstep_runs import (
+from lockstep_runs import (
     NOT_AWAITED,
     UNPACED,
     assert_same_bytes,
     bytes_of,
     record,
 )
+from nav_msgs.msg import Odometry
 from odometry_tests.robots import Placer
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (

@@ -6,8 +6,7 @@ from functools import partial
 
 import pytest
 from geometry_msgs.msg import Twist
-from nav_msgs.msg import Odometry
-from odometry_tests.lockstep_runs import (
+from lockstep_runs import (
     CLIENTS_FOLDER,
     NOT_AWAITED,
     RUN_TIME,
@@ -16,6 +15,7 @@ from odometry_tests.lockstep_runs import (
     compile_client,
     record,
 )
+from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import Truth, simulator, simulator_in_step

@@ -3,11 +3,11 @@
 import math
 
 import pytest
-from arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
 from hypothesis import example, given
 from hypothesis import strategies as st
 from odometry_common.geometry import about_z, yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
+from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
 from sim_turtlebot.odometry import STILL, Motion
 
 places = st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-3.1, 3.1))

@@ -4,9 +4,9 @@ import math
 import statistics
 
 import pytest
-from arcs import PERIOD, TICK, Robot, drive, motion, wheel_angles
 from odometry_common.geometry import about_z, yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
+from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, wheel_angles
 from odometry_tests.simulation import Simulation
 
 RUNS = 400  # seeds, for a standard deviation within about a tenth

@@ -79,6 +79,20 @@ def test_robots_see_each_other():
         assert scan_in('', *starts, robot=robot, **options) == pytest.approx(expected, abs=CLOSE)
 
 
+def test_to_look_changes_nothing():
+    ends = []
+    for look in (False, True):
+        simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0),
+                                world=str(WORLDS / 'room.urdf'))
+        scanner = Scanner(simulation.robot.body, noise=0.01)
+        for _ in range(100):
+            simulation.drive(0.3, 0.5, 0.05)
+            if look:
+                scanner.scan(0)
+        ends.append(simulation.robot.ground_truth)
+    assert ends[0] == ends[1]
+
+
 def test_noise_is_as_wide_as_it_is_said_to_be():
     """Centred on the true range, and independent for each beam, scan, seed and robot."""
     true = scan_in('room.urdf', beams=2000)

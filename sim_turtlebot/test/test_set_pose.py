@@ -84,6 +84,13 @@ def test_where_there_is_no_room_it_is_not_put(position, orientation):
     assert robot.ground_truth.position == pytest.approx(before[0], abs=1e-3)
 
 
+def test_beside_the_wall_there_is_room():
+    simulation = Simulation(world=ROOM)
+    simulation.robot.set_pose((1.81, 0.0, 0.0), LEVEL)
+    simulation.run(1.0)
+    assert simulation.robot.ground_truth.position[:2] == (1.81, 0.0)
+
+
 @pytest.mark.parametrize('orientation', [
     (0.0, 0.0, 3.0, 4.0), (0.0, 0.0, 3e-50, 4e-50), (0.0, 0.0, 3e150, 4e150)])
 def test_an_orientation_may_have_any_length(orientation):

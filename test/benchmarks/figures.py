@@ -13,10 +13,9 @@ from geometry_msgs.msg import Twist
 from graph import FINE_LOCKSTEP, LOCKSTEP, TIMEOUT, UNPACED, Graph
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_tests.lockstep_runs import CLIENTS_FOLDER, compile_client
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process, hold_port, path_of
-from odometry_tests.scripts import ROOT
+from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from ring_speed import beside_ring
@@ -25,6 +24,7 @@ from worlds import SPEED, BareWorld, RobotWorld
 
 SLICES = 4  # of a window
 FOLDER = Path(__file__).parent
+LOCKSTEP_RUNS = load_script('sim_turtlebot/test/lockstep_runs.py')
 SCRIPTS = {'demo': 'launch/src/odometry_launch/following.py',
            'simulator': 'sim_turtlebot/script/sim_turtlebot_node.py',
            'detector': 'odom_movement_detector/src/odom_movement_detector.py',
@@ -245,7 +245,7 @@ def lockstep(options):
 @figure('tf client in lockstep', 'simulated s/s', '>=', 0.157)  # 25 times real time where the ring makes 159
 def lockstep_tf(options):
     """Compare a client that drives by tf in a loop, with a clock of 100 Hz, with the same bare nodes."""
-    client = sys.executable, CLIENTS_FOLDER / 'clients.py', 'tf_listener'
+    client = sys.executable, LOCKSTEP_RUNS.CLIENTS_FOLDER / 'clients.py', 'tf_listener'
     return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))
 
 
@@ -253,5 +253,5 @@ def lockstep_tf(options):
 def lockstep_cpp(options):
     """Compare a client with a loop of ros::Rate, with a clock of 100 Hz, with the same bare nodes."""
     with tempfile.TemporaryDirectory() as folder:
-        client = compile_client(Path(folder, 'client')), 'rate'
+        client = LOCKSTEP_RUNS.compile_client(Path(folder, 'client')), 'rate'
         return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))

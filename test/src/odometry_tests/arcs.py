@@ -4,9 +4,10 @@ import math
 
 from odometry_common.geometry import about_z, rotate
 from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
-from odometry_tests.simulation import settings_of
 from sim_turtlebot.odometry import STILL, Motion
 from sim_turtlebot.robot import Robot as SimulatedRobot
+
+from odometry_tests.simulation import settings_of
 
 STEP_RATE = 240.0  # Hz
 SPEED = 0.1  # m/s

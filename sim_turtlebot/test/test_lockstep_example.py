@@ -7,8 +7,8 @@ from functools import partial
 
 import pytest
 from geometry_msgs.msg import Twist
+from lockstep_runs import assert_same_bytes, record
 from nav_msgs.msg import Odometry
-from odometry_tests.lockstep_runs import assert_same_bytes, record
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from tf2_msgs.msg import TFMessage

@@ -1,0 +1,28 @@
+"""In lockstep two runs are the same bytes, whatever two to eight nodes do."""
+
+import random
+import sys
+from functools import partial
+from pathlib import Path
+
+import pytest
+from geometry_msgs.msg import Twist
+from lockstep_runs import assert_same_bytes, record
+from nav_msgs.msg import Odometry
+from odometry_tests.processes import Process
+
+CLIENT = Path(__file__).with_name('random_client.py')
+GRAPHS, BY_DAY = 200, 1  # the one by day has three nodes
+TIME = 3  # s of simulated time
+MOST_NODES = 8
+
+
+@pytest.mark.parametrize('graph', [
+    pytest.param(graph, marks=[] if graph == BY_DAY else pytest.mark.nightly) for graph in range(GRAPHS)])
+def test_two_runs_of_a_random_graph_are_the_same_bytes(simulated_time, graph):
+    """Each node loops, listens, asks and answers as its number says."""
+    nodes = random.Random(graph).randint(2, MOST_NODES)
+    starts = [partial(Process, sys.executable, CLIENT, graph, node, nodes, f'__name:=random_{node}')
+              for node in range(nodes)]
+    topics = {'/odom': (Odometry, 20 * TIME), '/cmd_vel': (Twist, 3 * TIME)}
+    assert_same_bytes(*(record(starts, topics, ['_clock_rate:=100']) for _ in range(2)))
