@@ -19,7 +19,7 @@ usage() {
 usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
 
   ./ws demo              drive a simulated TurtleBot 2 two metres; ./ws demo --help tells more
-  ./ws test              run all tests; ./ws test --help tells more
+  ./ws test              run the tests, with -m nightly the long ones; ./ws test --help tells more
   ./ws bench             measure speed and delay, each as a ratio to its limit
   ./ws sweep             run a tutorial many times without ROS; ./ws sweep --help tells more
   ./ws shell             open a shell in the workspace
