@@ -12,13 +12,13 @@ from nav_msgs.msg import Odometry
 from odometry_tests.processes import Process
 
 CLIENT = Path(__file__).with_name('random_client.py')
-GRAPHS, BY_DAY = 200, 1  # the one by day has three nodes
+GRAPHS = 200
 TIME = 3  # s of simulated time
 MOST_NODES = 8
 
 
-@pytest.mark.parametrize('graph', [
-    pytest.param(graph, marks=[] if graph == BY_DAY else pytest.mark.nightly) for graph in range(GRAPHS)])
+@pytest.mark.nightly
+@pytest.mark.parametrize('graph', range(GRAPHS))
 def test_two_runs_of_a_random_graph_are_the_same_bytes(simulated_time, graph):
     """Each node loops, listens, asks and answers as its number says."""
     nodes = random.Random(graph).randint(2, MOST_NODES)
