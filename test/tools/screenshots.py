@@ -37,7 +37,8 @@ def main():
 def save(image, name):
     """Write an image as a small PNG."""
     path = IMAGES / f'{name}.png'
-    image.convert('RGB').quantize(COLOURS).save(path, optimize=True)
+    # One step of k-means: without it rare colours take those of their neighbours.
+    image.convert('RGB').quantize(COLOURS, kmeans=1).save(path, optimize=True)
     print(f'{path.relative_to(ROOT)}: {path.stat().st_size // 1000} kB')
 
 

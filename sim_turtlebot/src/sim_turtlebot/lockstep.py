@@ -1,4 +1,4 @@
-"""Lockstep: time waits until each node of the graph has done what it has to do."""
+"""Lockstep: time advances only when every node of the graph has finished its work."""
 
 import contextlib
 import http.client
@@ -21,7 +21,7 @@ DIFFER = 'two runs may differ'
 
 
 class Lockstep:
-    """Waits for all nodes on this machine, and says once of each that it cannot wait for."""
+    """Waits for all nodes on this machine, and names once each that it cannot wait for."""
 
     def __init__(self, is_over):
         """Begin with the master.
@@ -48,13 +48,13 @@ class Lockstep:
             self._look_for_naps(time.monotonic())
 
     def close(self):
-        """Wait for nobody any more."""
+        """Stop waiting."""
         self._rest.close()
 
     def has_settled(self):
-        """Look for nodes; return whether nobody has come or gone for a moment, and all rest.
+        """Look for nodes; return whether none has come or gone for a moment, and all rest.
 
-        Without a node beside this one and rosout there is nobody to begin for.
+        Time does not begin for this node and rosout alone.
         """
         self._graph.add_starting()
         self.wait()

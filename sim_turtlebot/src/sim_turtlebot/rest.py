@@ -97,7 +97,7 @@ class Rest:
             self._awaited.remove(process)
 
     def close(self):
-        """Wait for nobody any more."""
+        """Stop waiting."""
         for pid in list(self.processes):
             self.remove(pid)
 
