@@ -4,7 +4,7 @@
 import os
 import signal
 
-# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+# While the imports below run, Ctrl-C ends Python without a traceback.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 # Nobody else is at the master of a replay, for whom a namespace could be meant. rospy reads this
 # when it is imported.

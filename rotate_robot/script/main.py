@@ -10,7 +10,7 @@ computed back from roll, pitch and yaw.
 
 import signal
 
-# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+# While the imports below run, Ctrl-C ends Python without a traceback.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy

@@ -13,7 +13,7 @@ The node always sends zero before it exits.
 
 import signal
 
-# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+# While the imports below run, Ctrl-C ends Python without a traceback.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import math
@@ -40,7 +40,7 @@ class RotateRobot:
     """The node: heading in, angular velocity out."""
 
     def __init__(self):
-        """Read the parameters and listen; the first odometry sets the robot turning."""
+        """Read the parameters and subscribe; the robot turns from the first odometry on."""
         parameters = PARAMETERS.read()
         self._turn = Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
         self._tolerance = parameters.tolerance

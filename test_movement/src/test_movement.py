@@ -12,7 +12,7 @@ The node always sends zero before it exits.
 
 import signal
 
-# Python's own answer to Ctrl-C is a traceback; what is imported below takes its time.
+# While the imports below run, Ctrl-C ends Python without a traceback.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
@@ -35,7 +35,7 @@ class TestMovement:
     """The node: moved distance in, velocity command out."""
 
     def __init__(self):
-        """Read the parameters; from then on each message is answered with a command."""
+        """Read the parameters, then answer each message with a command."""
         parameters = PARAMETERS.read()
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done

@@ -1,4 +1,4 @@
-"""How fast to turn, at which heading."""
+"""The angular speed to command at a heading."""
 
 import math
 

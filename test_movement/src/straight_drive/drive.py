@@ -1,10 +1,10 @@
-"""How fast to go, after which distance."""
+"""The speed to command after a distance."""
 
 import math
 
 
 class Drive:
-    """Decides from each moved distance alone how fast to go."""
+    """Decides how fast to go from the latest moved distance."""
 
     def __init__(self, distance, speed, relative=False):
         """Go at `speed` (m/s) for `distance` (m), from zero or from the first distance seen."""
