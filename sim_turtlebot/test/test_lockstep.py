@@ -73,7 +73,8 @@ def two_metres():
     return record(*MOVE)
 
 
-@pytest.mark.parametrize('tutorial', [pytest.param(MOVE, marks=pytest.mark.nightly), ELSEWHERE, ROTATE, SENSORS],
+@pytest.mark.parametrize('tutorial', [
+    pytest.param(MOVE, marks=pytest.mark.nightly), pytest.param(ELSEWHERE, marks=pytest.mark.nightly), ROTATE, SENSORS],
                          ids=['move', 'elsewhere', 'rotate', 'sensors'])
 def test_two_runs_are_the_same_bytes(two_metres, tutorial):
     """Each message on each topic, from the first to the last."""
@@ -104,6 +105,7 @@ def test_a_mover_that_is_killed_does_not_stop_the_time():
     assert NOT_AWAITED not in simulation.output
 
 
+@pytest.mark.nightly
 def test_two_clocks_lead_to_the_same_odometry():
     """However finely the clock ticks: the same bytes."""
     coarse, fine = (record([detector, mover], {'/odom': (Odometry, 40)}, clock)

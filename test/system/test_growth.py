@@ -1,4 +1,4 @@
-"""In half an hour of the robot's time no process comes to need more and more."""
+"""In ten minutes of the robot's time no process comes to need more and more."""
 
 import signal
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from odometry_tests.tutorial import Truth, detector, mover, simulator_in_step
 from odometry_tests.waiting import wait_for_subscribers
 from std_msgs.msg import Empty
 
-PARTS, PART = 6, 300  # s of the robot's time
+PARTS, PART = 6, 100  # s of the robot's time
 
 pytestmark = [pytest.mark.nightly, pytest.mark.usefixtures('simulated_time')]
 
