@@ -4,6 +4,7 @@ import os
 import re
 from pathlib import Path
 
+import pytest
 import rosbag
 from odometry_tests.forms import number_after
 from odometry_tests.processes import Process, hold_port
@@ -33,6 +34,7 @@ def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
     assert topics == {'/odom', '/base_pose_ground_truth', '/moved_distance', '/cmd_vel'}
 
 
+@pytest.mark.nightly
 def test_demos_that_start_together_all_arrive():
     """The one without the usual port says where its master is, and each has its own folder."""
     with hold_port() as port:

@@ -67,6 +67,7 @@ def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs, tmp_path):
     assert 'picture' in demo.stdout
 
 
+@pytest.mark.nightly
 def test_it_drives_backwards_when_the_disk_is_full():
     demo = run(f'ulimit -f {KILOBYTES}; ./ws demo --distance 1 --speed -0.2 --real-time-factor 0')
     assert demo.wait() == 0, demo.output

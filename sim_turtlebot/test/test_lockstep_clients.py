@@ -33,7 +33,7 @@ CLIENTS = {
     'rosbag record': ['rate 20', 'bag'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
     'ros::MultiThreadedSpinner': ['C++ spinners']}
-BY_DAY = 'tf2_ros', 'service'
+BY_DAY = 'tf2_ros',
 CLIENT_TIME = 3  # s of simulated time
 LEAST_COMMANDS = 5
 

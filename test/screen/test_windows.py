@@ -12,7 +12,7 @@ from odometry_tests.waiting import wait_until
 DEAD_CONNECTION_TIMEOUT = 20.0  # s
 DRAWN = 100  # colours on a screen on which a robot has been drawn
 
-pytestmark = pytest.mark.usefixtures('simulated_time')
+pytestmark = [pytest.mark.nightly, pytest.mark.usefixtures('simulated_time')]
 
 
 @pytest.fixture
@@ -29,8 +29,7 @@ def wait_for_odometry(process):
     wait_until(lambda: truth.last, 40.0, lambda: f'odometry; it printed:\n{process.output}')
 
 
-@pytest.mark.parametrize('argument', [
-    'rviz:=true', pytest.param('gui:=true', marks=pytest.mark.nightly)])
+@pytest.mark.parametrize('argument', ['rviz:=true', 'gui:=true'])
 def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
     """RViz with our configuration, and PyBullet's own window."""
     if 'rviz' in argument and not shutil.which('rviz'):
@@ -43,7 +42,6 @@ def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
     assert 'has died' not in launch.output
 
 
-@pytest.mark.nightly
 def test_closing_the_window_ends_the_simulator_cleanly(screen):
     """A window manager cuts the connection of a program whose window is closed."""
     if not shutil.which('xkill'):

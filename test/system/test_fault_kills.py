@@ -122,6 +122,7 @@ def test_the_launch_ends_when_the_simulator_dies(master):
     assert 'REQUIRED process' in launch.output
 
 
+@pytest.mark.nightly
 def test_the_graph_goes_on_without_its_master_and_a_new_master_needs_new_nodes(monkeypatch):
     """Connections outlive the master; who registers later needs the nodes to be started again."""
     for variable in 'ROS_MASTER_URI', 'ROS_HOSTNAME':  # which the master of this test sets

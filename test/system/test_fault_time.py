@@ -53,23 +53,23 @@ def test_neither_a_pause_nor_a_reset_is_movement_and_every_node_survives_them(ma
     odometry = Recorder('odom', Odometry)
     reset = rospy.Publisher('mobile_base/commands/reset_odometry', Empty, queue_size=1)
     with simulator_in_step('_real_time_factor:=10'), detector() as counter, \
-            mover('_distance:=0.5') as driver, rosrun('rotate_robot', 'main.py') as printer:
+            mover('_distance:=0.6') as driver, rosrun('rotate_robot', 'main.py') as printer:
         wait_for_subscribers(reset)
-        moved.wait_for(lambda m: m.data > 0.15, what='0.15 m')
+        moved.wait_for(lambda m: m.data > 0.3, what='0.3 m')  # a jump is more than 0.25 m
         pause(moved, truth, clock)
         odometry.clear()
         reset.publish(Empty())
         call('unpause_physics')
         odometry.wait_for(lambda m: m.pose.pose.position.x < 0.05, what='odometry near zero')
         counter.wait_for_output('not counted')
-        moved.wait_for(lambda m: m.data > 0.3, what='0.3 m')
+        moved.wait_for(lambda m: m.data > 0.45, what='0.45 m')
         pause(moved, truth)
         before = moved.last.data
         assert x(truth) == pytest.approx(before, abs=LONGEST_STEP)
         call('reset_simulation')
         call('unpause_physics')
-        arrived = moved.wait_until_arrived(0.5)
-        assert arrived < 0.5 + OVERSHOOT
+        arrived = moved.wait_until_arrived(0.6)
+        assert arrived < 0.6 + OVERSHOOT
         assert x(truth) == pytest.approx(arrived - before, abs=LONGEST_STEP)
         assert all(process.running for process in (counter, driver, printer))
     assert min(moved.steps) >= 0 and max(moved.steps) < LONGEST_STEP
