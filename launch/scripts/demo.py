@@ -1,5 +1,9 @@
 #!/usr/bin/env python3
-"""Run a tutorial with a simulated TurtleBot 2 and show how it goes."""
+"""Run a tutorial with a simulated TurtleBot 2 and show how it goes.
+
+Ctrl-C reaches the process guard, which sends this process SIGTERM: Python's default ends it at once
+without a message, and the nodes end with it.
+"""
 
 import os
 import signal
@@ -10,7 +14,50 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 # it is imported.
 os.environ.pop('ROS_NAMESPACE', None)
 
-from odometry_launch.demo import main
+import logging
+import sys
+import threading
+from importlib import import_module
+
+from odometry_launch.folders import use_writable_logs
+from odometry_launch.launch import DemoError, Launch
+from odometry_launch.options import PAGE_PORT, launch_arguments, nodes_that_end, parse
+from odometry_launch.output import complain, forget_output
+from odometry_launch.ports import next_port
+
+
+def main():
+    """Exit 0 only if the robot did its task and has stopped."""
+    options = parse(sys.argv[1:])
+    try:
+        status = 0 if _run(options) else 1
+        sys.stdout.flush()
+    except BrokenPipeError:
+        status = 128 + signal.SIGPIPE
+    except (DemoError, OSError) as error:
+        status = 1
+        complain(error)
+    forget_output()
+    sys.exit(status)
+
+
+def _run(options):
+    # Users need not know that rospy cannot write its log, or that matplotlib reads fonts.
+    logging.raiseExceptions = False
+    logging.getLogger('matplotlib').setLevel(logging.ERROR)
+    page_port = next_port(PAGE_PORT) if options.view else None
+    launch_file, arguments = launch_arguments(options, page_port and page_port.number)
+    use_writable_logs()
+    with Launch(launch_file, arguments, nodes_that_end(options)) as launch:
+        if not launch.is_at_usual_port:
+            print(f'rostopic in another terminal: export ROS_MASTER_URI={launch.master_uri}',
+                  flush=True)
+        # roslaunch reads its files while this imports rospy, and matplotlib on a thread: that may take
+        # long to read its fonts, and the robot does not wait for it.
+        threading.Thread(target=import_module, args=['odometry_launch.picture']).start()
+        from odometry_launch.following import follow
+        return not follow(options, launch, page_port)
+
 
 if __name__ == '__main__':
     main()

@@ -86,7 +86,6 @@ def test_a_drive_is_shown_as_it_was_on_arrival(run, late):
     summary, complaint = monitor.result()
     assert re.search(r'moved distance +2\.002 m', summary) and complaint is None
     assert monitor.progress().endswith(' 2.00 of 2.00 m, 0.00 m/s, 20.1 s')
-    assert f'{monitor.duration:.1f}' == '20.1'
 
 
 @pytest.mark.parametrize('late', ORDERS)
@@ -98,4 +97,3 @@ def test_a_turn_is_shown_as_it_was_on_arrival(play, late):
     monitor = play(RotateMonitor, ['rotate'], topics, late)
     assert re.search(r'heading +89\.90 .*\ntrue turn +89\.90 ', monitor.result()[0])
     assert monitor.progress().endswith(' 89.9 degrees, 0.1 to go, 13.7 s')
-    assert f'{monitor.duration:.1f}' == '13.7'

@@ -39,7 +39,7 @@ def follow(options, launch, page_port):
     _watch(monitor, launch, Silence(options.real_time_factor))
     wall_time = time.monotonic() - wall_start
     summary, complaint = monitor.result()
-    print(f'{summary}\ntime            {monitor.duration:.1f} s simulated, {wall_time:.1f} s real',
+    print(f'{summary}\ntime            {monitor.now:.1f} s simulated, {wall_time:.1f} s real',
           flush=True)
     bag = recording and recording.close()
     if not page_port:

@@ -1,5 +1,6 @@
 """Run a launch file with its own ROS master, and notice when a node ends."""
 
+import contextlib
 import os
 import queue
 import resource
@@ -104,19 +105,15 @@ class Launch:
 
 def _wait(condition, outcome):
     """Put None into a queue once a condition holds, or the error if it fails."""
+    holds = False
     try:
-        while not _holds(condition):
+        while not holds:
             time.sleep(LOOK_PERIOD)
+            with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
+                holds = condition()
         outcome.put(None)
     except Exception as error:  # noqa: BLE001
         outcome.put(error)
-
-
-def _holds(condition):
-    try:
-        return condition()
-    except (OSError, rosgraph.MasterException):  # no answer yet
-        return False
 
 
 def check_address_space():

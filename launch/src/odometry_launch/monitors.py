@@ -36,13 +36,8 @@ class ProgressMonitor:
 
     @property
     def now(self):
-        """Simulated seconds since the first message."""
+        """Simulated seconds since the first message, until the robot has arrived."""
         return (self.ground_truth.header.stamp - self.start.header.stamp).to_sec()
-
-    @property
-    def duration(self):
-        """Simulated seconds from the first message until the robot had arrived."""
-        return (self.end - self.start.header.stamp).to_sec()
 
     def _subscribe(self, topic, kind, callback):
         """Call a function with each message on a topic until the robot has arrived."""
