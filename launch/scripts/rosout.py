@@ -16,8 +16,7 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
-from odometry_common.node import run_node
-from odometry_common.shutdown import spin
+from odometry_common.node import run_node, spin
 from rosgraph_msgs.msg import Log
 
 

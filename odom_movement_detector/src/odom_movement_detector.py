@@ -18,9 +18,8 @@ import rospy
 from moved_distance.distance_counter import DistanceCounter
 from moved_distance.parameters import PARAMETERS
 from nav_msgs.msg import Odometry
-from odometry_common.node import run_node
+from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher
-from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from std_msgs.msg import Empty, Float64
 

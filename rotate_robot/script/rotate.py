@@ -24,9 +24,8 @@ from heading_control.turn import Turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
 from odometry_common.geometry import yaw_from_orientation
-from odometry_common.node import run_node
+from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher

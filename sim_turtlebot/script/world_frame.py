@@ -26,9 +26,8 @@ from geometry_msgs.msg import (
     Vector3,
 )
 from nav_msgs.msg import Odometry
-from odometry_common.node import run_node
+from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher
-from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from tf import transformations
 from tf2_msgs.msg import TFMessage

@@ -17,9 +17,8 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
 from odometry_common.control_loop import ControlLoop
-from odometry_common.node import run_node
+from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.shutdown import spin
 from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher

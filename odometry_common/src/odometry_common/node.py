@@ -1,4 +1,4 @@
-"""How a node starts, prints and ends."""
+"""How a node starts, prints, waits and ends."""
 
 import logging
 import os
@@ -21,6 +21,8 @@ from odometry_common.rospy_fixes import fix_rospy
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
+# s of the main thread: Python handles a signal that arrives just before a wait only after it
+LONGEST_WAIT = 0.5
 MASTER_RETRY_PERIOD = 0.5  # s
 FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
 # The master's reason for the shutdown of a node whose parameters are now those of another one.
@@ -71,6 +73,14 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
             _failures.append((EXIT_FAILURE, traceback.format_exc()))
     rospy.signal_shutdown('the node has ended')
     _exit(name)
+
+
+def spin():
+    """Return at once at shutdown, for which rospy.spin() looks only twice a second."""
+    ended = threading.Event()
+    rospy.on_shutdown(ended.set)
+    while not (rospy.core.is_shutdown_requested() or ended.wait(LONGEST_WAIT)):
+        pass
 
 
 def _exit_soon(name, reason):

@@ -12,8 +12,8 @@ from functools import partial
 
 import rospy
 from geometry_msgs.msg import PoseStamped, Twist
+from odometry_common.node import LONGEST_WAIT
 from odometry_common.parameters import ParameterError
-from odometry_common.shutdown import LONGEST_WAIT
 from std_msgs.msg import Empty
 from std_srvs import srv
 
