@@ -43,13 +43,13 @@ def _private_parameters():
     return sorted(f'~{name}' for name, value in values.items() if not isinstance(value, dict))
 
 
-def check_command_line(arguments=None):
+def check_command_line():
     """Raise ParameterError for a ``_name:=value`` that rospy could not store.
 
     rospy uploads these by XML-RPC while the node starts, and answers an empty value, broken
     YAML, a large integer or a date with a traceback.
     """
-    for name, text in _given_parameters(arguments):
+    for name, text in _given_parameters():
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
         except (yaml.YAMLError, TypeError, OverflowError, RecursionError):
@@ -69,9 +69,9 @@ def forget_arguments():
             master.deleteParam(rospy.resolve_name(name))
 
 
-def _given_parameters(arguments=None):
+def _given_parameters():
     """Yield name, such as ~speed, and text of each ``_name:=value`` on the command line."""
-    for argument in sys.argv[1:] if arguments is None else arguments:
+    for argument in sys.argv[1:]:
         name, separator, text = argument.partition(':=')
         if separator and name.startswith('_') and not name.startswith('__'):
             yield f'~{name[1:]}', text
