@@ -1,13 +1,24 @@
 """The picture of a run: path, distance, speed and heading."""
 
+import os
+
 import numpy
 
-from run_plot.drawing import new_figure
+# A Jupyter cell or an editor sets a backend for its own windows, which may not be installed here.
+os.environ['MPLBACKEND'] = 'agg'
+
+from matplotlib.figure import Figure
 
 TWO_METRES = 2.0  # where the tutorial's robot stops
 # Of path and distance (m), speed (m/s) and heading (degrees); less would make noise look like motion.
 SMALLEST_SPANS = 0.5, 0.1, 0.05, 2.0
 FIGURE_SIZE = (11, 8)  # inches
+RESOLUTION = 100  # dots per inch
+
+
+def new_figure(width, height):
+    """Return an empty matplotlib Figure of this size (inches), for a file."""
+    return Figure((width, height), dpi=RESOLUTION, layout='constrained')
 
 
 def make_figure(run, distance_target=None, heading_target=None):
