@@ -26,12 +26,6 @@ FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
-def connect(gui):
-    """Return a client of PyBullet; raise NoScreenError if there is no screen for the GUI."""
-    with screen() if gui else contextlib.nullcontext(), suppress_native_output():
-        return BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
-
-
 class World:
     """A floor, whatever a world file adds, and TurtleBots that stand at their starts."""
 
@@ -46,7 +40,8 @@ class World:
         """
         self._step_rate = step_rate
         self._world_file = world_file
-        self.client = connect(gui)
+        with screen() if gui else contextlib.nullcontext(), suppress_native_output():
+            self.client = BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
         # A mouse in the window, or gravity, may move other things.
