@@ -34,11 +34,6 @@ class PlanarPose(NamedTuple):
         return PlanarPose(0.0, 0.0, -self.yaw).then(PlanarPose(-self.x, -self.y, 0.0))
 
 
-def planar_pose(pose):
-    """Return the PlanarPose of a geometry_msgs/Pose; errors as euler_from_orientation()'s."""
-    return PlanarPose(pose.position.x, pose.position.y, yaw_from_orientation(pose.orientation))
-
-
 def yaw_from_orientation(orientation):
     """Return the yaw (rad, from -pi to pi); the rest is as in euler_from_orientation()."""
     return euler_from_orientation(orientation)[2]

@@ -8,7 +8,7 @@ from collections import deque
 import numpy
 import rospy
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import planar_pose, wrap_to_pi
+from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
 from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from odometry_common.parameters import as_number
 from sensor_msgs.msg import JointState, LaserScan
@@ -143,9 +143,10 @@ def _planar_pose(message):
     position = message.pose.pose.position
     numbers = position.x, position.y, position.z, message.twist.twist.linear.x
     try:
-        return planar_pose(message.pose.pose) if all(map(math.isfinite, numbers)) else None
-    except ValueError:  # the orientation is no rotation
+        yaw = yaw_from_orientation(message.pose.pose.orientation)
+    except ValueError:  # it is no rotation
         return None
+    return PlanarPose(position.x, position.y, yaw) if all(map(math.isfinite, numbers)) else None
 
 
 def scan_points(message):
