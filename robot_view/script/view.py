@@ -36,11 +36,13 @@ def main():
     """View until shutdown."""
     address = read_address()
     try:
-        from robot_view.node import view
+        from robot_view.node import Viewer
     except ModuleNotFoundError as error:
         raise StartError(f'{error.name} is not installed; robot_view/requirements.txt '
                          'lists what the page needs: pip install -r it') from None
-    view(address)
+    viewer = Viewer(address)
+    print(f'view: {address.url}')
+    viewer.run()
 
 
 if __name__ == '__main__':

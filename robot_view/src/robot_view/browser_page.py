@@ -5,6 +5,7 @@ import math
 from odometry_common.geometry import PlanarPose
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
+from robot_view.looks import load_links
 from robot_view.monitor import RobotMonitor
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import Readings, SimulationButtons, add_placing
@@ -23,9 +24,9 @@ FAR = 3.0  # m
 class BrowserPage:
     """The page in all browsers that show it."""
 
-    def __init__(self, address, links):
-        """Serve the page at an Address until the process ends; take the robot's looks.Links."""
-        self._links = links
+    def __init__(self, address):
+        """Serve the page at an Address until the process ends."""
+        self._links = load_links()
         self._robots = {}  # RobotMonitor and RobotModel by namespace
         self._framed = set()
         self._server = start_server(address)
@@ -68,7 +69,7 @@ class BrowserPage:
         name = self._choice.value if self._choice.value in options else options[0]
         return name and f'{name}/'
 
-    def update_simulation(self, is_simulated, complaint=''):
+    def update_simulation(self, is_simulated, complaint):
         """Show the controls of a simulator if there is one, and a complaint if there is one."""
         self._simulation.update(is_simulated, complaint)
         self._placing.visible = is_simulated

@@ -4,12 +4,10 @@ yourdfpy reads all of URDF, but installs 350 MB with a second numpy, and the pag
 later.
 """
 
-from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from sim_turtlebot.description import Joint, read_joints
-from viser.transforms import SO3
+from sim_turtlebot.description import URDF, Joint, numbers_in, origin_of, read_joints
 
 GREY = (128, 128, 128)
 
@@ -19,7 +17,7 @@ class Shape(NamedTuple):
 
     size: tuple  # m; x, y, z of a box, radius and length of a cylinder
     position: tuple  # x, y, z (m) in the link
-    rotation: SO3
+    rotation: tuple  # quaternion x, y, z, w
     colour: tuple  # red, green, blue (0 to 255)
 
 
@@ -31,9 +29,9 @@ class Link(NamedTuple):
     shapes: list
 
 
-def load_links(path):
-    """Return the root and the visible Links of a URDF file, in which parents come first."""
-    urdf = Path(path).read_text()
+def load_links():
+    """Return the root and the visible Links of the URDF, in which parents come first."""
+    urdf = URDF.read_text()
     root = ElementTree.fromstring(urdf)
     joints = {joint.child: joint for joint in read_joints(urdf)}
     colours = {material.get('name'): _colour(material) for material in root.iterfind('material')}
@@ -50,17 +48,9 @@ def load_links(path):
 def _shape(visual, colours):
     geometry, material = visual.find('geometry')[0], visual.find('material')
     attributes = ['size'] if geometry.tag == 'box' else ['radius', 'length']
-    origin = visual.find('origin')
-    origin = {} if origin is None else origin.attrib
-    return Shape(_numbers(' '.join(geometry.get(name) for name in attributes)),
-                 _numbers(origin.get('xyz', '0 0 0')),
-                 SO3.from_rpy_radians(*_numbers(origin.get('rpy', '0 0 0'))),
+    return Shape(numbers_in(' '.join(geometry.get(name) for name in attributes)), *origin_of(visual),
                  GREY if material is None else colours[material.get('name')])
 
 
-def _numbers(text):
-    return tuple(float(number) for number in text.split())
-
-
 def _colour(material):
-    return tuple(round(255 * value) for value in _numbers(material.find('color').get('rgba'))[:3])
+    return tuple(round(255 * value) for value in numbers_in(material.find('color').get('rgba'))[:3])

@@ -7,11 +7,9 @@ import time
 import rosgraph
 import rospy
 from odometry_common.timing import Metronome
-from sim_turtlebot.description import URDF
 from std_msgs.msg import String
 
 from robot_view.browser_page import BrowserPage
-from robot_view.looks import load_links
 from robot_view.monitor import TARGET
 from robot_view.panel import NODE, SERVICES
 
@@ -24,9 +22,9 @@ IDLE_PERIOD = 0.5  # s, between two looks for a browser
 class Viewer:
     """Subscribes to the robots while a browser shows the page, and draws them."""
 
-    def __init__(self, page):
-        """Take a BrowserPage."""
-        self._page = page
+    def __init__(self, address):
+        """Serve the page at an Address until the process ends."""
+        self._page = BrowserPage(address)
         self._searching, self._drawing = Metronome(SEARCH_PERIOD), Metronome(DRAWING_PERIOD)
         self._warning = ''
         self._warnings = rospy.Subscriber(f'{NODE}/warning', String, self._on_warning)
@@ -80,10 +78,3 @@ def find_robots(topics):
     numbers = [re.fullmatch(rf'{namespace}robot_(\d+)/odom', topic) for topic in topics]
     robots = [f'robot_{number}/' for number in sorted(int(match[1]) for match in numbers if match)]
     return ['', *robots] if rospy.resolve_name('odom') in topics else robots
-
-
-def view(address):
-    """Serve the page at an Address until shutdown."""
-    viewer = Viewer(BrowserPage(address, load_links(URDF)))
-    print(f'view: {address.url}')
-    viewer.run()

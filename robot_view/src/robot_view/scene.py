@@ -1,7 +1,7 @@
 """The 3-D scene: a metric grid and robots on it."""
 
 import numpy
-from viser.transforms import SO3
+from odometry_common.geometry import about_z, compose
 
 TWO_METRES = 2.0  # m, what the tutorial's robot drives
 GHOST_DISTANCE = 0.005  # m between odometry and ground truth from which on both are drawn
@@ -76,7 +76,7 @@ class RobotModel:
         origin, drift = robot.trace.origin, robot.trace.drift
         self._body.position, self._body.wxyz = robot.pose
         self._odometry.position = (origin.x, origin.y, 0.0)
-        self._odometry.wxyz = SO3.from_z_radians(origin.yaw).wxyz
+        self._odometry.wxyz = _wxyz(about_z(origin.yaw))
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
@@ -117,7 +117,7 @@ class RobotModel:
 
     def _add_shape(self, name, shape, colour, opacity=None):
         options = {'color': colour, 'opacity': opacity, 'flat_shading': True,
-                   'position': shape.position, 'wxyz': shape.rotation.wxyz}
+                   'position': shape.position, 'wxyz': _wxyz(shape.rotation)}
         if len(shape.size) == 3:
             self._scene.add_box(name, dimensions=shape.size, **options)
         else:
@@ -127,10 +127,10 @@ class RobotModel:
         """Mark a wheel, so that you see it turn: little of it shows below the base."""
         radius, width = shape.size
         for number in range(SPOKES):
-            rotation = shape.rotation @ SO3.from_z_radians(numpy.pi * number / SPOKES)
+            rotation = compose(shape.rotation, about_z(numpy.pi * number / SPOKES))
             self._scene.add_box(
                 f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
-                (2 * radius + SPOKE_MARGIN, SPOKE_WIDTH, width + SPOKE_MARGIN), wxyz=rotation.wxyz)
+                (2 * radius + SPOKE_MARGIN, SPOKE_WIDTH, width + SPOKE_MARGIN), wxyz=_wxyz(rotation))
 
     def _add_marks(self):
         node = self._odometry.name

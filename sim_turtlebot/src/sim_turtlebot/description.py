@@ -12,6 +12,7 @@ URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
             for folder in (Path(__file__).parents[2],
                            Path(__file__).parents[4] / 'share/sim_turtlebot')
             if (folder / 'urdf').is_dir())
+WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
 BODY = 'inertial', 'collision', 'visual'
 
 
@@ -52,13 +53,20 @@ def without_frames(urdf):
     return ElementTree.tostring(root, encoding='unicode')
 
 
-def _joint(element):
-    origin = element.find('origin')
-    axis = None if element.get('type') == 'fixed' else _numbers(element.find('axis').get('xyz'))
-    return Joint(element.get('name'), element.find('parent').get('link'),
-                 element.find('child').get('link'), _numbers(origin.get('xyz')),
-                 from_rpy(*_numbers(origin.get('rpy', '0 0 0'))), axis)
-
-
-def _numbers(text):
+def numbers_in(text):
+    """Return the numbers in an attribute of a URDF."""
     return tuple(float(number) for number in text.split())
+
+
+def origin_of(element):
+    """Return the position (x, y, z; m) and the rotation (quaternion x, y, z, w) of a URDF's element."""
+    origin = element.find('origin')
+    attributes = {} if origin is None else origin.attrib
+    return (numbers_in(attributes.get('xyz', '0 0 0')),
+            from_rpy(*numbers_in(attributes.get('rpy', '0 0 0'))))
+
+
+def _joint(element):
+    axis = None if element.get('type') == 'fixed' else numbers_in(element.find('axis').get('xyz'))
+    return Joint(element.get('name'), element.find('parent').get('link'),
+                 element.find('child').get('link'), *origin_of(element), axis)

@@ -2,9 +2,7 @@
 
 from geometry_msgs.msg import TransformStamped
 
-from sim_turtlebot.description import URDF, read_joints
-
-WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
+from sim_turtlebot.description import URDF, WHEEL_JOINTS, read_joints
 
 
 class Frames:

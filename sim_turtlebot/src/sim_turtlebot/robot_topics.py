@@ -9,7 +9,8 @@ from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu, JointState, LaserScan
 
-from sim_turtlebot.frames import WHEEL_JOINTS, fill_pose
+from sim_turtlebot.description import WHEEL_JOINTS
+from sim_turtlebot.frames import fill_pose
 from sim_turtlebot.scanner import is_scan_due
 
 # About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the greatest

@@ -6,7 +6,7 @@ from functools import partial
 
 from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
 
-from sim_turtlebot.description import URDF, without_frames
+from sim_turtlebot.description import URDF, WHEEL_JOINTS, without_frames
 from sim_turtlebot.native_output import suppress_native_output
 
 with suppress_native_output():
@@ -23,7 +23,7 @@ class TurtleBot:
     """One TurtleBot 2 in a world: its motors, its pose and its wheels."""
 
     def __init__(self, client, x, y, yaw, flags):
-        """Load the robot; use World.add_turtlebot()."""
+        """Load the robot into the World of a PyBullet client, at x, y (m) and yaw (rad)."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
         self._flags = flags
@@ -40,7 +40,7 @@ class TurtleBot:
                               localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
-        self._wheels = [joints['wheel_left_joint'], joints['wheel_right_joint']]
+        self._wheels = [joints[name] for name in WHEEL_JOINTS]
         # Bound once: the client creates such a function at each access.
         self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
         self._get_velocity = partial(client.getBaseVelocity, self._body)
