@@ -4,7 +4,7 @@ import subprocess
 from functools import partial
 
 import pytest
-from odometry_launch.process_guard import GuardedProcess
+from odometry_launch.process_guard import start_guarded
 from odometry_tests.tutorial import detector, mover, simulator
 from odometry_tests.waiting import Recorder
 from std_msgs.msg import Float64
@@ -27,7 +27,7 @@ def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
         folder = tmp_path / name
         folder.mkdir()
         return NODES[name](env={'ROS_LOG_DIR': str(folder)}, start=partial(
-            GuardedProcess, 'unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder))
+            start_guarded, 'unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder))
 
     with start('simulator') as robot, start('detector') as counter, start('mover') as driver:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,

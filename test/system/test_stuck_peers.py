@@ -1,7 +1,6 @@
 """Subscribers that do not read, and other stuck peers, which affect no one else."""
 
 import contextlib
-import os
 import signal
 import socket
 import subprocess
@@ -12,9 +11,9 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_launch.process_guard import GuardedProcess
+from odometry_launch.process_guard import start_guarded
 from odometry_tests.pausing import call
-from odometry_tests.processes import path_of
+from odometry_tests.processes import command_of, path_of
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
@@ -116,8 +115,8 @@ def test_a_node_whose_master_is_stuck_stops_the_robot_and_ends(master):
 def test_rotate_commands_while_nobody_reads_what_it_prints(master):
     """As behind `| less`, or after Ctrl-S in its terminal."""
     commands = Recorder('cmd_vel', Twist)
-    node = GuardedProcess(path_of('rotate_robot', 'rotate.py'), '_rate:=1000', env=os.environ,
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    node = start_guarded(path_of('rotate_robot', 'rotate.py'), '_rate:=1000',
+                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     try:
         with published('odom', Odometry) as odometry:
             commands.wait_for_publisher()
@@ -127,7 +126,7 @@ def test_rotate_commands_while_nobody_reads_what_it_prints(master):
                 message.header.stamp = rospy.Time(number / 1000)
                 odometry.publish(message)
             commands.wait_for_count(COUNT)
-        node.send_signal(signal.SIGINT)
+        command_of(node).send_signal(signal.SIGINT)
         assert node.wait(TIMEOUT * PATIENCE) == 0
         wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
     finally:

@@ -14,7 +14,7 @@ import rospkg
 
 from odometry_launch.launch_log import LaunchLog
 from odometry_launch.ports import next_port, usual_master_port
-from odometry_launch.process_guard import GuardedProcess
+from odometry_launch.process_guard import start_guarded
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
 LOOK_PERIOD = 0.02  # s
@@ -52,7 +52,7 @@ class Launch:
         self.master_uri = f'http://localhost:{self._port.number}'
         os.environ['ROS_MASTER_URI'] = self.master_uri
         self._log = LaunchLog()
-        self._roslaunch = GuardedProcess(
+        self._roslaunch = start_guarded(
             'bash', '-c', COMMAND, self._port.number, rospkg.get_log_dir(), uuid.uuid1(),
             *self._command, stdout=self._log.file, stderr=subprocess.STDOUT,
             env={**os.environ, 'PYTHONUNBUFFERED': '1'})

@@ -2,13 +2,12 @@
 
 usage: python3 -I -S reaper.py [--in-place] COMMAND [ARGUMENT...]
 
-Standard input is a socket to the starter, which receives the process id of the command. When the
-starter closes it or dies, or on SIGTERM, the reaper sends SIGTERM to the command, then to its orphans,
-then to all descendants at once, and finally kills them. It reports a process that it cannot kill,
-such as another user's, and leaves it running. It exits with the command's exit status, or by the same
-signal; with 1 if the command is still running.
+Standard input is a pipe from the starter. When the starter closes it or dies, or on SIGTERM, the
+reaper sends SIGTERM to the command, then to its orphans, then to all descendants at once, and finally
+kills them. It reports a process that it cannot kill, such as another user's, and leaves it running. It
+exits with the command's exit status, or by the same signal; with 1 if the command is still running.
 
-With --in-place there is no socket: the reaper takes the place of the command, as for ./ws, and the
+With --in-place there is no pipe: the reaper takes the place of the command, as for ./ws, and the
 first signal that would end the command has the same effect. It exits with the status that a shell
 shows for the command; after a signal with the signal's, unless the command exits with 0.
 
@@ -53,7 +52,7 @@ def main(command, in_place=False):
     pid = _start(command, in_place)
     if not in_place:
         ending = {signal.SIGTERM}
-        threading.Thread(target=_watch_starter, args=[pid], daemon=True).start()
+        threading.Thread(target=_watch_starter, daemon=True).start()
     statuses, signum = {}, signal.SIGCHLD
     while pid not in statuses and signum == signal.SIGCHLD:
         signum = signal.sigwait({signal.SIGCHLD, *ending})
@@ -79,12 +78,9 @@ def _open_standard_files():
             os.set_inheritable(os.open(os.devnull, os.O_RDWR), True)
 
 
-def _watch_starter(pid):
-    """Send this process SIGTERM once the starter has closed the socket, or died."""
-    with suppress(OSError):
-        os.set_blocking(LIFELINE, True)  # where rospy has run, new sockets have a timeout
-        os.write(LIFELINE, b'%d\n' % pid)
-        os.read(LIFELINE, 1)
+def _watch_starter():
+    """Send this process SIGTERM once the starter has closed the pipe, or died."""
+    os.read(LIFELINE, 1)
     os.kill(os.getpid(), signal.SIGTERM)
 
 

@@ -1,6 +1,7 @@
 """Processes that a test starts, watches and ends: a ROS master, nodes, commands."""
 
 import contextlib
+import functools
 import os
 import shutil
 import signal
@@ -10,8 +11,9 @@ import sys
 import tempfile
 from collections import deque
 
+import psutil
 import rosgraph
-from odometry_launch.process_guard import GuardedProcess
+from odometry_launch.process_guard import start_guarded
 
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
@@ -24,10 +26,10 @@ started = deque(maxlen=20)  # the latest Processes of this test
 class Process:
     """A command with its output."""
 
-    def __init__(self, *command, env=None, start=GuardedProcess, **popen_options):
+    def __init__(self, *command, env=None, start=start_guarded, **popen_options):
         """Start it; `env` is added to the environment.
 
-        :param start: GuardedProcess, with a command before this one
+        :param start: start_guarded, with a command before this one
         """
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
@@ -38,9 +40,10 @@ class Process:
                               stderr=self._outputs[1], **popen_options)
         started.append(self)
 
-    @property
+    @functools.cached_property
     def pid(self):
-        return self._process.pid
+        """Of the command itself, which the reaper has started."""
+        return command_of(self._process).pid
 
     @property
     def stdout(self):
@@ -71,7 +74,10 @@ class Process:
             f'{self.command} {self.state} without {text!r}; it printed:\n{self.output}'
 
     def send(self, signum):
-        self._process.send_signal(signum)
+        """Send the command a signal, unless it has ended."""
+        with contextlib.suppress(ProcessLookupError):
+            if self.running:
+                os.kill(self.pid, signum)
 
     def wait(self, timeout=TIMEOUT):
         """Return the exit status once the command has ended.
@@ -110,6 +116,20 @@ class Process:
         """Return what is in a file, without its last line while that may go on."""
         text = os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0).decode(errors='replace')
         return text.rpartition('\n')[0] if text.endswith('\n') or self.running else text
+
+
+def command_of(reaper):
+    """Return the psutil.Process of a command, once start_guarded() has started it.
+
+    :param reaper: what start_guarded() has returned
+    :raises ProcessLookupError: if the command has ended
+    """
+    def look():
+        if reaper.poll() is not None:
+            raise ProcessLookupError('the command has ended')
+        return next(iter(psutil.Process(reaper.pid).children()), None)
+
+    return wait_until(look, TIMEOUT, 'a command')
 
 
 class Master(Process):
