@@ -46,7 +46,8 @@ def test_the_log_tells_how_nodes_ended():
 def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
     """Two that wrote one bag spoiled it."""
     monkeypatch.setattr(time, 'strftime', lambda _: 'now')
-    folders = [new_folder(tmp_path / 'runs') for _ in range(3)]
+    monkeypatch.setattr('odometry_launch.folders.RUNS', tmp_path / 'runs')
+    folders = [new_folder() for _ in range(3)]
     assert [folder.name for folder in folders] == ['now', 'now_2', 'now_3']
 
 

@@ -14,7 +14,7 @@ from statistics import median
 
 import rospy
 from figures import FIGURES
-from odometry_launch.folders import RUNS, new_folder
+from odometry_launch.folders import new_folder
 from odometry_tests.processes import Master
 
 HEADING = 'name', 'value', 'unit', 'limit', 'ratio', 'target'
@@ -29,7 +29,7 @@ def main():
         # The clock of the simulators must not become the clock of what measures them.
         rospy.init_node('bench', disable_signals=True, disable_rostime=True)
         rows = [measure(FIGURES[name], options) for name in options.only or sorted(FIGURES)]
-    path = options.csv or new_folder(RUNS, 'bench-') / 'figures.csv'
+    path = options.csv or new_folder('bench-') / 'figures.csv'
     with open(path, 'w', newline='') as file:
         csv.writer(file).writerows([HEADING, *rows])
     missed = [name for name, *_, target in rows if target.endswith('MISSED')]

@@ -1,5 +1,6 @@
 """Folders for the output and the logs of demos and sweeps."""
 
+import contextlib
 import itertools
 import os
 import tempfile
@@ -14,16 +15,14 @@ RUNS = Path(os.environ.get('ODOMETRY_RUNS') or Path(__file__).resolve().parents[
 LOG_SIZE = 2**16  # bytes; the logs of a run are not much larger
 
 
-def new_folder(runs, name=''):
-    """Make a folder of this name and moment; several may start in the same second."""
-    moment = time.strftime('%Y-%m-%d_%H-%M-%S')
-    for suffix in itertools.chain([''], map('_{}'.format, itertools.count(2))):
-        folder = Path(runs) / f'{name}{moment}{suffix}'
-        try:
+def new_folder(name=''):
+    """Make a folder of this name and moment in RUNS; several may start in the same second."""
+    name += time.strftime('%Y-%m-%d_%H-%M-%S')
+    for number in itertools.count(1):
+        folder = RUNS / (name if number == 1 else f'{name}_{number}')
+        with contextlib.suppress(FileExistsError):
             folder.mkdir(parents=True)
-        except FileExistsError:
-            continue
-        return folder
+            return folder
 
 
 def use_writable_logs():

@@ -9,7 +9,6 @@ import rospy
 from odometry_common.rospy_fixes import fix_rospy
 from std_srvs.srv import Empty
 
-from odometry_launch.folders import RUNS
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.output import Line, complain
 from odometry_launch.recording import Recording
@@ -70,7 +69,7 @@ def join(launch, name):
 def _record():
     """Start a recording; without a writable folder the demo continues without one."""
     try:
-        return Recording(RUNS)
+        return Recording()
     except OSError as error:
         complain(f'no recording: {error}')
         return None

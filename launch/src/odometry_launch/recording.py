@@ -20,9 +20,9 @@ TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance'
 class Recording:
     """Records the robot's topics until close(), or until the disk is full."""
 
-    def __init__(self, runs):
-        """Begin, in a new folder for this moment below `runs`; raise OSError if that fails."""
-        self.path = new_folder(runs) / 'run.bag'
+    def __init__(self):
+        """Begin, in a new folder for this moment; raise OSError if that fails."""
+        self.path = new_folder() / 'run.bag'
         self._file = self.path.open('w+b')
         self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()

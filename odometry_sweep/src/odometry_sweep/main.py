@@ -7,7 +7,7 @@ import time
 from datetime import timedelta
 
 from odometry_common.parameters import StartError
-from odometry_launch.folders import RUNS, new_folder
+from odometry_launch.folders import new_folder
 from odometry_launch.launch import DemoError
 from odometry_launch.output import Line, bar, complain, forget_output
 
@@ -58,7 +58,7 @@ def _run(options):
 
 def _sweep(campaign, run_all):
     """Run a campaign by a function of side_by_side(); return the exit status."""
-    folder = new_folder(RUNS, 'sweep-')
+    folder = new_folder('sweep-')
     total = campaign.count
     rows = []
     try:

@@ -9,7 +9,7 @@ from pathlib import Path
 import rosbag
 import rospy
 from odometry_common.parameters import StartError
-from odometry_launch.folders import RUNS, use_writable_logs
+from odometry_launch.folders import use_writable_logs
 from odometry_launch.following import join, unpause
 from odometry_launch.launch import DemoError, Launch
 from odometry_launch.picture import leave_picture
@@ -64,7 +64,7 @@ def _record(tutorial, parameters, end):
     use_writable_logs()
     with Launch('replay.launch', arguments, package='odometry_sweep') as launch:
         join(launch, 'sweep')
-        recording = Recording(RUNS)
+        recording = Recording()
         launch.wait_for(lambda: recording.is_connected(*TOPICS[tutorial]), 'the nodes do not answer')
         launch.wait_for(unpause, 'the robot does not begin')
         _wait_for_time(end, launch)
