@@ -54,7 +54,7 @@ def _run(options):
                   flush=True)
         # roslaunch reads its files while this imports rospy, and matplotlib on a thread: that may take
         # long to read its fonts, and the robot does not wait for it.
-        threading.Thread(target=import_module, args=['odometry_launch.picture']).start()
+        threading.Thread(target=import_module, args=['run_plot.figure']).start()
         from odometry_launch.following import follow
         return not follow(options, launch, page_port)
 

@@ -11,7 +11,7 @@ from std_srvs.srv import Empty
 
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.output import Line, complain
-from odometry_launch.recording import Recording
+from odometry_launch.recording import Recording, leave_picture
 
 LOOK_PERIOD = 0.1  # s
 LINE_PERIOD = 2.0  # s of simulated time
@@ -44,7 +44,6 @@ def follow(options, launch, page_port):
     if not page_port:
         launch.terminate()  # the nodes end while this draws the picture
     if bag:
-        from odometry_launch.picture import leave_picture  # matplotlib takes long to import
         targets = ({'distance_target': options.distance} if options.tutorial == 'move'
                    else {'heading_target': options.target})
         leave_picture(bag, monitor.end.to_sec(), **targets)

@@ -1,6 +1,8 @@
-"""A bag of the run."""
+"""A bag of the run, and the picture beside it."""
 
 import contextlib
+import math
+import os
 import threading
 
 import rosbag
@@ -8,6 +10,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.connections import is_connected
+from run_plot.recorded_run import BagError, read_run
 from std_msgs.msg import Float64
 
 from odometry_launch.folders import new_folder
@@ -62,3 +65,19 @@ class Recording:
             # Python 3.13 would complain that it cannot write the buffer.
             self._file.raw.close()
             self._bag = None
+
+
+def leave_picture(bag, end=math.inf, **targets):
+    """Draw the run in a bag (a Path), and print where the picture is, or why it failed.
+
+    :param end: of the run (s)
+    :param targets: as for make_figure()
+    """
+    from run_plot.figure import make_figure  # matplotlib takes long to import
+    picture = bag.with_suffix('.png')
+    try:
+        make_figure(read_run(bag, end=end), **targets).savefig(str(picture))
+    except (OSError, BagError) as error:
+        complain(f'no picture: {error}')
+    else:
+        print(f'picture         {os.path.relpath(picture)}', flush=True)

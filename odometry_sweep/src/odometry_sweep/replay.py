@@ -12,8 +12,7 @@ from odometry_common.parameters import StartError
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.following import join, unpause
 from odometry_launch.launch import DemoError, Launch
-from odometry_launch.picture import leave_picture
-from odometry_launch.recording import Recording
+from odometry_launch.recording import Recording, leave_picture
 from sim_turtlebot.odometry import Motion
 
 from odometry_sweep.campaign import read_campaign
