@@ -49,6 +49,7 @@ def test_the_page_shows_a_heading_and_its_target(robot, page):
         assert rotator.end() == 0, rotator.output
 
 
+@pytest.mark.nightly
 def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
     page.wait_for_text('pause')
     page.click('pause')

@@ -113,9 +113,9 @@ def test_a_package_that_cannot_be_configured_is_left_out_and_named(checkout):
     assert 'building the packages' in run.stderr and 'left out' not in run.stderr, run.stderr
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize('commands', [
-    INTERRUPT, pytest.param(FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready',
-                            marks=pytest.mark.nightly)])
+    INTERRUPT, FASTER + 'set_up true\nrm -r "$WORKSPACE"\n! build_is_ready'])
 def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, commands):
     run = in_checkout(checkout, commands)
     assert run.wait() == 0 and run.stderr == './ws: building the packages ...', run.output

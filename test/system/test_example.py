@@ -2,6 +2,7 @@
 
 import sys
 
+import pytest
 from geometry_msgs.msg import Twist
 from odometry_common.kobuki import DEPTH_CAMERA
 from odometry_tests.pausing import moves_on
@@ -43,6 +44,7 @@ def test_its_robot_stops_when_the_node_ends(simulated_time):
         assert truth.last.pose.pose.position.x < DISTANCE, 'it had stopped before'
 
 
+@pytest.mark.nightly
 def test_a_robot_with_a_scan_stops_before_the_wall(simulated_time):
     """Half a metre before the end of the corridor, as docs/scan.md has it."""
     truth = Truth()
