@@ -124,7 +124,8 @@ class GraphProcesses:
 def _pids_at(addresses):
     """Return the process that serves each address, by name.
 
-    It is None on another machine, and 0 where nobody serves it, as of a node that was killed.
+    It is None where it cannot be seen, on another machine or of another user, and 0 where nobody serves it,
+    as of a node that was killed.
     """
     listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
                  if connection.status == psutil.CONN_LISTEN}
