@@ -171,6 +171,7 @@ def test_the_chosen_robot_is_put_where_the_page_says(master):
     with simulator('__ns:=placed', '_robots:=2') as world, viewing('__ns:=placed') as view, \
             open_page(view) as page:
         first, second = (Truth(f'/placed/{robot}/') for robot in ROBOTS)
+        first.wait_for(lambda m: place(m) == (0.0, 0.0, 0.0), what='robot_1 at its start')
         put(page, 'robot_1', 1e9, 0.0, 0.0)
         world.wait_for_output('x is 1e+09 m')
         put(page, 'robot_2', 3.0, -1.5, 90)

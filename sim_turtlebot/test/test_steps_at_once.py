@@ -24,7 +24,7 @@ def drive(odom_rate, seed, steps):
     return states
 
 
-@pytest.mark.parametrize('seed, odom_rate', enumerate([20.0, 10.0, 50.0, 7.0]))
+@pytest.mark.parametrize('seed, odom_rate', [*enumerate([20.0, 10.0, 50.0, 7.0])])
 def test_they_are_the_same_to_the_last_bit_as_one_by_one(seed, odom_rate):
     """Poses, velocities, and the torques of motors that accelerate, turn, brake and rest."""
     one_by_one = drive(odom_rate, seed, 1)
