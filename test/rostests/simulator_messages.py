@@ -27,8 +27,7 @@ class SimulatorMessagesTest(unittest.TestCase):
     def setUpClass(cls):
         cls.clock, cls.tf = Recorder('/clock', Clock), Recorder('/tf', TFMessage)
         cls.alone, cls.corner = Robot('alone/'), Robot('corner/')
-        cls.pair = Robot('shared/robot_1/'), Robot('shared/robot_2/')
-        for robot in (cls.alone, cls.corner, *cls.pair):
+        for robot in cls.alone, cls.corner:
             robot.wait_until_ready()
 
     def step(self, count, *speeds):
@@ -105,22 +104,6 @@ class SimulatorMessagesTest(unittest.TestCase):
         times = [m.clock for m in self.clock.messages if sender(m) == node and m.clock > start]
         self.assertEqual(times, sorted(set(times)))
         self.assertLessEqual(stamps, set(times))
-
-    def test_two_robots_share_a_world(self):
-        """Each with its own namespace and frames; each obeys its own commands only."""
-        first, second = self.pair
-        frames = [(robot.odometry.last.header.frame_id, robot.odometry.last.child_frame_id)
-                  for robot in self.pair]
-        self.assertEqual(frames, [('robot_1/odom', 'robot_1/base_footprint'),
-                                  ('robot_2/odom', 'robot_2/base_footprint')])
-        found = self.tf.wait_for(lambda m: sender(m) == '/shared/sim_turtlebot')
-        self.assertEqual(frames, [(transform.header.frame_id, transform.child_frame_id)
-                                  for transform in found.transforms[:2]])
-        self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
-        self.assertEqual(place(second.truth.last), (0.0, 1.0, 0.0))
-        second.drive(0.3)
-        second.truth.wait_until_moving()
-        self.assertEqual(place(first.truth.last), (0.0, 0.0, 0.0))
 
     def test_without_simulated_time_the_stamps_are_the_walls(self):
         """And it publishes no clock."""
