@@ -6,7 +6,7 @@ import sys
 
 import pytest
 from odometry_launch.process_guard import REAPER, start_guarded
-from odometry_tests.linux import marked, new_mark, wait_until_none
+from odometry_tests.linux import marked, wait_until_none
 from odometry_tests.processes import command_of
 from odometry_tests.waiting import PATIENCE, wait_until
 
@@ -28,14 +28,6 @@ def refuse(*_):
     raise PermissionError
 reaper.os.kill, reaper.GIVE_UP_AFTER = refuse, 0.6
 '''
-
-
-@pytest.fixture
-def mark(monkeypatch):
-    made = new_mark()
-    for name, value in made.items():
-        monkeypatch.setenv(name, value)
-    return made
 
 
 @pytest.mark.parametrize('command, status, error', [

@@ -68,10 +68,9 @@ def python_of(ros):
     return f'{ros if ros == CONDA else "usr"}/bin/python3'
 
 
-@pytest.mark.parametrize('name', SYSTEMS)
-def test_the_choice(system, name):
+@pytest.mark.parametrize('there, sourced, version, made_with, chosen', SYSTEMS.values(), ids=SYSTEMS)
+def test_the_choice(system, there, sourced, version, made_with, chosen):
     """A sourced one, else one in /opt/ros, else Debian's; and always the same one again."""
-    there, sourced, version, made_with, chosen = SYSTEMS[name]
     for folder in there.split():
         make_programs(system / folder / 'bin', *['catkin_make'] * (folder != MINE),
                       *['python3'] * (folder == CONDA))
