@@ -8,7 +8,7 @@ import subprocess
 import time
 
 import pytest
-from odometry_tests.linux import assert_loopback_only, marked, wait_until_none
+from odometry_tests.linux import assert_loopback_only, marked
 from odometry_tests.processes import hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
@@ -29,7 +29,9 @@ def nothing_left(mark):
     with hold_port() as port:
         try:
             yield {**os.environ, 'ROS_MASTER_URI': f'http://localhost:{port}'}
-            wait_until_none(mark)
+            # Each look goes through all processes there are.
+            wait_until(lambda: not marked(mark), 15.0, period=0.2, what=lambda: (
+                f'the end of {[process.info["cmdline"] for process in marked(mark)]}'))
             socket.create_server(('localhost', port)).close()
         finally:
             for process in marked(mark):

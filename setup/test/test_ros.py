@@ -35,9 +35,7 @@ SYSTEMS = {
     "noetic and Debian's": ('opt/ros/noetic usr', 'usr', '', '', NOETIC),
     'ROS One and ROS 2 sourced': ('opt/ros/one', '', '2', '', ONE),
     'ROS One sourced beside noetic': ('opt/ros/one opt/ros/noetic', 'opt/ros/one', '1', '', ONE),
-    'Debian and ROS 2 sourced': ('', '', '2', '', DEBIAN),
     'RoboStack activated': ('conda', 'conda', '1', '', CONDA),
-    'RoboStack not activated': ('conda', '', '', '', DEBIAN),
     'RoboStack not activated any more': ('conda', '', '', CONDA, CONDA),
     'RoboStack activated too late': ('usr conda', 'conda', '1', DEBIAN, DEBIAN),
 }

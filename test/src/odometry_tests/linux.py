@@ -4,22 +4,13 @@ import ipaddress
 
 import psutil
 
-from odometry_tests.waiting import wait_until
-
 MARK = 'ODOMETRY_UNDER_TEST'
-LOOK_PERIOD = 0.2  # s; each look goes through all processes there are
 
 
 def marked(mark):
     """Return the processes (psutil.Process) that have a mark in their environment."""
     return [process for process in psutil.process_iter(['cmdline', 'environ'])
             if (process.info['environ'] or {}).get(MARK) == mark]
-
-
-def wait_until_none(mark, timeout=15.0):
-    """Return once no process has the mark."""
-    wait_until(lambda: not marked(mark), timeout,
-               lambda: f'the end of {[process.info["cmdline"] for process in marked(mark)]}', LOOK_PERIOD)
 
 
 def assert_loopback_only(pid):
