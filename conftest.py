@@ -4,6 +4,7 @@ import itertools
 import os
 import signal
 import sys
+import uuid
 
 import pytest
 
@@ -12,6 +13,7 @@ try:
 except ImportError:
     sys.exit('the tests need ROS and the built packages: type ./ws test, or ./ws shell first')
 import rospy
+from odometry_tests.linux import MARK
 from odometry_tests.partners import SteppedClock
 from odometry_tests.processes import Master, hold_port, own_address, started
 from odometry_tests.tutorial import forget_parameters
@@ -85,6 +87,13 @@ def closed_recorders():
     for recorder in open_recorders[earlier:]:
         recorder.close()
     del open_recorders[earlier:]
+
+
+@pytest.fixture
+def mark(monkeypatch):
+    """Mark the processes that this test starts, for odometry_tests.linux.marked()."""
+    monkeypatch.setenv(MARK, str(uuid.uuid4()))
+    return os.environ[MARK]
 
 
 @pytest.fixture

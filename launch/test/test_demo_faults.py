@@ -32,33 +32,25 @@ def test_the_demo_ends_when_a_node_has_ended():
     assert demo.stderr == 'demo: test_movement has ended by SIGKILL', demo.output
 
 
-@pytest.fixture
-def slow_programs(tmp_path):
-    """Return a folder for PATH with programs of a slow machine.
+@pytest.mark.nightly
+def test_it_turns_to_a_heading_in_an_odd_environment(tmp_path):
+    """Settings that make no sense are not used; logs go where they can be written.
 
-    After 5 s matplotlib would print that it builds its font cache; roslaunch waits only 10 s for its
-    master.
+    The demo waits for the ROS master, and follows the robot from its start, whatever matplotlib does.
     """
+    # As on a slow machine: roslaunch waits only 10 s for its master, and after 5 s matplotlib would
+    # print that it builds its font cache.
     for name, line in (('fc-list', 'sleep 6'),
                        ('rosmaster', f'sleep 11; exec {shutil.which("rosmaster")} "$@"')):
         program = tmp_path / name
         program.write_text(f'#!/bin/sh\n{line}\n')
         program.chmod(0o755)
-    return tmp_path
-
-
-@pytest.mark.nightly
-def test_it_turns_to_a_heading_in_an_odd_environment(slow_programs, tmp_path):
-    """Settings that make no sense are not used; logs go where they can be written.
-
-    The demo waits for the ROS master, and follows the robot from its start, whatever matplotlib does.
-    """
     temporary = tmp_path / 'temporary'
     temporary.mkdir()
     demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
                ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
                MPLBACKEND='module://matplotlib_inline.backend_inline',
-               TMPDIR=str(temporary), PATH=f'{slow_programs}:{os.environ["PATH"]}')
+               TMPDIR=str(temporary), PATH=f'{tmp_path}:{os.environ["PATH"]}')
     assert demo.wait() == 0, demo.output
     logs, = temporary.iterdir()
     assert demo.stderr.startswith(f'demo: logs are in {logs}: ') and any(logs.iterdir())

@@ -1,5 +1,6 @@
-"""The demo's command line; what a demo waits for, what it reads from roslaunch, where it records."""
+"""The demo's command line; what a demo waits for, what it reads from roslaunch, where it records; its ports."""
 
+import socket
 import threading
 import time
 
@@ -8,6 +9,7 @@ from odometry_launch.folders import new_folder
 from odometry_launch.launch import DemoError, Launch
 from odometry_launch.launch_log import LaunchLog
 from odometry_launch.options import launch_arguments, parse
+from odometry_launch.ports import HeldPort, next_port, usual_master_port
 
 
 @pytest.fixture
@@ -67,3 +69,29 @@ def test_bad_options_get_one_clear_line(arguments, capsys):
 def test_at_each_pace_but_real_time_it_runs_in_lockstep(tutorial, factor, lockstep):
     options = parse([tutorial, '--real-time-factor', factor])
     assert launch_arguments(options)[1]['lockstep'] == lockstep
+
+
+def test_a_held_port_is_given_to_nobody_else():
+    """But its server can listen on it; after close() it is free at once."""
+    held = HeldPort(0)
+    with pytest.raises(OSError):
+        HeldPort(held.number)
+    following = next_port(held.number)
+    assert following.number > held.number
+    following.close()
+    socket.create_server(('localhost', held.number)).close()
+    held.close()
+    HeldPort(held.number).close()
+
+
+def test_a_port_with_a_server_cannot_be_held():
+    with socket.create_server(('localhost', 0)) as server, pytest.raises(OSError):
+        HeldPort(server.getsockname()[1])
+
+
+@pytest.mark.parametrize('address, port', [
+    ('http://localhost:1234', 1234), ('', 11311), ('localhost', 11311), ('[', 11311),
+    ('http://localhost:none', 11311), ('http://localhost:123456', 11311)])
+def test_the_master_goes_where_rostopic_looks_for_it(address, port, monkeypatch):
+    monkeypatch.setenv('ROS_MASTER_URI', address)
+    assert usual_master_port() == port

@@ -1,4 +1,7 @@
-"""Guarded processes report how they ended, and nothing of them outlives their starter."""
+"""Guarded processes report how they ended, and leave nothing behind.
+
+test_demo_endings kills their starters, and a reaper.
+"""
 
 import signal
 import subprocess
@@ -6,16 +9,10 @@ import sys
 
 import pytest
 from odometry_launch.process_guard import REAPER, start_guarded
-from odometry_tests.linux import marked, new_mark, wait_until_none
+from odometry_tests.linux import marked
 from odometry_tests.processes import command_of
 from odometry_tests.waiting import PATIENCE, wait_until
 
-STARTER = '''
-import sys, time
-from odometry_launch.process_guard import start_guarded
-process = start_guarded(*sys.argv[1:])
-time.sleep(1000)
-'''
 HASTY = f'''
 import sys
 sys.path.insert(0, {str(REAPER.parent)!r})
@@ -28,14 +25,6 @@ def refuse(*_):
     raise PermissionError
 reaper.os.kill, reaper.GIVE_UP_AFTER = refuse, 0.6
 '''
-
-
-@pytest.fixture
-def mark(monkeypatch):
-    made = new_mark()
-    for name, value in made.items():
-        monkeypatch.setenv(name, value)
-    return made
 
 
 @pytest.mark.parametrize('command, status, error', [
@@ -58,14 +47,6 @@ def test_signals_reach_the_command(signum):
         assert process.wait(10.0 * PATIENCE) == -signum
     finally:
         signal.signal(signum, before)
-
-
-def test_everything_ends_when_the_starter_is_killed(mark):
-    with subprocess.Popen([sys.executable, '-c', STARTER, 'bash', '-c',
-                           'setsid sleep 1000 & setsid setsid sleep 1001; sleep 1002']) as starter:
-        wait_until(lambda: len(marked(mark)) >= 5, 10.0, 'the processes')
-        starter.kill()
-    wait_until_none(mark)
 
 
 def test_orphans_end_with_the_command(mark):
@@ -97,11 +78,3 @@ def test_a_process_that_cannot_be_killed_is_named_and_left():
         assert process.communicate()[1] == f'cannot end {command.pid}\n'
     finally:
         command.kill()
-
-
-def test_the_command_ends_when_its_reaper_is_killed(mark):
-    """A robot that it moves would not stop otherwise."""
-    process = start_guarded('sleep', '1000')
-    command_of(process)
-    process.kill()
-    wait_until_none(mark)

@@ -66,22 +66,19 @@ class Engine:
         return {socket.laddr.ip for socket in psutil.net_connections('tcp')
                 if socket.laddr.port == 8080 and socket.status == psutil.CONN_LISTEN}
 
-    def assert_nothing_is_left(self):
-        assert self.run('ps', '--all', '--quiet', '--filter', 'name=^robot$') == ''
-        assert self.addresses() == set()
-
 
 @pytest.fixture(scope='module')
-def engine():
+def built_engine():
     return Engine()
 
 
-@pytest.fixture(autouse=True)
-def no_robot(request):
-    """Leave nothing of a test that has failed, which would be in the way of the next."""
-    yield
-    if 'engine' in request.fixturenames:
-        request.getfixturevalue('engine').run('rm', '--force', 'robot')
+@pytest.fixture
+def engine(built_engine):
+    """Return it; nothing is left at the end, or it would be in the way of the next test."""
+    yield built_engine
+    left = built_engine.run('ps', '--all', '--quiet', '--filter', 'name=^robot$'), built_engine.addresses()
+    built_engine.run('rm', '--force', 'robot')
+    assert left == ('', set())
 
 
 def status_of_page(**headers):
@@ -112,7 +109,6 @@ def test_it_drives_and_its_page_alone_is_reached(engine, tmp_path):
         assert status_of_page(Host='evil.example:8080') == 403
         terminal.press_ctrl_c()
         assert terminal.wait_for_prompt() == 0, terminal.output
-    engine.assert_nothing_is_left()
     run, = (tmp_path / 'runs').iterdir()
     assert {path.name for path in run.iterdir()} == {'run.bag', 'run.png'}
     assert run.stat().st_uid == tmp_path.stat().st_uid
@@ -125,7 +121,6 @@ def test_it_ends_when_it_is_stopped(engine, tmp_path):
         # On a slow machine it may need more than the usual ten seconds.
         engine.run('stop', '--time', '60', 'robot')
         assert terminal.wait_for_prompt() == ENDED_BY_SIGTERM, terminal.output
-    engine.assert_nothing_is_left()
 
 
 def test_the_tutorials_are_typed_in_its_shells(engine, tmp_path):
@@ -148,4 +143,3 @@ def test_the_tutorials_are_typed_in_its_shells(engine, tmp_path):
         terminal.wait_for_output('(ws) ')
         terminal.type('exit')
         terminal.wait_for_prompt()
-    engine.assert_nothing_is_left()

@@ -1,6 +1,7 @@
 """What ./ws answers before anything is set up, and where it cannot go on."""
 
 import os
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -8,7 +9,6 @@ from pathlib import Path
 
 import pytest
 from checkout import in_checkout, make_checkout
-from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 
 DEBIAN = """
@@ -31,7 +31,7 @@ apt_get() { [ "$1" != install ] || echo installs; }
 set_up_python() { exit; }
 set_up demo
 """
-# Python 3.13 and its pip, which compiles in a child process.
+# Python 3.13, for which PyPI has no PyBullet, and its pip, which compiles in a child process.
 PYTHON = """#!/bin/bash
 case $* in
     *version_info*) echo 3.13 ;;
@@ -61,10 +61,7 @@ def fresh(tmp_path):
 def in_fresh(folder, *arguments):
     """Run ./ws there to its end, and return its process; it may not make anything."""
     before = set(folder.iterdir())
-    environment = {'HOME': str(folder.parent), 'PATH': os.environ['PATH']}
-    run = Process('env', '-i', *(f'{name}={value}' for name, value in environment.items()),
-                  folder / 'ws', *arguments)
-    run.wait()
+    run = in_checkout(folder, shlex.join([f'{folder}/ws', *arguments]))
     assert set(folder.iterdir()) == before
     return run
 
@@ -139,19 +136,13 @@ def test_a_checkout_of_another_user():
         folder.chmod(0o755)
 
 
-@pytest.fixture
-def without_wheel(fresh):
-    """Make a checkout for whose Python PyPI has no PyBullet."""
+def test_pybullet_is_compiled_once(fresh):
+    """It says how long it takes; another workspace finds what the first has compiled."""
     (fresh / 'python3').write_text(PYTHON)
     (fresh / 'python3').chmod(0o755)
-    return fresh
-
-
-def test_pybullet_is_compiled_once(without_wheel):
-    """It says how long it takes; another workspace finds what the first has compiled."""
-    first = in_checkout(without_wheel, COMPILE, COMPILER='true')
+    first = in_checkout(fresh, COMPILE, COMPILER='true')
     assert (first.wait(), first.stdout) == (0, 'needs python3-dev'), first.output
     assert first.stderr.startswith('./ws: compiling PyBullet, which PyPI lacks for Python 3.13 on ')
-    second = in_checkout(without_wheel, f'{COMPILE}ls "$(wheels)"', COMPILER='false')
+    second = in_checkout(fresh, f'{COMPILE}ls "$(wheels)"', COMPILER='false')
     assert (second.wait(), second.stderr) == (0, './ws: installing PyBullet ...'), second.output
     assert second.stdout.startswith('pybullet')

@@ -35,9 +35,7 @@ SYSTEMS = {
     "noetic and Debian's": ('opt/ros/noetic usr', 'usr', '', '', NOETIC),
     'ROS One and ROS 2 sourced': ('opt/ros/one', '', '2', '', ONE),
     'ROS One sourced beside noetic': ('opt/ros/one opt/ros/noetic', 'opt/ros/one', '1', '', ONE),
-    'Debian and ROS 2 sourced': ('', '', '2', '', DEBIAN),
     'RoboStack activated': ('conda', 'conda', '1', '', CONDA),
-    'RoboStack not activated': ('conda', '', '', '', DEBIAN),
     'RoboStack not activated any more': ('conda', '', '', CONDA, CONDA),
     'RoboStack activated too late': ('usr conda', 'conda', '1', DEBIAN, DEBIAN),
 }
@@ -68,10 +66,9 @@ def python_of(ros):
     return f'{ros if ros == CONDA else "usr"}/bin/python3'
 
 
-@pytest.mark.parametrize('name', SYSTEMS)
-def test_the_choice(system, name):
+@pytest.mark.parametrize('there, sourced, version, made_with, chosen', SYSTEMS.values(), ids=SYSTEMS)
+def test_the_choice(system, there, sourced, version, made_with, chosen):
     """A sourced one, else one in /opt/ros, else Debian's; and always the same one again."""
-    there, sourced, version, made_with, chosen = SYSTEMS[name]
     for folder in there.split():
         make_programs(system / folder / 'bin', *['catkin_make'] * (folder != MINE),
                       *['python3'] * (folder == CONDA))

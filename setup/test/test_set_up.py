@@ -56,10 +56,8 @@ def checkout(tmp_path):
     """Make a checkout with an odd path and with a package of the user's."""
     folder = make_checkout(tmp_path / "my robots/50 % of $HOME's")
     make_package(folder / '.ws' / 'src' / 'mine', 'pybullet')
-    with contextlib.ExitStack() as stack:
-        yield folder
-        root = in_checkout(folder, PATH).stdout.splitlines()[0]
-        stack.callback(lambda: in_checkout(folder, f'rm -f {root}'))
+    yield folder
+    in_checkout(folder, 'find_root; rm "$ROOT"')
 
 
 @contextlib.contextmanager

@@ -10,7 +10,7 @@ from typing import Callable, NamedTuple
 
 import rospy
 from geometry_msgs.msg import Twist
-from graph import FINE_LOCKSTEP, LOCKSTEP, TIMEOUT, UNPACED, Graph
+from graph import FINE_LOCKSTEP, LOCKSTEP, TIMEOUT, UNPACED, Graph, beside_ring
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from odometry_tests.messages import odometry
@@ -18,7 +18,6 @@ from odometry_tests.processes import Process, hold_port, path_of
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
-from ring_speed import beside_ring
 from std_msgs.msg import Float64
 from worlds import SPEED, BareWorld, RobotWorld
 

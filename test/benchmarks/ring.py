@@ -14,7 +14,6 @@ Publishes:
 
 import queue
 import sys
-import time
 
 import rospy
 from geometry_msgs.msg import TransformStamped, Twist
@@ -23,7 +22,7 @@ from odometry_common.publishing import advertise
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Float64
 from tf2_msgs.msg import TFMessage
-from worlds import ODOM_RATE, BareWorld
+from worlds import BareWorld, speed_of
 
 TIMEOUT = 30.0  # s, for an answer
 
@@ -37,24 +36,19 @@ def robot():
     ran = advertise('ring/ran', Float64)
     rospy.Subscriber('ring/cmd_vel', Twist, heard.put, tcp_nodelay=True)
 
-    def run(window):
-        rounds, duration, start = 0, 0.0, time.perf_counter()
-        while not rounds or duration < window:
-            world.step_to_odometry()
-            clock.publish(Clock())
-            odometry.publish(Odometry())
-            ground_truth.publish(Odometry())
-            tf.publish(TFMessage([TransformStamped()]))
-            heard.get(timeout=TIMEOUT)
-            rounds += 1
-            duration = time.perf_counter() - start
-        ran.publish(rounds / ODOM_RATE / duration)
+    def go_round():
+        world.run_to_odometry()
+        clock.publish(Clock())
+        odometry.publish(Odometry())
+        ground_truth.publish(Odometry())
+        tf.publish(TFMessage([TransformStamped()]))
+        heard.get(timeout=TIMEOUT)
 
     windows = queue.Queue()
     rospy.Subscriber('ring/run', Float64, windows.put)
     rospy.on_shutdown(lambda: windows.put(None))
     while (message := windows.get()) is not None:
-        run(message.data)
+        ran.publish(speed_of(go_round, message.data))
 
 
 def relay(question, question_class, answer, answer_class):

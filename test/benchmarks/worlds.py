@@ -9,30 +9,35 @@ ODOM_RATE = 20.0  # Hz, the simulator's default
 SPEED = 0.1  # m/s, as test_movement drives
 
 
+def speed_of(run_to_odometry, window):
+    """Call a function once per odometry period; return the simulated seconds per second.
+
+    :param window: s of wall time; once at least
+    """
+    periods, duration, start = 0, 0.0, time.perf_counter()
+    while not periods or duration < window:
+        run_to_odometry()
+        periods += 1
+        duration = time.perf_counter() - start
+    return periods / ODOM_RATE / duration
+
+
 class BareWorld:
     """A robot that drives, and nothing but physics steps, with a call of PyBullet for each."""
 
     def __init__(self):
         simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
-        self._world, self._step_rate = simulation.world, simulation.timeline.step_rate
+        self._world, self._steps = simulation.world, round(simulation.timeline.step_rate / ODOM_RATE)
         self._world.step()  # from here on there is one step in a call
-        self._step = self._world.client.stepSimulation
         simulation.robots[0].body.drive(SPEED, SPEED)
 
-    def step_to_odometry(self):
-        """Step for an odometry period."""
-        for _ in range(round(self._step_rate / ODOM_RATE)):
-            self._step()
+    def run_to_odometry(self):
+        step = self._world.client.stepSimulation
+        for _ in range(self._steps):
+            step()
 
     def speed(self, window):
-        """Return the simulated seconds per second in a window (s of wall time)."""
-        step, steps, duration, start = self._step, 0, 0.0, time.perf_counter()
-        while not steps or duration < window:
-            for _ in range(100):
-                step()
-            steps += 100
-            duration = time.perf_counter() - start
-        return steps / self._step_rate / duration
+        return speed_of(self.run_to_odometry, window)
 
 
 class RobotWorld:
@@ -40,24 +45,11 @@ class RobotWorld:
 
     def __init__(self):
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
-        self.robot = self._simulation.robots[0]
-        self.command(SPEED)
-
-    def command(self, speed):
-        """Command the robot to go at so many m/s."""
-        self._simulation.command(speed, 0.0)
 
     def run_to_odometry(self):
-        """Step until the next odometry is there."""
+        self._simulation.command(SPEED, 0.0)
         while not self._simulation.advance():
             pass
 
     def speed(self, window):
-        """Return the simulated seconds per second in a window (s of wall time)."""
-        ticks, duration, start = 0, 0.0, time.perf_counter()
-        while not ticks or duration < window:
-            self.run_to_odometry()
-            self.command(SPEED)
-            ticks += 1
-            duration = time.perf_counter() - start
-        return ticks / ODOM_RATE / duration
+        return speed_of(self.run_to_odometry, window)

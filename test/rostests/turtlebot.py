@@ -56,7 +56,9 @@ class TurtlebotTest(unittest.TestCase):
         for name in 'robot_1/', 'robot_2/':
             self.assertEqual(tree[f'{name}base_link'], f'{name}base_footprint')
             self.assertEqual(tree[f'{name}gyro_link'], f'{name}base_link')
-        self.step(lambda robot: robot.drive(0.0))
+        odometry = self.step(lambda robot: robot.drive(0.0))
+        self.assertEqual((odometry.header.frame_id, odometry.child_frame_id),
+                         ('robot_2/odom', 'robot_2/base_footprint'))
         moving = {frame.child_frame_id for frame in self.tf.wait_for().transforms}
         self.assertEqual(moving, {f'robot_{number}/{link}' for number in (1, 2)
                                   for link in ('base_footprint', *WHEELS)})

@@ -6,7 +6,7 @@ import shlex
 
 import rosgraph
 from odometry_tests.forms import first_missing
-from odometry_tests.links import RECEIVES, links
+from odometry_tests.links import RECEIVES, connected_topics
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
@@ -116,7 +116,7 @@ class Reader:
     def _receives(self, node):
         """Return whether a node receives a topic other than the clock."""
         with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
-            return any(link.topic != '/clock' for link in links(node, RECEIVES, self._master.master_uri))
+            return connected_topics(node, RECEIVES, self._master.master_uri) - {'/clock'}
 
     def _interrupt(self, running):
         words, terminal = running

@@ -59,13 +59,6 @@ def test_each_bad_value_is_refused_by_name(script, row):
         assert str(refusal.value).startswith(f'parameter {row.name} is {value!r}, but must be ')
 
 
-@pytest.mark.parametrize('script', TABLES)
-def test_defaults_are_accepted(script):
-    defaults = {row.name[1:]: row.default for row in TABLES[script].rows}
-    with read_from(defaults):
-        assert vars(TABLES[script].read()) == defaults
-
-
 @pytest.mark.parametrize('script, text', [(script, 'abc') for script in TABLES] + [('rotate.py', '')])
 def test_a_node_with_a_bad_value_ends_with_one_line_and_status_2(master, script, text):
     """Whether the node refuses the value, or ROS could not store it."""

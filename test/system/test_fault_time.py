@@ -17,16 +17,12 @@ from odometry_tests.tutorial import (
     Distance,
     Truth,
     detector,
-    heading,
     mover,
-    rotator,
     simulator_in_step,
 )
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Empty
-
-TURNED = 9.2  # s, for all but a degree of 90
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
@@ -73,20 +69,6 @@ def test_neither_a_pause_nor_a_reset_is_movement_and_every_node_survives_them(ma
         assert x(truth) == pytest.approx(arrived - before, abs=LONGEST_STEP)
         assert all(process.running for process in (counter, driver, printer))
     assert min(moved.steps) >= 0 and max(moved.steps) < LONGEST_STEP
-
-
-def test_rotate_turns_to_its_target_after_a_reset(master):
-    """Its rate and its watchdog restart when time goes back, instead of waiting for the old time."""
-    truth = Truth()
-    with simulator_in_step('_real_time_factor:=20'), rotator() as controller:
-        truth.wait_for(lambda m: m.header.stamp.to_sec() > 5, what='five seconds')
-        pause(truth)
-        truth.clear()
-        call('reset_simulation')
-        call('unpause_physics')
-        turned = truth.wait_for(lambda m: heading(m) > 89, what='nearly 90 degrees')
-        assert turned.header.stamp.to_sec() < TURNED
-        assert controller.end() == 0, controller.output
 
 
 @pytest.fixture

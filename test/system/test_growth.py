@@ -1,7 +1,6 @@
 """In ten minutes of the robot's time no process comes to need more and more."""
 
 import signal
-from typing import NamedTuple
 
 import psutil
 import pytest
@@ -12,24 +11,15 @@ from odometry_tests.waiting import wait_for_subscribers
 from std_msgs.msg import Empty
 
 PARTS, PART = 6, 100  # s of the robot's time
+ALLOWED = 3.0, 2, 3  # more MB, threads, files
 
 pytestmark = [pytest.mark.nightly, pytest.mark.usefixtures('simulated_time')]
 
 
-class Usage(NamedTuple):
-    """What a process needs."""
-
-    memory: float  # MB, resident
-    threads: int
-    files: int  # open
-
-    @classmethod
-    def of(cls, process):
-        found = psutil.Process(process.pid)
-        return cls(found.memory_info().rss / 2**20, found.num_threads(), found.num_fds())
-
-
-ALLOWED = Usage(memory=3.0, threads=2, files=3)
+def usage(process):
+    """Return what a process needs: resident memory (MB), threads, and open files."""
+    found = psutil.Process(process.pid)
+    return found.memory_info().rss / 2**20, found.num_threads(), found.num_fds()
 
 
 def test_memory_threads_and_files_stay_the_same(master):
@@ -45,7 +35,7 @@ def test_memory_threads_and_files_stay_the_same(master):
                 truth.wait_for(lambda m: m.header.stamp.to_sec() > PART, 120.0, 'the end of a part')
                 killed.send(signal.SIGKILL)
                 killed.wait()
-            used.append({name: Usage.of(process) for name, process in [
+            used.append({name: usage(process) for name, process in [
                 ('simulator', robot), ('detector', counter), ('mover', driver), ('master', master)]})
             pause(truth)
             truth.clear()
@@ -53,6 +43,6 @@ def test_memory_threads_and_files_stay_the_same(master):
             call('reset_simulation')
             call('unpause_physics')
     # The allocator, and what is loaded at the first use, have settled after the first parts.
-    for name, usage in used[2].items():
-        growth = [after - before for before, after in zip(usage, used[-1][name])]
+    for name, settled in used[2].items():
+        growth = [after - before for before, after in zip(settled, used[-1][name])]
         assert all(more <= allowed for more, allowed in zip(growth, ALLOWED)), (name, used)

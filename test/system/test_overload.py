@@ -7,10 +7,11 @@ import socket
 from urllib.parse import urlsplit
 
 import rosgraph
+import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.tutorial import mover, simulator
-from odometry_tests.waiting import Recorder, wait_until
-from std_msgs.msg import String
+from odometry_tests.waiting import Recorder, wait_for_subscribers
+from std_msgs.msg import Float64, String
 
 LIMIT = 64
 ROBOTS = 12  # need more than that
@@ -51,19 +52,14 @@ def test_a_node_that_starts_with_too_few_file_descriptors_says_so(master):
 
 def test_a_node_that_runs_out_of_file_descriptors_says_so(master):
     """Nobody would reach it any more, and one of its threads would try again and again for ever."""
+    distances = rospy.Publisher('moved_distance', Float64, queue_size=1)
     with mover('__name:=crowded', **with_limit(LIMIT)) as node, contextlib.ExitStack() as crowd:
-        wait_until(lambda: '/crowded' in listeners('/moved_distance'), 20.0, 'a node that listens')
+        wait_for_subscribers(distances)
         address = urlsplit(rosgraph.Master('/test').lookupNode('/crowded'))
         for _ in range(LIMIT):
             with contextlib.suppress(OSError):
                 crowd.enter_context(socket.create_connection((address.hostname, address.port)))
         assert_out_of_file_descriptors(node, 'test_movement')
-
-
-def listeners(topic):
-    """Return the nodes that have subscribed to a topic."""
-    _, subscribed, _ = rosgraph.Master('/test').getSystemState()
-    return dict(subscribed).get(topic, [])
 
 
 def assert_out_of_file_descriptors(node, name):

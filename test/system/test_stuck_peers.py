@@ -4,6 +4,8 @@ import contextlib
 import signal
 import socket
 import subprocess
+import xmlrpc.client
+from io import BytesIO
 from urllib.parse import urlparse
 
 import pytest
@@ -12,17 +14,51 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_launch.process_guard import start_guarded
+from odometry_tests.links import ANSWER
 from odometry_tests.pausing import call
 from odometry_tests.processes import command_of, path_of
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from rosgraph.network import read_ros_handshake_header, write_ros_handshake_header
 from std_msgs.msg import Float64
-from stuck import connected, publisher_of, stuck_subscriber
 
 COUNT = 2000  # messages
 FULL_TIME = 60.0  # s, until a socket is full
+NAME = '/stuck'
+SMALL_SEGMENT = 536  # bytes; a publisher then sets aside little memory for what is not read yet
 BATCH, MOST = 100, 100_000  # messages; a stuck subscriber's socket holds some hundreds or thousands
 WARNING = '/stuck does not keep up with {}: it loses messages'
+
+
+@contextlib.contextmanager
+def stuck_subscriber(topic):
+    """Subscribe to a topic (its full name), once it is published, and never read a message."""
+    wait_until(lambda: publisher_of(topic), TIMEOUT, f'a publisher of {topic}')
+    with connected(publisher_of(topic), topic) as connection:
+        write_ros_handshake_header(connection, {
+            'callerid': NAME, 'topic': topic, 'type': '*', 'md5sum': '*', 'tcp_nodelay': '1'})
+        header = read_ros_handshake_header(connection, BytesIO(), 1)
+        assert 'error' not in header, header
+        yield
+
+
+@contextlib.contextmanager
+def connected(node, topic):
+    """Yield a socket that is connected to the port at which a node serves a topic."""
+    with xmlrpc.client.ServerProxy(rosgraph.Master(NAME).lookupNode(node)) as api:
+        _, host, port = api.requestTopic(NAME, topic, [['TCPROS']])[ANSWER]
+    with socket.socket() as connection:
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1)  # the system's smallest
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_MAXSEG, SMALL_SEGMENT)
+        connection.settimeout(TIMEOUT * PATIENCE)
+        connection.connect((host, port))
+        yield connection
+
+
+def publisher_of(topic):
+    """Return the name of a node that publishes a topic, or None."""
+    publishers = dict(rosgraph.Master(NAME).getSystemState()[0]).get(topic)
+    return publishers and publishers[0]
 
 
 @contextlib.contextmanager

@@ -6,7 +6,6 @@ What stands under a heading that names a node, a launch file, the demo or the sw
 import argparse
 import inspect
 import re
-from typing import NamedTuple
 from xml.etree import ElementTree
 
 from odometry_common.parameters import Parameters
@@ -27,15 +26,6 @@ LAUNCHED_NODE = {'sim.launch': 'sim_turtlebot_node.py',
                  'move_two_meters.launch': 'test_movement.py',
                  'rotate.launch': 'rotate.py'}
 PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parser}
-
-
-class Entry(NamedTuple):
-    """A topic or a service in a docstring, or several that are alike."""
-
-    section: str
-    names: str
-    type: str
-    meaning: str
 
 
 def main():
@@ -59,27 +49,24 @@ def _script(name):
     return load_script(path)
 
 
-def entries(documentation):
-    """Return the Entry of each topic and service in a node's docstring."""
-    found = []
+def _topic_rows(documentation):
+    """Yield a row for each topic and service in a node's docstring, or for several that are alike."""
     for title, block in SECTION.findall(documentation):
         for entry in filter(None, ENTRY.split(block)):
             parts = PARTS.fullmatch(' '.join(entry.split()))
             assert parts, f'this is not "name (type): meaning": {entry}'
-            found.append(Entry(title, **parts.groupdict()))
-    return found
+            yield KINDS[title], _code(parts['names']), parts['type'], parts['meaning']
 
 
 def _node_part(heading):
     script = _script(heading)
     documentation = f'{inspect.getdoc(script)}\n'
     prose = re.split(r'\n\n+', SECTION.sub('', documentation).strip())
-    topics = [(KINDS[e.section], _code(e.names), e.type, e.meaning) for e in entries(documentation)]
     table = getattr(script, 'PARAMETERS', Parameters())
     parameters = [(_code(row.name), row.type, _code(row.default_text), row.range.text, row.meaning)
                   for row in table.rows]
     return '\n\n'.join(filter(None, [
-        *prose, _table(' | name | type | meaning', topics),
+        *prose, _table(' | name | type | meaning', [*_topic_rows(documentation)]),
         _table('parameter | type | default | range | meaning', parameters)]))
 
 

@@ -47,18 +47,12 @@ def view():
     with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
         url = f'http://localhost:{port}'
         viewer.wait_for_output(url)
-        with Page(url, 1280, 760) as page:
-            return drive_before(page)
-
-
-def drive_before(page):
-    """Return what a page shows of a robot that has arrived."""
-    page.dismiss_notices()
-    # The page is there first, and sees all of the way.
-    with launched():
-        page.wait_for_reading('moved_distance', lambda metres: metres >= GOAL, DRIVE_TIMEOUT)
-        page.wait_for_reading('speed', lambda speed: speed == 0.0)
-        return page.photograph()
+        # The page is there first, and sees all of the way.
+        with Page(url, 1280, 760) as page, launched():
+            page.dismiss_notices()
+            page.wait_for_reading('moved_distance', lambda metres: metres >= GOAL, DRIVE_TIMEOUT)
+            page.wait_for_reading('speed', lambda speed: speed == 0.0)
+            return page.photograph()
 
 
 def rviz():

@@ -1,4 +1,4 @@
-"""Each package.xml names what the package uses: rosdep installs just that for a catkin workspace."""
+"""Each package.xml names what the package uses, and the documents what is installed for that."""
 
 import ast
 import importlib.util
@@ -19,6 +19,12 @@ UNDER_OTHER_NAMES = {'markdown_it', 'pybullet_utils', 'xdist'}  # of markdown-it
 OPTIONAL = {'robot_view'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
+# Where Debian's name is not python3- and the key.
+DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
+          'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
+# The lists in the set-up, by name.
+PARTS = {name: words.split() for name, words in re.findall(
+    r'^(\w+)_PARTS=\(([^)]*)\)', (ROOT / 'setup' / 'set_up.bash').read_text(), re.MULTILINE)}
 
 
 def name_of(manifest):
@@ -79,3 +85,25 @@ def test_the_requirements_name_what_rosdep_does_not_know():
     named = {line.partition('==')[0].replace('-', '_')
              for file in REQUIREMENTS for line in file.read_text().splitlines()}
     assert FROM_PYPI <= named, FROM_PYPI - named
+
+
+def test_everything_that_is_installed_is_named_where_it_is_removed():
+    removed = re.findall(r'^sudo apt-mark auto (.*)', (ROOT / 'docs' / 'install.md').read_text(),
+                         re.MULTILINE)
+    assert sorted(' '.join(removed).split()) == sorted(word for part in PARTS.values() for word in part)
+
+
+def debian_packages():
+    """Return what Debian calls the dependencies of all packages here."""
+    keys = {key for manifest in MANIFESTS for key in depends(manifest)} - {*map(name_of, MANIFESTS)}
+    return {package for key in keys for package in DEBIAN.get(
+        key, ['python3-' + re.sub('^python3-', '', key).replace('_', '-')])}
+
+
+def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
+    """docs/workspace.md: neither less nor more than ./ws installs, and what comes with that."""
+    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)',
+                       (ROOT / 'docs' / 'workspace.md').read_text())
+    installed = {word for line in lines for word in line.split()}
+    by_set_up = {word for name in ('DEBIAN', 'COMPILER', 'WINDOW', 'RVIZ') for word in PARTS[name]}
+    assert installed == debian_packages() | by_set_up - {'rosout'} | {'git'}

@@ -1,7 +1,6 @@
-"""The documents hang together, and say what is so: names, packages, examples, the reference."""
+"""The documents hang together, and say what is so: names, examples, the reference."""
 
 import re
-from xml.etree import ElementTree
 
 import pytest
 from odometry_tests.scripts import DOCUMENTS, ROOT, load_script
@@ -9,19 +8,7 @@ from odometry_tests.scripts import DOCUMENTS, ROOT, load_script
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
 TEST = re.compile(r'`(test_\w+|\w+\.test)`')
 EXAMPLE = ROOT / 'docs' / 'example'
-SHOWN = re.findall(r'^```\w+\n(.*?)^```$', (ROOT / 'docs' / 'ci.md').read_text(),
-                   re.DOTALL | re.MULTILINE)
 reference = load_script('test/tools/reference.py')
-PACKAGE_MANIFESTS = [*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')]
-# Where Debian's name is not python3- and the key.
-DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
-          'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
-TO_BUILD = {'g++', 'git', 'make', 'python3-dev', 'python3-venv', 'ros-environment'}
-# Of messages and services, for rosmsg, rossrv and completion.
-DEFINITIONS = {'libnav-msgs-dev', 'libsensor-msgs-dev', 'libstd-srvs-dev', 'ros-geometry-msgs',
-               'ros-nav-msgs', 'ros-rosgraph-msgs', 'ros-roscpp-msg', 'ros-sensor-msgs',
-               'ros-std-msgs', 'ros-std-srvs', 'ros-tf2-msgs'}
-FOR_A_WINDOW = {'libgl1', 'libx11-6'}
 
 
 def links(page):
@@ -52,28 +39,14 @@ def test_each_test_that_reliability_names_exists():
     assert named and named <= there, sorted(named - there)
 
 
-def test_everything_that_is_installed_is_named_where_it_is_removed():
-    """docs/install.md, against the lists in the set-up."""
-    set_up = (ROOT / 'setup' / 'set_up.bash').read_text()
-    installed = re.findall(r'^\w+_PARTS=\(([^)]*)\)', set_up, re.MULTILINE)
-    removed = re.findall(r'^sudo apt-mark auto (.*)', (ROOT / 'docs' / 'install.md').read_text(),
-                         re.MULTILINE)
-    assert sorted(' '.join(removed).split()) == sorted(' '.join(installed).split())
-
-
-def test_the_page_shows_files_of_the_example():
+@pytest.mark.parametrize('page, number', [('ci.md', 4), ('scan.md', 1)])
+def test_a_page_shows_files_of_the_example(page, number):
     """Whole, so that they can be copied from there."""
     files = [path.read_text() for path in EXAMPLE.rglob('*.*') if path.is_file()]
-    assert len(SHOWN) == 4
-    for block in SHOWN:
+    shown = re.findall(r'^```\w+\n(.*?)^```$', (ROOT / 'docs' / page).read_text(), re.DOTALL | re.MULTILINE)
+    assert len(shown) == number
+    for block in shown:
         assert block in files, block
-
-
-def test_the_tutorial_shows_its_node():
-    """As it is."""
-    block, = re.findall(r'^```python\n(.*?)^```$', (ROOT / 'docs' / 'scan.md').read_text(),
-                        re.DOTALL | re.MULTILINE)
-    assert block == (EXAMPLE / 'src' / 'stop_before_wall.py').read_text()
 
 
 def test_the_page_is_up_to_date():
@@ -102,20 +75,3 @@ def test_every_node_and_launch_file_has_a_heading():
     nodes -= {'sweep.py'}
     headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}
     assert nodes | launched | {*reference.PARSERS} <= headings
-
-
-def debian_packages():
-    """Return what Debian calls the dependencies of all packages here."""
-    roots = [ElementTree.parse(manifest).getroot() for manifest in PACKAGE_MANIFESTS]
-    keys = {element.text for root in roots for element in root if element.tag.endswith('depend')}
-    keys -= {root.findtext('name') for root in roots}
-    return {package for key in keys for package in DEBIAN.get(
-        key, ['python3-' + re.sub('^python3-', '', key).replace('_', '-')])}
-
-
-def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
-    """docs/workspace.md: neither less nor more."""
-    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)',
-                       (ROOT / 'docs' / 'workspace.md').read_text())
-    installed = {word for line in lines for word in line.split()}
-    assert installed == debian_packages() | TO_BUILD | DEFINITIONS | FOR_A_WINDOW

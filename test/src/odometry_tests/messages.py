@@ -5,6 +5,7 @@ import math
 import rospy
 from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
+from odometry_common.geometry import about_z
 
 STRANGE = [math.nan, math.inf, -math.inf, 1e308, -1e308, 5e-324, -0.0]
 STRANGE_QUATERNIONS = [(0, 0, 0, 0), (0, 0, 0, 1e-320), (0, 0, 3, 4), (1e200, 0, 0, 1e200),
@@ -19,8 +20,7 @@ def odometry(x=0.0, y=0.0, yaw=0.0, stamp=0.0):
     message.header.stamp = rospy.Time.from_sec(stamp)
     message.pose.pose.position.x = x
     message.pose.pose.position.y = y
-    message.pose.pose.orientation.z = math.sin(yaw / 2)
-    message.pose.pose.orientation.w = math.cos(yaw / 2)
+    message.pose.pose.orientation = Quaternion(*about_z(yaw))
     return message
 
 

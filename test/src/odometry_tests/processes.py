@@ -26,18 +26,15 @@ started = deque(maxlen=20)  # the latest Processes of this test
 class Process:
     """A command with its output."""
 
-    def __init__(self, *command, env=None, start=start_guarded, **popen_options):
-        """Start it; `env` is added to the environment.
-
-        :param start: start_guarded, with a command before this one
-        """
+    def __init__(self, *command, env=None, **popen_options):
+        """Start it; `env` is added to the environment."""
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
         environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
         # Files, not pipes: nobody has to read them meanwhile.
         self._outputs = [tempfile.TemporaryFile() for _ in ('stdout', 'stderr')]  # noqa: SIM115
-        self._process = start(*command, env=environment, stdout=self._outputs[0],
-                              stderr=self._outputs[1], **popen_options)
+        self._process = start_guarded(*command, env=environment, stdout=self._outputs[0],
+                                      stderr=self._outputs[1], **popen_options)
         started.append(self)
 
     @functools.cached_property
@@ -94,8 +91,7 @@ class Process:
 
     def end(self, signum=signal.SIGINT, timeout=TIMEOUT):
         """Send a signal and return the exit status."""
-        if self.running:
-            self.send(signum)
+        self.send(signum)
         return self.wait(timeout)
 
     def __enter__(self):

@@ -5,6 +5,7 @@ import math
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, Twist, Vector3
 from nav_msgs.msg import Odometry
+from odometry_common.geometry import about_z
 from sensor_msgs.msg import JointState
 
 from odometry_tests.pausing import call, pause
@@ -85,11 +86,6 @@ class Placer:
 
 def pose(x, y, z=0.0, yaw=0.0, orientation=None, frame='world'):
     """Return a PoseStamped; m, rad, or an orientation instead of the yaw."""
-    message = PoseStamped(pose=Pose(Point(x, y, z), orientation or quaternion(yaw)))
+    message = PoseStamped(pose=Pose(Point(x, y, z), orientation or Quaternion(*about_z(yaw))))
     message.header.frame_id = frame
     return message
-
-
-def quaternion(yaw):
-    """Return the orientation with a yaw (rad)."""
-    return Quaternion(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
