@@ -84,12 +84,6 @@ def test_silence_stops_the_controller_until_input_returns(start, period):
     assert 'stop' not in controller.look_on(*[PERIOD] * 9)
 
 
-def test_without_a_timeout_silence_stops_nothing(start):
-    controller = start(timeout=0.0)
-    controller.receive('a')
-    assert controller.look_on(HOUR, PERIOD) == ['a', 'a']
-
-
 def test_silence_lasts_a_while_in_real_time_too(start):
     """A clock that leaps by an hour leaves messages no time to come."""
     controller = start(period=0.0)

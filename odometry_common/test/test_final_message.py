@@ -71,14 +71,6 @@ def wire(master):
     made.close()
 
 
-def test_zero_follows_all_commands_and_no_command_follows_zero(wire):
-    wire.publish(0.1, 0.5)
-    wire.publish(angular=-1.0)
-    wire.shut_down()
-    wire.publish(0.2)
-    assert wire.commands == [(0.1, 0.5), (0.0, -1.0), ZERO]
-
-
 def test_zero_follows_a_command_that_is_being_written(wire):
     wire.during(lambda: wire.publish(0.1), wire.shut_down)
     assert wire.commands == [(0.1, 0.0), ZERO]

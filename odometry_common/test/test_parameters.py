@@ -1,10 +1,7 @@
 """What a node says about a parameter that it cannot run with."""
 
-from unittest.mock import patch
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from odometry_common.node_help import check_command_line
 from odometry_common.parameters import (
     ANY,
@@ -73,20 +70,6 @@ def test_afterwards_parameters_come_from_the_master_again(monkeypatch):
     with pytest.raises(ParameterError), read_from({'speed': 'fast'}):
         TABLE.read()
     assert TABLE.read().speed == 0.3
-
-
-@given(st.text())
-def test_the_line_is_one_line_whatever_the_value(value):
-    assert len(str(ParameterError('~speed', value, 'a number')).splitlines()) == 1
-
-
-@given(st.text())
-def test_no_text_ends_in_another_error(text):
-    with patch('sys.argv', ['node.py', f'_speed:={text}']):
-        try:
-            check_command_line()
-        except ParameterError as error:
-            assert error.name == '~speed'
 
 
 @pytest.mark.parametrize('argument', [

@@ -3,25 +3,14 @@
 test_sweep_replay shows that the nodes do the same in lockstep, to the last bit.
 """
 
-import json
 import math
-import subprocess
-import sys
 
 import pytest
 from odometry_common.geometry import about_z
 from odometry_sweep.closed_loop import follow, run, run_parameters
-from odometry_tests.scripts import ROOT
 from sim_turtlebot.odometry import STILL, Motion
 
 SHORT = {'distance': 0.1, 'speed': 0.3}
-NOISY = {'odometry_source': 'encoder', 'wheel_noise': 0.01, 'wheel_slip': 0.02}
-ROOM = {**SHORT, 'world': str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')}
-ALONE = """
-import json, sys
-from odometry_sweep.closed_loop import run
-print(json.dumps(run(*json.loads(sys.argv[1]))))
-"""
 UPRIGHT, LYING = about_z(0.0), (math.sin(math.pi / 4), 0.0, 0.0, math.cos(math.pi / 4))
 
 
@@ -72,14 +61,3 @@ def test_a_robot_that_does_not_arrive_is_late_or_has_fallen(orientation, ended):
     """After 1.5 times as long as it should take, and ten seconds."""
     metrics = metrics_of('move', SHORT, [orientation] * 1000)
     assert metrics['ended'] == ended and metrics['time'] == pytest.approx(10.55)
-
-
-@pytest.mark.parametrize('tutorial, parameters', [
-    ('move', SHORT), ('move', {**SHORT, **NOISY, 'seed': 7}), ('rotate', {'kp': 2, **NOISY})])
-def test_a_run_comes_out_the_same_in_a_new_process_and_after_others(tutorial, parameters):
-    """To the last bit: in a world that others have used, or after other worlds."""
-    alone = subprocess.run([sys.executable, '-c', ALONE, json.dumps([tutorial, parameters])],
-                           check=True, capture_output=True, text=True).stdout
-    for before in ({**SHORT, 'speed': -0.7}, {**SHORT, 'odom_rate': 50}, ROOM):
-        run('move', before)
-        assert run(tutorial, parameters) == json.loads(alone)

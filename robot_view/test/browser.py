@@ -43,7 +43,6 @@ class Page:
         for switch in [*SWITCHES, f'--window-size={width},{height}', f'--force-device-scale-factor={scale}']:
             options.add_argument(switch)
         self.driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-        self.is_open = True
         with contextlib.ExitStack() as stack:
             stack.push(self)
             # A browser that draws on a busy processor answers late, to whatever it is asked.
@@ -62,13 +61,7 @@ class Page:
         return self
 
     def __exit__(self, *_):
-        self.close()
-
-    def close(self):
-        """Close the browser, as a user does."""
-        if self.is_open:
-            self.is_open = False
-            self.driver.quit()
+        self.driver.quit()
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)

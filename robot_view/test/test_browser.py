@@ -1,14 +1,56 @@
 """What the page shows and does in a real browser: robots, numbers, plots, the pad."""
 
+import contextlib
 
 import numpy
 import pytest
+import rospy
 from odometry_tests.processes import rosrun
 from odometry_tests.scripts import ROOT
+from odometry_tests.tutorial import detector, simulator
 from odometry_tests.waiting import TIMEOUT, wait_until
 from viewer import MOVING, ROBOT_PIXELS, Motion, viewing, wait_for_robot
 
 SCAN_PIXELS = 100
+# What draws without a graphics card leaves little for the robot.
+SCALE = 0.5
+FRAME_RATE = 2.0  # Hz
+
+
+@pytest.fixture(scope='module')
+def open_page():
+    browser = pytest.importorskip('browser', reason='selenium is not installed')
+    if not (browser.CHROMIUM and browser.DRIVER):
+        pytest.skip('chromium and chromedriver are not installed')
+    with contextlib.ExitStack() as stack:
+        yield lambda url: stack.enter_context(browser.Page(url, scale=SCALE, frame_rate=FRAME_RATE))
+
+
+@pytest.fixture(scope='module')
+def view(master):
+    """Start a viewer in which only what the test does stops the robot."""
+    with viewing(patient=True) as running:
+        yield running
+
+
+@pytest.fixture(scope='module')
+def robot(master):
+    """Start a robot that nothing but a command stops, with a detector."""
+    rospy.set_param('/use_sim_time', True)
+    with simulator('_cmd_vel_timeout:=0'), detector():
+        yield Motion()
+
+
+@pytest.fixture(scope='module')
+def open_view(open_page, view):
+    return open_page(view.url)
+
+
+@pytest.fixture
+def page(open_view):
+    """Return the viewer's page, which stays open for the next test."""
+    yield open_view
+    open_view.let_go()
 
 
 def count_pixels(page, more, less):

@@ -1,4 +1,4 @@
-"""The pad and a robot that subscribes late."""
+"""What the held buttons of the pad command."""
 
 import math
 
@@ -6,9 +6,72 @@ import pytest
 import rosgraph
 from geometry_msgs.msg import Twist
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
-from robot_view.steering import FORWARD, STOP
+from robot_view.steering import (
+    BACK,
+    COMMAND_PERIOD,
+    FORWARD,
+    HOLD_RATE,
+    HOLD_TIMEOUT,
+    LEFT,
+    STANDSTILL,
+    STOP,
+    Steering,
+)
 
 from robot_view import pad
+
+
+@pytest.mark.parametrize('held, shares', [
+    ([('page', FORWARD)], (1, 0)), ([('page', FORWARD), ('page', LEFT)], (1, 1)),
+    ([('page', FORWARD), ('page', BACK)], (0, 0)), ([('page', FORWARD), ('other', FORWARD)], (1, 0)),
+    ([('page', FORWARD), ('other', STOP)], (0, 0))])
+def test_held_buttons_add_up_and_stop_overrules_them(held, shares):
+    """Two pages that hold the same button do not double it."""
+    steering = Steering()
+    for client, button in held:
+        steering.hold(client, button, '', 0.0)
+    assert steering.commands(0.0) == {'': shares}
+
+
+def test_a_page_that_hangs_drives_until_its_hold_expires():
+    """A command in each period until then, one zero, and nothing after it."""
+    steering = Steering()
+    steps_between_holds = round(1 / HOLD_RATE / COMMAND_PERIOD)
+    hangs_after = 20
+    sent = []
+    for step in range(hangs_after + 100):
+        now = COMMAND_PERIOD * step
+        if step <= hangs_after and step % steps_between_holds == 0:
+            steering.hold('page', FORWARD, '', now)
+        sent.append(steering.commands(now))
+    last = sent.index({'': STANDSTILL})
+    assert (last - hangs_after) * COMMAND_PERIOD == pytest.approx(HOLD_TIMEOUT, abs=COMMAND_PERIOD)
+    assert sent[:last] == [{'': (1, 0)}] * last
+    assert not any(sent[last + 1:]) and not steering.is_driving
+
+
+def test_a_release_is_one_zero_at_once():
+    """A page that closes releases all its buttons, and none of another page."""
+    steering = Steering()
+    steering.hold('page', LEFT, '', 0.0)
+    steering.hold('other', FORWARD, '', 0.0)
+    assert steering.commands(0.0) == {'': (1, 1)} and steering.is_driving
+    steering.release('page')
+    assert steering.commands(0.0) == {'': (1, 0)}
+    steering.release('other', BACK)
+    assert steering.commands(0.0) == {'': (1, 0)}
+    steering.release('other', FORWARD)
+    assert steering.commands(0.0) == {'': STANDSTILL} and not steering.is_driving
+    assert steering.commands(0.0) == {}
+
+
+def test_the_first_robot_stops_before_another_one_starts():
+    """A page chooses another robot while it holds a button."""
+    steering = Steering()
+    steering.hold('page', FORWARD, 'robot_1/', 0.0)
+    steering.commands(0.0)
+    steering.hold('page', FORWARD, 'robot_2/', 0.1)
+    assert list(steering.commands(0.1).items()) == [('robot_1/', STANDSTILL), ('robot_2/', (1, 0))]
 
 
 @pytest.mark.parametrize('button', [STOP, FORWARD])

@@ -33,14 +33,6 @@ def test_samples_cover_the_whole_run_evenly_within_their_limit():
     assert kept[-1] > 1000 - 1000 / 25
 
 
-def test_without_ground_truth_the_odometry_is_drawn():
-    trace = PathTrace()
-    follow(trace, straight(1.0))
-    assert trace.true_distance is None
-    assert trace.origin == ORIGIN
-    assert trace.trail.array()[-1].tolist() == [1.0, 0.0]
-
-
 def test_the_odometry_begins_where_the_robot_is_in_the_world():
     """Its frame is put where ground truth and odometry agree at first."""
     start = PlanarPose(5.0, -3.0, math.pi / 2)

@@ -7,10 +7,8 @@ from geometry_msgs.msg import Quaternion
 from heading_control.turn import Turn
 from hypothesis import example, given
 from hypothesis import strategies as st
-from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import yaw_from_orientation
 from odometry_tests.fuzzing import any_number
-
-PERIOD = 0.1  # s between two commands of rotate.py
 
 finite = any_number.filter(math.isfinite)
 positive = finite.filter(lambda value: value > 0)
@@ -37,17 +35,3 @@ def test_the_turn_is_the_gain_times_the_shorter_way_within_the_clamp(quaternion,
         off = math.remainder(yaw + error - math.radians(target), math.tau)
         assert off == pytest.approx(0.0, abs=1e-9)
     assert turn.speed_for(error) == max(-limit, min(limit, kp * error))
-
-
-@given(st.floats(-math.pi, math.pi), st.floats(1e-3, 1 / PERIOD), st.floats(1e-3, math.pi),
-       st.lists(st.tuples(st.floats(-1e6, 1e6), st.integers(1, 20)), max_size=10))
-def test_a_robot_that_obeys_never_turns_away_from_its_target(yaw, kp, limit, targets):
-    """Even if the target changes; with a gain that a control rate of 10 Hz can follow."""
-    for target, commands in targets:
-        turn = Turn(target, kp, limit)
-        error = turn.error_at(yaw)
-        for _ in range(commands):
-            yaw = wrap_to_pi(yaw + PERIOD * turn.speed_for(error))
-            left = turn.error_at(yaw)
-            assert abs(left) <= abs(error) + 1e-9
-            error = left

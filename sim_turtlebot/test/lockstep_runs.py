@@ -16,13 +16,12 @@ NOT_AWAITED = 'lockstep does not wait for'
 UNPACED = '_real_time_factor:=0'
 
 
-def record(starts, topics, arguments=(), prepare=lambda: None):
+def record(starts, topics, arguments=()):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
     :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic
     :param arguments: for the simulator
-    :param prepare: function that is called before time begins
     """
     with contextlib.ExitStack() as stack:
         simulation = stack.enter_context(simulator_in_step(UNPACED, '_paused:=true', *arguments))
@@ -33,8 +32,8 @@ def record(starts, topics, arguments=(), prepare=lambda: None):
                      for topic, (kind, _) in topics.items()}
         for recorder in recorders.values():
             recorder.wait_for_publisher()
-        prepare()
-        wait_until_settled()
+        with contextlib.closing(Lockstep(lambda: False)) as graph:
+            wait_until(graph.has_settled, RUN_TIME, 'nodes at rest before time begins')
         for recorder in recorders.values():
             recorder.clear()
         call('unpause_physics')
@@ -42,12 +41,6 @@ def record(starts, topics, arguments=(), prepare=lambda: None):
             recorders[topic].wait_for_count(count, RUN_TIME)
         assert NOT_AWAITED not in simulation.output, simulation.output
         return {topic: recorders[topic].messages[:count] for topic, (_, count) in topics.items()}
-
-
-def wait_until_settled():
-    """Return when all nodes have done what they do before time begins."""
-    with contextlib.closing(Lockstep(lambda: False)) as graph:
-        wait_until(graph.has_settled, RUN_TIME, 'nodes at rest')
 
 
 def bytes_of(message):

@@ -40,7 +40,6 @@ events = st.one_of(
               st.sampled_from([None, *INPUTS])),
     # Where it ends, time may stand still: at any step, not only at an odometry.
     st.tuples(st.just('run'), st.integers(1, 50) | st.just(SECOND)),
-    st.tuples(st.just('stop')),
     st.tuples(st.just('set_pose'), robots, places, places, st.sampled_from([0.0, 0.3]), yaws),
     st.tuples(st.just('reset_odometry'), robots))
 episodes = st.lists(events, min_size=1, max_size=10)
@@ -80,14 +79,6 @@ class Episodes:
         while timeline.steps < end:
             if self._simulation.advance(end):
                 self._look()
-
-    def _stop(self):
-        for number, _ in enumerate(self._simulation.robots):
-            self._command(number, 0.0, 0.0)
-        self._run(SECOND)
-        if not self._has_dropped:
-            for robot in self._simulation.robots:
-                assert math.hypot(*robot.ground_truth.linear) < 0.05
 
     def _set_pose(self, number, x, y, z, yaw):
         robot = self._simulation.robots[number]

@@ -9,56 +9,41 @@ from sim_turtlebot.world_file import WorldFileError
 STEP_RATE = 240  # Hz
 START = 0.0, 0.0, 0.0
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
-FILES = {
-    'unclosed.urdf': '<robot name="r">\n<link name="a">\n</robot>',
-    'empty.urdf': '',
-    'text.sdf': 'hello',
-    'two_roots.urdf': f'<robot name="r"><link name="a">{BOX}</link><link name="b">{BOX}</link></robot>',
-    'no_mesh.urdf': '<robot name="r"><link name="a">\n<collision><geometry>'
-                    '<mesh filename="gone.obj"/></geometry></collision></link></robot>',
-    'mesh_that_is_a_folder.urdf': '<robot name="r"><link name="a"><collision><geometry>'
-                                  '<mesh filename="mesh.obj"/></geometry></collision></link></robot>',
-    'mesh_that_is_a_pipe.urdf': '<robot name="r"><link name="a"><collision><geometry>'
-                                '<mesh filename="pipe.obj"/></geometry></collision></link></robot>',
-}
+TWO_ROOTS = f'<robot name="r"><link name="a">{BOX}</link><link name="b">{BOX}</link></robot>'
+MESH = ('<robot name="r"><link name="a">\n<collision><geometry><mesh filename="mesh.obj"/></geometry>'
+        '</collision></link></robot>')
 
 
-@pytest.fixture
-def folder(tmp_path):
-    for name in ('x.urdf', 'x.sdf', 'mesh.obj'):
-        (tmp_path / name).mkdir()
-    os.mkfifo(tmp_path / 'pipe.obj')
-    for name, text in FILES.items():
+@pytest.mark.parametrize('name, text, reason', [
+    ('no_such_file.urdf', None, 'there is none'),
+    ('folder.urdf', None, 'is a folder'),
+    ('', None, 'the name of a .urdf or .sdf file'),
+    ('unclosed.urdf', '<robot name="r">\n<link name="a">\n</robot>', 'Line number=2'),
+    ('empty.urdf', '', 'Cannot load URDF file'),
+    ('text.sdf', 'hello', 'Line number=1'),
+    ('two_roots.urdf', TWO_ROOTS, 'multiple root links found: a b'),
+    ('no_mesh.urdf', MESH, "no_mesh.urdf:2: cannot find 'mesh.obj'")])
+def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(tmp_path, name, text, reason):
+    """In one line."""
+    os.mkdir(tmp_path / 'folder.urdf')
+    if text is not None:
         (tmp_path / name).write_text(text)
-    return tmp_path
-
-
-@pytest.mark.parametrize('name, reason', [
-    ('no_such_file.urdf', 'there is none'),
-    ('x.urdf', 'is a folder'),
-    ('x.sdf', 'is a folder'),
-    ('mesh.obj', 'the name of a .urdf or .sdf file'),
-    ('unclosed.urdf', 'Line number=2'),
-    ('empty.urdf', 'Cannot load URDF file'),
-    ('text.sdf', 'Line number=1'),
-    ('two_roots.urdf', 'multiple root links found: a b'),
-    ('no_mesh.urdf', "no_mesh.urdf:2: cannot find 'gone.obj'"),
-    ('mesh_that_is_a_folder.urdf', 'PyBullet ends by SIGABRT'),
-])
-def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(folder, name, reason):
-    """In one line, also where PyBullet would end the process."""
     with pytest.raises(WorldFileError) as refusal:
-        World(STEP_RATE, [], world_file=str(folder / name))
+        World(STEP_RATE, [], world_file=str(tmp_path / name))
     assert reason in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
     assert 'inertial' not in str(refusal.value)
 
 
-def test_a_file_over_which_pybullet_waits_for_ever_is_refused(folder, monkeypatch):
-    """A pipe to which nobody writes."""
-    monkeypatch.setattr('sim_turtlebot.world_file.LONGEST_LOAD', 1)
-    with pytest.raises(WorldFileError, match='a file that can be loaded .not within 1 s.'):
-        World(STEP_RATE, [], world_file=str(folder / 'mesh_that_is_a_pipe.urdf'))
+@pytest.mark.parametrize('make, reason', [
+    (os.mkdir, 'PyBullet ends by SIGABRT'), (os.mkfifo, 'not within 5 s')])
+def test_a_file_over_which_pybullet_ends_or_waits_for_ever_is_refused(tmp_path, monkeypatch, make, reason):
+    """A mesh that is a folder, or a pipe to which nobody writes."""
+    monkeypatch.setattr('sim_turtlebot.world_file.LONGEST_LOAD', 5)
+    make(tmp_path / 'mesh.obj')
+    (tmp_path / 'world.urdf').write_text(MESH)
+    with pytest.raises(WorldFileError, match=reason):
+        World(STEP_RATE, [], world_file=str(tmp_path / 'world.urdf'))
 
 
 def box(size, position):

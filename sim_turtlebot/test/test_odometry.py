@@ -1,6 +1,7 @@
-"""Where a robot believes it is after motions that are made up here."""
+"""Where a robot believes it is after motions that are made up here, and what its sensors get wrong."""
 
 import math
+import statistics
 
 import pytest
 from hypothesis import example, given
@@ -8,15 +9,18 @@ from hypothesis import strategies as st
 from odometry_common.geometry import about_z, yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
+from odometry_tests.simulation import Simulation
 from sim_turtlebot.odometry import STILL, Motion
+
+RUNS = 400  # seeds, for a standard deviation within about a tenth
 
 places = st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-3.1, 3.1))
 speeds = st.floats(-0.7, 0.7)
 turn_speeds = st.floats(-math.pi, math.pi)
 
 
-def encoders(gyro=False):
-    return Robot(odometry_source='encoder', gyro=gyro)
+def encoders(**parameters):
+    return Robot(odometry_source='encoder', **parameters)
 
 
 @given(places, places)
@@ -32,53 +36,20 @@ def test_world_odometry_is_the_pose_seen_from_the_start(start, place):
     assert now.position == pytest.approx((x * cos + y * sin, y * cos - x * sin, 0), abs=1e-9)
     turn = math.remainder(yaw_of(now.orientation) - (place[2] - start[2]), 2 * math.pi)
     assert turn == pytest.approx(0, abs=1e-9)
+    assert (now.linear, now.angular) == (STILL, STILL), 'it was put there'
 
 
 TILTED = Motion((1.0, 2.0, 0.03), (0.1, 0.0, 0.0, math.sqrt(0.99)), (0.2, 0.01, 0), (0, 0, 1))
 
 
-def test_world_odometry_keeps_height_and_tilt():
-    """The tutorial's /odom is a full pose."""
-    robot = Robot()
-    robot.start(motion(1.0, 2.0, 0.5))
-    now = robot.move(TILTED)
-    assert now.position[2] == pytest.approx(0.03)
-    assert math.hypot(*now.orientation[:2]) == pytest.approx(0.1)
-
-
-def test_the_twist_of_world_odometry_is_the_mean_since_the_last_message():
-    """In the frame of the base, whatever the velocity is at the moment of the message."""
-    robot = Robot()
-    robot.start(motion(1.0, 2.0, math.pi / 2))
-    now = robot.move(motion(1.0, 2.02, math.pi / 2)._replace(linear=(0.1, 0.0, 0.0)),
-                     duration=0.1)
-    assert now.linear == pytest.approx((0.2, 0.0, 0.0), abs=1e-12)
-    assert now.angular == pytest.approx(STILL, abs=1e-12)
-
-
-def test_over_a_long_time_the_twist_is_that_of_the_moment():
+def test_world_odometry_is_a_full_pose_and_over_a_long_time_the_twist_of_the_moment():
     """The mean of a second says little of the velocity, and a turn may be more than half."""
     robot = Robot()
     robot.start(motion(1.0, 2.0, 0.5))
     now = robot.move(TILTED, duration=1.0)
+    assert now.position[2] == pytest.approx(0.03)
+    assert math.hypot(*now.orientation[:2]) == pytest.approx(0.1)
     assert (*now.linear, *now.angular) == pytest.approx((*TILTED.linear, *TILTED.angular))
-
-
-def test_a_robot_at_rest_is_at_rest_even_where_it_has_been_put():
-    """What stands has no velocity, also in the message after it has come to rest."""
-    robot = Robot()
-    robot.start(motion(1.0, 2.0, 0.5))
-    now = robot.move(motion(1.1, 2.0, 0.5)._replace(linear=STILL, angular=STILL))
-    assert (now.linear, now.angular) == (STILL, STILL)
-
-
-@given(speeds)
-def test_straight_on_the_encoders_are_right_to_a_tick(speed):
-    """However long the path: what is not yet a tick is not lost."""
-    last = drive(encoders(), speed)[-1]
-    assert abs(last.position[0] - speed * 10) <= TICK
-    assert last.position[1:] == (0.0, 0.0)
-    assert last.orientation == (0.0, 0.0, 0.0, 1.0)
 
 
 @given(speeds, turn_speeds)
@@ -87,7 +58,7 @@ def test_straight_on_the_encoders_are_right_to_a_tick(speed):
 def test_on_an_arc_the_encoders_keep_to_the_closed_form(speed, turn_speed):
     """Yaw to a tick of each wheel; the position to what that yaw, the chords and the ticks allow."""
     x, y, yaw = on_arc(speed, turn_speed, 10.0)
-    last = drive(encoders(), speed, turn_speed)[-1]
+    last = drive(encoders(gyro=False), speed, turn_speed)[-1]
     yaw_error = 2 * TICK / WHEEL_SEPARATION
     assert abs(math.remainder(yaw_of(last.orientation) - yaw, 2 * math.pi)) <= yaw_error
     chord = (turn_speed * PERIOD)**2 / 24  # share by which an arc is longer than its chord
@@ -102,7 +73,7 @@ def test_on_an_arc_the_encoders_keep_to_the_closed_form(speed, turn_speed):
 
 @pytest.mark.parametrize('gyro', [False, True])
 def test_a_reset_starts_from_zero_wherever_the_wheels_are(gyro):
-    robot = encoders(gyro)
+    robot = encoders(gyro=gyro)
     drive(robot, 0.5, 1.0)
     first = robot.start(motion(3.0, 4.0, 2.0), (1000.0, -50.0))
     assert first == motion()
@@ -112,21 +83,9 @@ def test_a_reset_starts_from_zero_wherever_the_wheels_are(gyro):
 
 
 @pytest.mark.parametrize('gyro', [False, True])
-def test_a_reset_while_driving_does_not_show_in_the_velocity(gyro):
-    """The wheels go on, and what they turned since the last odometry counts."""
-    robot = encoders(gyro)
-    drive(robot, 0.5, 0.4, duration=2.0)
-    robot.reset_odometry()
-    now = robot.move(motion(*on_arc(0.5, 0.4, 2.0 + PERIOD)),
-                          wheel_angles(0.5 * (2 + PERIOD), 0.4 * (2 + PERIOD)))
-    assert now.linear[0] == pytest.approx(0.5, abs=2 * TICK / PERIOD)
-    assert now.angular[2] == pytest.approx(0.4, abs=2 * TICK / WHEEL_SEPARATION / PERIOD)
-
-
-@pytest.mark.parametrize('gyro', [False, True])
 def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     """Its gyro, if it has one, notices that it was turned; nothing has a speed."""
-    robot = encoders(gyro)
+    robot = encoders(gyro=gyro)
     robot.start(motion(1.0, 2.0, 0.5))
     before = robot.move(motion(1.5, 2.0, 0.5), wheel_angles(0.5, 0.0))
     robot.set_pose((-3.0, 7.0, 0.0), about_z(2.5))
@@ -142,8 +101,75 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
 
 @pytest.mark.parametrize('robot, variances', [
     (Robot(), (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)),
-    (encoders(), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2)),
+    (encoders(gyro=False), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2)),
     (encoders(gyro=True), (0.1, 0.1, 1e10, 1e10, 1e10, 0.05))], ids=['world', 'wheels', 'gyro'])
 def test_the_covariance_is_that_of_the_tutorial_or_of_a_kobuki(robot, variances):
     """Of x, y, z, roll, pitch and yaw; a huge one means unknown."""
     assert robot.covariance == variances
+
+
+@pytest.mark.parametrize('slip', [0.01, 0.1, 0.5])
+def test_slip_shows_as_travel_that_moved_nothing(slip):
+    """Of the travel that the encoders count, a share of `slip`."""
+    whole = drive(encoders(wheel_slip=slip), 0.5)[-1].position[0]
+    assert whole * (1 - slip) == pytest.approx(5.0, abs=TICK)
+
+
+@pytest.mark.parametrize('speed, duration', [(0.5, 1.0), (0.5, 4.0), (0.125, 4.0)])
+def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
+    """Each wheel has its own; the middle between two has half the variance."""
+    tracks = [drive(encoders(wheel_noise=0.02, seed=seed), speed, 0.0, duration)
+              for seed in range(RUNS)]
+    travels = [sum(row.linear[0] for row in track) * PERIOD for track in tracks]
+    expected = 0.02 * math.sqrt(speed * duration / 2)
+    assert statistics.stdev(travels) == pytest.approx(expected, rel=0.12)
+    assert statistics.mean(travels) == pytest.approx(speed * duration, abs=4 * expected / RUNS**0.5)
+
+
+@pytest.mark.parametrize('duration', [0.5, 2.0])
+def test_gyro_noise_grows_with_the_root_of_time(duration):
+    """Also while the robot stands, as a gyro's does."""
+    yaws = [yaw_of(drive(encoders(gyro_noise=0.02, seed=seed), 0.0, 0.0, duration)[-1]
+                   .orientation) for seed in range(RUNS)]
+    assert statistics.stdev(yaws) == pytest.approx(0.02 * math.sqrt(duration), rel=0.12)
+
+
+@pytest.mark.parametrize('gyro, believed', [(False, 1.0), (True, 0.25)])
+def test_with_the_gyro_the_yaw_is_that_of_the_body(gyro, believed):
+    """Wheels that turn against each other on ice turn the robot less than they say."""
+    now = encoders(gyro=gyro).move(motion(yaw=0.25), wheel_angles(0.0, 1.0))
+    assert yaw_of(now.orientation) == pytest.approx(believed, abs=2 * TICK / WHEEL_SEPARATION)
+    assert now.angular[2] == pytest.approx(believed / PERIOD, rel=1e-3)
+
+
+@pytest.mark.parametrize('speed, turn_speed, true_yaw', [
+    (0.3, 0.0, 4 * 0.3 * 0.02 / 2.01 / WHEEL_SEPARATION), (0.0, 0.5, 4 * 0.5 / 1.02)])
+def test_what_the_driver_believes_bends_the_path_and_shows_in_no_wheel(speed, turn_speed, true_yaw):
+    """It commands by the same wrong numbers as it counts; E_d is 1.01 and E_b 1.02."""
+    simulation = Simulation(odometry_source='encoder', gyro=False, wheel_diameter_ratio=1.01,
+                            wheel_separation_ratio=1.02)
+    simulation.drive(speed, turn_speed, 4.0)
+    record = simulation.drive(0.0, 0.0, 1.0)
+    assert yaw_of(record.odometry[-1].orientation) == pytest.approx(4 * turn_speed, abs=0.003)
+    assert yaw_of(record.ground_truth[-1].orientation) == pytest.approx(true_yaw, abs=0.004)
+
+
+@pytest.mark.parametrize('drift', [0.01, -0.002])
+@pytest.mark.parametrize('source', ['world', 'encoder'])
+def test_drift_is_in_proportion_to_time_also_at_rest(source, drift):
+    """The heading of a robot that stands turns away; its place does not."""
+    robot = Robot(odometry_source=source, gyro_drift=drift)
+    last = drive(robot, 0.0, duration=20.0)[-1]
+    assert robot.gyro.heading == pytest.approx(20.0 * drift)
+    assert robot.gyro.rate == pytest.approx(drift)
+    assert last.position == (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize('turn_speed', [0.5, -0.5])
+def test_a_wrong_scale_counts_in_proportion_and_the_correction_ends_it(turn_speed):
+    """To either side."""
+    for correction, factor in [(1.0, 1.02), (1 / 1.02, 1.0)]:
+        robot = Robot(gyro_scale_error=0.02, gyro_scale_correction=correction)
+        drive(robot, 0.0, turn_speed, duration=4.0)
+        assert robot.gyro.heading == pytest.approx(4 * turn_speed * factor)
+        assert robot.gyro.rate == pytest.approx(turn_speed * factor)

@@ -3,11 +3,10 @@
 import pytest
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
-from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
 from odometry_tests.robots import ON_ITS_SIDE, Placer, place, pose
-from odometry_tests.tutorial import Distance, Truth, detector, simulator
+from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import String
 
@@ -15,29 +14,6 @@ THERE = 3.0, -1.0, 1.2  # m, m, rad
 START = 0.0, 0.0, 0.0
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
-
-
-def wait_until_at(recorder, expected):
-    """Return the first message of a robot there (m, m, rad)."""
-    return recorder.wait_for(lambda m: place(m) == expected, what=f'a robot at {expected}')
-
-
-@pytest.mark.parametrize('source, believed', [
-    ('encoder', START), ('world', THERE)])
-def test_it_is_there_and_nothing_counts_it(ns, source, believed):
-    """Encoders notice nothing, and the jump of the world's odometry is no movement."""
-    with simulator(f'_odometry_source:={source}', '_gyro:=false'), detector():
-        truth, odometry, distance = Truth(ns), Recorder(f'{ns}odom', Odometry), Distance(ns)
-        distance.wait_for(lambda m: m.data == 0.0, what='a distance')
-        Placer(ns).put(*THERE[:2], yaw=THERE[2])
-        jump = wait_until_at(truth, THERE).header.stamp
-        truth.wait_seconds(1.0)
-        odometry.wait_for(lambda m: m.header.stamp > jump)
-        seen = [place(m) for m in odometry.messages if m.header.stamp > jump]
-        assert seen and set(seen) == {believed}
-        distance.clear()
-        assert {m.data for m in distance.wait_for_count(20)} == {0.0}
-        assert place(truth.last) == THERE
 
 
 def test_rviz_puts_it_where_it_is_said_to_be(ns):
@@ -63,7 +39,7 @@ def test_rviz_puts_it_where_it_is_said_to_be(ns):
         assert {place(m) for m in truth.messages} == {START}
         message.header.frame_id = 'world'
         rviz.publish(message)
-        wait_until_at(truth, THERE)
+        truth.wait_for(lambda m: place(m) == THERE, what=f'a robot at {THERE}')
         wait_until(lambda: 'refused' not in warnings.last.data, TIMEOUT, 'no warning any more')
 
 

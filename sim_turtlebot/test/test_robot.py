@@ -23,20 +23,6 @@ def test_a_twist_that_it_cannot_do_is_clamped(command, expected):
     assert speeds(simulation) == pytest.approx(expected, rel=0.01, abs=0.01)
 
 
-@pytest.mark.parametrize('command', [
-    (math.nan, 0.0), (0.0, math.nan), (math.inf, 0.0), (0.1, -math.inf)])
-def test_a_command_that_is_not_finite_is_refused_and_stops_it(command):
-    """Better to stand than to guess."""
-    simulation = Simulation()
-    simulation.drive(0.3, 0.5, 1.0)
-    with pytest.raises(ValueError, match='is not finite'):
-        simulation.command(*command)
-    simulation.run(1.0)
-    assert simulation.robot.resting
-    simulation.drive(0.3, 0.0, 1.0)
-    assert speeds(simulation) == pytest.approx((0.3, 0.0), abs=0.01)
-
-
 @pytest.mark.parametrize('velocity', [(0.3, 0.0), (0.0, 1.0)])
 def test_it_stops_when_commands_cease(velocity):
     """0.6 s after the last one, as a Kobuki does, and not before."""
@@ -58,15 +44,6 @@ def test_a_timeout_below_a_step_of_time_is_no_lack_of_one():
     simulation.drive(0.3, 0.0, 1.0)
     assert speeds(simulation) == pytest.approx((0.0, 0.0), abs=1e-3)
     assert simulation.robot.ground_truth.position[0] < 0.01
-
-
-def test_its_twist_is_in_its_own_frame():
-    """Forwards is x wherever it looks."""
-    simulation = Simulation((1.0, -2.0, 2.5))
-    simulation.drive(0.2, 0.5, 3.0)
-    for motion in (simulation.robot.ground_truth, simulation.robot.odometry):
-        assert motion.linear == pytest.approx((0.2, 0.0, 0.0), abs=0.002)
-        assert motion.angular == pytest.approx((0.0, 0.0, 0.5), abs=0.005)
 
 
 def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():

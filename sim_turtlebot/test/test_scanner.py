@@ -57,11 +57,6 @@ def test_walls_and_boxes_are_seen_where_they_are(x, y, yaw, beams, field_of_view
     assert ((nearer <= seen) & (seen <= farther)).all(), list(zip(angles, known, seen))
 
 
-def test_an_empty_world_has_nothing_to_see():
-    """Least of all the robot itself, whose plates are around its camera."""
-    assert (scan_in('', field_of_view=ALL_ROUND, range_min=0.0) == FAR).all()
-
-
 @pytest.mark.parametrize('x, expected', [(0.0, 2.087), (1.5, 0.587), (1.63, 0.457),
                                          (1.64, TOO_CLOSE), (1.8, TOO_CLOSE), (-1.0, FAR)])
 def test_what_is_out_of_range_is_infinite(x, expected):
@@ -118,15 +113,10 @@ def test_noise_takes_no_range_beyond_its_limits():
 
 @pytest.mark.parametrize('scan_rate, odom_rate, expected', [
     (10, 20, [0, 2, 4, 6, 8]), (20, 20, [0, 1, 2, 3, 4]), (8, 20, [0, 3, 5, 8, 10]),
-    (30, 50, [0, 2, 4, 5, 7]), (0.1, 20, [0, 200, 400, 600, 800]), (1 / 3, 1, [0, 3, 6, 9, 12])])
+    (30, 50, [0, 2, 4, 5, 7]), (0.1, 20, [0, 200, 400, 600, 800]), (1 / 3, 1, [0, 3, 6, 9, 12]),
+    # As floating point has it, 15/22 times 22 is a little less than 15.
+    (15, 22, [0, 2, 3, 5, 6, 8, 9, 11, 12, 14, 15, 17, 18, 20, 21, 22])])
 def test_a_scan_is_due_at_the_first_odometry_after_its_time(scan_rate, odom_rate, expected):
     """Never late by more than one odometry period, whatever the rates."""
     due = [count for count in range(expected[-1] + 1) if is_scan_due(count, scan_rate, odom_rate)]
     assert due == expected
-
-
-@pytest.mark.parametrize('scan_rate, odom_rate', [(13, 23), (15, 22), (30, 52)])
-def test_rounding_puts_off_no_scan(scan_rate, odom_rate):
-    """As floating point has it, 15/22 times 22 is a little less than 15."""
-    assert is_scan_due(odom_rate, scan_rate, odom_rate)
-    assert not is_scan_due(odom_rate + 1, scan_rate, odom_rate)
