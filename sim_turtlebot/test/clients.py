@@ -21,6 +21,7 @@ from actionlib.msg import TestAction, TestGoal, TestResult
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
+from std_srvs.srv import Trigger, TriggerResponse
 
 LATEST = rospy.Time()
 # What dynamic_reconfigure generates from a .cfg file, for one parameter.
@@ -57,6 +58,17 @@ def rate(robot, hertz='10'):
         loop.sleep()
 
 
+def timer(robot):
+    rospy.Timer(rospy.Duration(1 / 30), lambda _: robot.drive())
+    rospy.spin()
+
+
+def sleep(robot):
+    while not rospy.is_shutdown():
+        robot.drive()
+        rospy.sleep(0.07)
+
+
 def wait_for_message(robot):
     while not rospy.is_shutdown():
         robot.drive(rospy.wait_for_message('odom', Odometry).pose.pose.position.x)
@@ -89,6 +101,15 @@ def synchronizer(robot):
     synchronized.registerCallback(
         lambda odom, truth: robot.drive(odom.pose.pose.position.x + truth.pose.pose.position.x))
     rospy.spin()
+
+
+def service(robot):
+    """Ask a service, of a thread of this node, where the robot is."""
+    rospy.Service('~x', Trigger, lambda _: TriggerResponse(True, str(robot.x)))
+    ask, loop = rospy.ServiceProxy('~x', Trigger), rospy.Rate(10)
+    while not rospy.is_shutdown():
+        robot.drive(float(ask().message))
+        loop.sleep()
 
 
 def action(robot):

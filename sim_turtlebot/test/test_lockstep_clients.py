@@ -18,22 +18,21 @@ from lockstep_runs import (
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
 from odometry_tests.processes import Process
-from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
 # The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
-# test_random_graphs has those with a rospy.Timer, rospy.sleep() and services.
 CLIENTS = {
-    'rospy.Rate(30)': ['rate 30'], 'rospy.wait_for_message': ['wait_for_message'],
+    'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
+    'rospy.sleep': ['sleep'], 'rospy.wait_for_message': ['wait_for_message'],
     'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
-    'latched topic': ['latched', 'latching'],
+    'service': ['service'], 'latched topic': ['latched', 'latching'],
     'actionlib': ['action', 'action_server'], 'dynamic_reconfigure': ['reconfigure', 'tuner'],
     'rosbag record': ['rate 20', 'bag'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
-    'ros::MultiThreadedSpinner': ['C++ spinners'], 'docs/ci.md': ['example']}
+    'ros::MultiThreadedSpinner': ['C++ spinners']}
 BY_DAY = 'tf2_ros',
 CLIENT_TIME = 3  # s of simulated time
 LEAST_COMMANDS = 5
@@ -50,8 +49,6 @@ def start_client(tmp_path_factory):
         language, _, argument = kind.partition(' ')
         if kind == 'bag':
             command = 'rosbag', 'record', '-O', folder / 'run', '/odom'
-        elif kind == 'example':
-            command = sys.executable, ROOT / 'docs' / 'example' / 'src' / 'one_metre.py'
         elif language == 'C++':
             command = compile_client(folder / 'client'), argument
         else:

@@ -8,6 +8,7 @@ import threading
 import time
 
 import pytest
+from odometry_tests.waiting import PATIENCE
 from sim_turtlebot.processes import Process
 from sim_turtlebot.rest import Rest
 
@@ -131,6 +132,17 @@ def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start,
     resting.wait()
     assert time.monotonic() - begin < rest.PATIENCE
     assert len(restless) == 1
+
+
+def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting, start):
+    """It would hold up everybody each time that it has heard something."""
+    start(SLOW_POLLER)
+    time.sleep(0.5)
+    resting.wait()
+    begin = time.monotonic()
+    for _ in range(20):
+        resting.wait()
+    assert time.monotonic() - begin < PATIENCE
 
 
 def test_a_process_that_ends_is_forgotten(resting, start):

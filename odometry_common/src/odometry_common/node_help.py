@@ -52,7 +52,7 @@ def check_command_line():
     for name, text in _given_parameters():
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
-        except (yaml.YAMLError, TypeError, OverflowError, RecursionError):
+        except (yaml.YAMLError, TypeError, ValueError, OverflowError, RecursionError):
             raise ParameterError(
                 name, text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
