@@ -49,6 +49,7 @@ def master(master_port, own_variables):
     with Master(port=master_port) as process:
         if not rospy.core.is_initialized():
             join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
+            rospy.get_param('/use_sim_time')  # rospy keeps to the master that it asks first
         yield process
         leave_topics()
 
