@@ -56,6 +56,7 @@ def master(master_port, own_variables):
 
 def leave_topics():
     """Publish and receive nothing more, as the next master would not know of it."""
+    rospy.core._client_shutdown_hooks.clear()  # the final messages of publishers that are gone then
     topics = rospy.topics.get_topic_manager()
     for kind, known in (Registration.PUB, topics.pubs), (Registration.SUB, topics.subs):
         for name in {*known} - {'/rosout'}:
