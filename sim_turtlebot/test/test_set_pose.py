@@ -17,7 +17,10 @@ UPSIDE_DOWN = 1.0, 0.0, 0.0, 0.0
 
 @pytest.mark.parametrize('source', ['world', 'encoder'])
 def test_it_stands_where_it_was_put(source):
-    """At once and to the bit, whatever it was commanded before, with its wheels as they were."""
+    """At once and to the bit, whatever it was commanded before, with its wheels as they were.
+
+    If it drives off at once, the way to its new place is no speed.
+    """
     simulation = Simulation(odometry_source=source)
     simulation.drive(0.3, 0.5, 2.0)
     robot = simulation.robot
@@ -31,6 +34,8 @@ def test_it_stands_where_it_was_put(source):
     assert robot.resting
     simulation.run(2.0)
     assert (robot.ground_truth, robot.wheels) == (there, wheels)
+    robot.set_pose((0.0, 0.0, 0.0), LEVEL)
+    assert max(math.hypot(*m.linear) for m in simulation.drive(0.3, 0.0, 0.5).odometry) < 0.31
 
 
 def test_it_can_be_laid_on_its_side_and_put_upright():
