@@ -42,7 +42,8 @@ def test_memory_threads_and_files_stay_the_same(master):
             reset.publish()
             call('reset_simulation')
             call('unpause_physics')
-    # The allocator, and what is loaded at the first use, have settled after the first parts.
-    for name, settled in used[2].items():
-        growth = [after - before for before, after in zip(settled, used[-1][name])]
-        assert all(more <= allowed for more, allowed in zip(growth, ALLOWED)), (name, used)
+    # The least of each half: the simulator's files follow the threads of the graph, which come and go.
+    for name in used[0]:
+        before, after = ([min(values) for values in zip(*(part[name] for part in half))]
+                         for half in (used[:PARTS // 2], used[PARTS // 2:]))
+        assert all(late - early <= allowed for early, late, allowed in zip(before, after, ALLOWED)), (name, used)
