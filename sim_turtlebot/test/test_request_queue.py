@@ -5,7 +5,6 @@ import threading
 from functools import partial
 
 import pytest
-from odometry_tests.waiting import TIMEOUT
 from sim_turtlebot.request_queue import RequestQueue
 
 from sim_turtlebot import request_queue
@@ -88,14 +87,3 @@ def test_requests_are_served_by_their_senders_names_and_then_as_they_came(reques
         end(thread)
     requests.serve_all()
     assert served == [(name, number) for name in sorted(names) for number in range(COUNT)]
-
-
-def test_who_waits_goes_on_once_it_is_served(requests):
-    served = []
-    thread = run(requests.put_and_wait, lambda: served.append(True))
-    assert requests.wait(TIMEOUT)
-    assert thread.is_alive() and not served
-    requests.serve_all()
-    end(thread)
-    assert served
-    assert not requests.wait(0.0)
