@@ -7,9 +7,10 @@ import pytest
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry, strange_odometry
-from odometry_tests.partners import NodeLog, Partner
+from odometry_tests.partners import Partner
 from odometry_tests.tutorial import detector
-from odometry_tests.waiting import wait_for_subscribers, wait_until
+from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from rosgraph_msgs.msg import Log
 from std_msgs.msg import Empty, Float64
 
 FIRST = 0.01  # m, counted before a test begins
@@ -112,7 +113,7 @@ def test_no_distance_is_lost_at_slow_and_at_fast_odometry(talk, node, step, peri
 
 def test_it_says_each_second_that_it_waits(ns):
     """On the log, until the first odometry; its name is anonymous."""
-    log = NodeLog()
+    log = Recorder('/rosout', Log)
 
     def complaints():
         return [m for m in log.messages if f'waiting for odometry on {ns}odom' in m.msg]

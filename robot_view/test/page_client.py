@@ -1,7 +1,6 @@
 """A client of the page's websocket that sends whatever a test tells it, as no browser would."""
 
 import contextlib
-import socket
 import threading
 
 import msgspec
@@ -11,7 +10,6 @@ import zstandard
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import viewing
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
@@ -25,18 +23,12 @@ CAMERA = {'wxyz': [1.0, 0.0, 0.0, 0.0], 'position': [0.0, 0.0, 1.0], 'fov': 1.0,
 class PageClient:
     """A websocket to the page, in viser's wire format."""
 
-    def __init__(self, port, host=None, origin=None):
-        """Connect.
-
-        :param host: the Host header; None: the usual one
-        :param origin: the Origin header; None: there is none
-        :raises websockets.exceptions.InvalidStatus: if the page refuses
-        """
+    def __init__(self, port, origin=None):
+        """Connect, with an Origin header or without one."""
         self._inputs = {}  # properties by label
         self._texts = {}  # by id
         self._websocket = connect(
-            f'ws://{host or f"localhost:{port}"}', origin=origin, compression=None, max_size=None,
-            sock=socket.create_connection(('localhost', port)),
+            f'ws://localhost:{port}', origin=origin, compression=None, max_size=None,
             subprotocols=[f'viser-v{viser.__version__}'])
         threading.Thread(target=self._read, daemon=True).start()
 
@@ -120,10 +112,3 @@ def published(namespace):
     yield publishers
     for publisher in publishers:
         publisher.unregister()
-
-
-@contextlib.contextmanager
-def view_of_two(namespace, *arguments):
-    """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
-    with published(namespace), viewing(f'__ns:={namespace}', *arguments) as view, open_page(view):
-        yield view

@@ -7,9 +7,9 @@ import pytest
 import rospy
 from odometry_tests.processes import rosrun
 from odometry_tests.scripts import ROOT
-from odometry_tests.tutorial import detector, simulator
+from odometry_tests.tutorial import Truth, detector, simulator
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import MOVING, ROBOT_PIXELS, Motion, viewing, wait_for_robot
+from viewer import ROBOT_PIXELS, viewing, wait_for_robot
 
 SCAN_PIXELS = 100
 # What draws without a graphics card leaves little for the robot.
@@ -38,7 +38,7 @@ def robot(master):
     """Start a robot that nothing but a command stops, with a detector."""
     rospy.set_param('/use_sim_time', True)
     with simulator('_cmd_vel_timeout:=0'), detector():
-        yield Motion()
+        yield Truth()
 
 
 @pytest.fixture(scope='module')
@@ -107,17 +107,14 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
 
 
 def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
-    """test_page_clients closes a page and the viewer in mid-drive."""
+    """Nothing but a command stops this robot; test_page_clients closes a page and the viewer in mid-drive."""
     for sign, begin, end in [(1, lambda: page.hold('forward'), page.release),
                              (-1, lambda: page.press_key('ARROW_DOWN'), lambda: page.release_key('ARROW_DOWN'))]:
         page.wait_for_reading('speed', lambda speed: speed == 0)
-        robot.commands.clear()
-        robot.clear()
         begin()
-        robot.wait_for(lambda m, sign=sign: sign * m.twist.twist.linear.x > MOVING, what='a robot that moves')
-        robot.commands.wait_for_publisher()
+        assert sign * robot.wait_until_moving().twist.twist.linear.x > 0
         end()
-        robot.wait_until_stopped()
+        robot.wait_until_resting()
 
 
 @pytest.mark.nightly
@@ -127,13 +124,13 @@ def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
                 '_odometry_source:=encoder', '_wheel_slip:=0.4', '_cmd_vel_timeout:=0',
                 f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf'), \
             viewing('__ns:=slippery') as view, open_page(view.url) as page:
-        motion = Motion('/slippery/')
+        truth = Truth('/slippery/')
         page.dismiss_notices()
         wait_until(lambda: count_pixels(page, 0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
         assert count_pixels(page, 2, 0) < ROBOT_PIXELS / 10
         page.hold('forward')
         page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
         page.release()
-        motion.wait_until_resting()
+        truth.wait_until_resting()
         wait_until(lambda: count_pixels(page, 2, 0) > ROBOT_PIXELS, TIMEOUT,
                    'a blue robot beside the dark one')

@@ -17,7 +17,7 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
 from std_msgs.msg import String
 from viewer import viewing
 
-page_client = pytest.importorskip('page_client', reason='viser is not installed')
+pytest.importorskip('page_client', reason='viser is not installed')
 from page_client import ROBOTS, PageClient, open_page, published
 
 LOG_PERIOD = 10.0  # s
@@ -26,8 +26,8 @@ NAN, INFINITY = math.nan, math.inf
 
 @pytest.fixture(scope='module')
 def view(master):
-    """Start a viewer of two robots that has two more names."""
-    with page_client.view_of_two('/strange', '_allowed_hosts:=robots.example, lab:9000') as running:
+    """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
+    with published('/strange'), viewing('__ns:=/strange') as running, open_page(running):
         yield running
     assert 'Traceback' not in running.output
 

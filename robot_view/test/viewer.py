@@ -1,17 +1,13 @@
-"""A viewer, and a robot that its page shows and drives."""
+"""A viewer, and the robot in its page."""
 
 import contextlib
 import sys
 
 import numpy
 import pytest
-from geometry_msgs.msg import Twist
 from odometry_tests.processes import Process, hold_port, path_of
-from odometry_tests.tutorial import Truth
-from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+from odometry_tests.waiting import TIMEOUT, wait_until
 
-MOVING = 0.05  # m/s
-SILENCE = 1.0  # s of the robot's time; a robot that is driven gets many commands in it
 ROBOT_PIXELS = 100  # at least so many are the robot's
 PICTURE_PERIOD = 0.2  # s
 DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
@@ -41,26 +37,6 @@ def viewing(*arguments, patient=False):
         view.port, view.url = port, f'http://localhost:{port}'
         view.wait_for_output(f'view: {view.url}')
         yield view
-
-
-class Motion(Truth):
-    """The motion of a robot, and in `commands` what it is told."""
-
-    def __init__(self, namespace=''):
-        super().__init__(namespace)
-        self.commands = Recorder(f'{namespace}cmd_vel', Twist)
-        self.wait_for()
-
-    def wait_until_stopped(self):
-        """Return once the last command is zero, no other has followed, and the robot rests."""
-        def is_told_no_more():
-            count = len(self.commands.messages)
-            self.wait_seconds(SILENCE)
-            told = self.commands.messages
-            return len(told) == count and told[-1:] == [Twist()]
-        wait_until(is_told_no_more, TIMEOUT, lambda: f'a last command that is zero; it was\n'
-                   f'{self.commands.last}')
-        self.wait_until_resting()
 
 
 def wait_for_robot(window, accepts=lambda rows, columns: True):

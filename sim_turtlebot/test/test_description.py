@@ -1,6 +1,5 @@
 """What tf and PyBullet make of the robot's URDF."""
 
-
 import numpy
 import pytest
 from odometry_common.geometry import rotate

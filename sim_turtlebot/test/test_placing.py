@@ -2,10 +2,10 @@
 
 import pytest
 import rospy
-from geometry_msgs.msg import PoseWithCovarianceStamped
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
-from odometry_tests.robots import ON_ITS_SIDE, Placer, place, pose
+from odometry_tests.robots import ON_ITS_SIDE, place, pose
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import String
@@ -49,15 +49,18 @@ def test_a_robot_on_its_side_is_warned_of_until_it_stands(ns):
     with simulator('_robots:=2', '_odometry_source:=encoder', '_real_time_factor:=0') as node:
         warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
         warnings.wait_for(lambda m: m.data == '', what='no warning')
-        first, second = Placer(ns, 'robot_1/'), Placer(ns, 'robot_2/')
-        second.put(-0.001, 3.0, 0.3, orientation=ON_ITS_SIDE)
+        first, second = (rospy.Publisher(f'{ns}sim_turtlebot/{robot}/set_pose', PoseStamped, queue_size=10)
+                         for robot in ('robot_1', 'robot_2'))
+        for publisher in first, second:
+            wait_for_subscribers(publisher)
+        second.publish(pose(-0.001, 3.0, 0.3, orientation=ON_ITS_SIDE))
         alone = warnings.wait_for(lambda m: m.data, what='a warning').data
         assert alone == 'robot_2 lies on its side at x 0, y 3; ~reset_simulation brings it back'
         Truth(f'{ns}robot_2/').wait_seconds(1.0)
-        first.put(0.0, -2.0, 0.3, orientation=ON_ITS_SIDE)
+        first.publish(pose(0.0, -2.0, 0.3, orientation=ON_ITS_SIDE))
         both = warnings.wait_for(lambda m: 'robot_1' in m.data, what='a second one').data
         assert both == f'{alone}; {alone.replace("robot_2", "robot_1").replace("y 3", "y -2")}'
-        second.put(2.0, 3.0)
+        second.publish(pose(2.0, 3.0))
         warnings.wait_for(lambda m: 'robot_1' in m.data and 'robot_2' not in m.data,
                           what='robot_1 alone')
         call('pause_physics', ns)

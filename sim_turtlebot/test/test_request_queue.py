@@ -5,7 +5,6 @@ import threading
 from functools import partial
 
 import pytest
-from odometry_tests.waiting import TIMEOUT
 from sim_turtlebot.request_queue import RequestQueue
 
 from sim_turtlebot import request_queue
@@ -24,11 +23,6 @@ def run(target, *arguments):
     thread = threading.Thread(target=target, args=arguments, daemon=True)
     thread.start()
     return thread
-
-
-def end(thread):
-    thread.join(PATIENCE)
-    assert not thread.is_alive()
 
 
 def test_no_wait_outlasts_its_time(requests):
@@ -85,17 +79,6 @@ def test_requests_are_served_by_their_senders_names_and_then_as_they_came(reques
     names = ['/b', '/a', '/c']
     random.shuffle(names)
     for thread in [run(bring_all, name) for name in names]:
-        end(thread)
+        thread.join(PATIENCE)
     requests.serve_all()
     assert served == [(name, number) for name in sorted(names) for number in range(COUNT)]
-
-
-def test_who_waits_goes_on_once_it_is_served(requests):
-    served = []
-    thread = run(requests.put_and_wait, lambda: served.append(True))
-    assert requests.wait(TIMEOUT)
-    assert thread.is_alive() and not served
-    requests.serve_all()
-    end(thread)
-    assert served
-    assert not requests.wait(0.0)

@@ -8,7 +8,6 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_tests.partners import NodeLog
 from odometry_tests.robots import Robot, place
 from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import simulator
@@ -61,7 +60,7 @@ class SimulatorMessagesTest(unittest.TestCase):
 
     def test_a_command_that_is_not_finite_is_refused_and_stops_the_robot(self):
         """With a warning."""
-        log = NodeLog()
+        log = Recorder('/rosout', Log)
         log.wait_for_publisher()
         self.corner.restart()
         self.corner.drive(0.3, 0.5)

@@ -33,5 +33,3 @@ def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
                        lambda: f'movement; {robot.output} {counter.output} {driver.output}')
         for process in (driver, counter, robot):
             assert process.end() == 0, process.output
-
-

@@ -7,9 +7,10 @@ import pytest
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import STRANGE, odometry
-from odometry_tests.partners import NodeLog, Partner
+from odometry_tests.partners import Partner
 from odometry_tests.tutorial import detector, mover
-from odometry_tests.waiting import wait_until
+from odometry_tests.waiting import Recorder, wait_until
+from rosgraph_msgs.msg import Log
 from std_msgs.msg import Float64
 
 START = mover
@@ -28,7 +29,7 @@ class Talk(Partner):
     def __init__(self, ns, clock):
         """Talk to the mover of a namespace, by a SteppedClock."""
         super().__init__(f'{ns}moved_distance', Float64, f'{ns}cmd_vel', Twist)
-        self.clock, self._ns, self._log = clock, ns, NodeLog()
+        self.clock, self._ns, self._log = clock, ns, Recorder('/rosout', Log)
 
     def begin(self, start=0.0, goal=FAR):
         """Return with a mover that drives and has read the clock; no command is on its way."""
@@ -37,7 +38,8 @@ class Talk(Partner):
             self.say(Float64(goal))
             self.answers.wait_for(lambda m: m.linear.x == 0, what='a stop')
             # It logs by its own time that it starts.
-            return self._log.has_heard(f'{self._ns}test_movement', self.clock.now)
+            return any(m.name == f'{self._ns}test_movement' and m.header.stamp >= self.clock.now
+                       for m in self._log.messages)
 
         wait_until(begun, 10.0, 'a mover that knows the time')
         self.tell(start)

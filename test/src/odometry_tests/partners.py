@@ -1,7 +1,7 @@
 """The partner of a node that runs alone, and its clock."""
 
 import rospy
-from rosgraph_msgs.msg import Clock, Log
+from rosgraph_msgs.msg import Clock
 
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 
@@ -16,10 +16,6 @@ class Partner:
         self._publisher = rospy.Publisher(topic, kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
         self.answers = Recorder(answer_topic, answer_kind)
 
-    def wait_for_listener(self):
-        """Return once the node has subscribed: no message is lost from then on."""
-        wait_for_subscribers(self._publisher)
-
     def say(self, *messages):
         for message in messages:
             self._publisher.publish(message)
@@ -29,7 +25,7 @@ class Partner:
 
         The first messages to a node that has just started, or the answers to them, may be lost.
         """
-        self.wait_for_listener()
+        wait_for_subscribers(self._publisher)
         self.answers.clear()
 
         def accepted():
@@ -44,18 +40,6 @@ class Partner:
         self.answers.clear()
         self.say(*messages)
         return self.answers.wait_for_count(len(messages))
-
-
-class NodeLog(Recorder):
-    """The log of all nodes."""
-
-    def __init__(self):
-        """Subscribe; the latest line of each node arrives too."""
-        super().__init__('/rosout', Log)
-
-    def has_heard(self, node, stamp):
-        """Return whether a node has logged at this time (rospy.Time) by its own clock, or later."""
-        return any(m.name == node and m.header.stamp >= stamp for m in self.messages)
 
 
 class SteppedClock:

@@ -46,16 +46,12 @@ def pytest_xdist_auto_num_workers(config):
 
 
 def pytest_xdist_make_scheduler(config, log):
-    """Keep the tests of a file in one worker, and all that draw in a browser in another."""
-    return FilesAndBrowser(config, log)
+    """Keep the tests of a file in one worker."""
+    return Files(config, log)
 
 
-class FilesAndBrowser(LoadFileScheduling):
-    """Files to workers; a browser without a graphics card keeps a processor busy."""
-
-    def _split_scope(self, nodeid):
-        file = super()._split_scope(nodeid)
-        return 'browser' if 'test_browser' in file else file
+class Files(LoadFileScheduling):
+    """Files to workers, of which one may crash."""
 
     def remove_node(self, node):
         """Give what a crashed worker has left to others, but not the test in which it crashed."""
