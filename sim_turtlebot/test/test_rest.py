@@ -145,6 +145,16 @@ def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting
     assert time.monotonic() - begin < PATIENCE
 
 
+def test_a_process_that_ends_is_forgotten(resting, start):
+    """Also while it is waited for."""
+    ending, staying = start(BUSY), start(READER)
+    threading.Timer(0.3, ending.kill).start()
+    resting.wait()
+    ending.wait()
+    resting.wait()
+    assert list(resting.processes) == [staying.pid]
+
+
 def test_what_is_no_process_is_refused(resting):
     """With the error of the system."""
     with pytest.raises(FileNotFoundError):
