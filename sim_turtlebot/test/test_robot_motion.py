@@ -6,8 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from odometry_common.geometry import yaw_of
+from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 
+ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
+WALL, RADIUS = 2.0, 0.18  # m: the face of its wall, and the robot
 STOPPING = 1.0  # s, more than enough to stand
 STEP_RATE = 240  # Hz
 TEN_MINUTES = 600.0  # s
@@ -36,6 +39,14 @@ def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
     assert x == pytest.approx(speed * 20, rel=0.003)
     assert abs(y) <= 0.001
     assert abs(math.degrees(yaw_of(orientation))) <= 0.05
+
+
+def test_before_a_wall_its_wheels_slip_and_the_encoders_count_on():
+    simulation = Simulation((1.0, 0.0, 0.0), world=ROOM, odometry_source='encoder')
+    simulation.drive(0.2, 0.0, 7.5)
+    robot = simulation.robot
+    assert robot.ground_truth.position[0] == pytest.approx(WALL - RADIUS, abs=0.05)
+    assert robot.odometry.position[0] == pytest.approx(1.5, abs=0.02)
 
 
 @pytest.mark.parametrize('phase', range(12))
