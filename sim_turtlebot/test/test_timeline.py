@@ -12,6 +12,7 @@ DAY = 86400  # s
 
 odom_rates = st.one_of(
     st.floats(0.1, 1000), st.sampled_from([0.1, 1.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0]))
+clock_rates = st.one_of(st.just(0.0), st.floats(0.1, 1000))
 
 
 @pytest.mark.parametrize('odom_rate, step_rate, steps_per_odometry, ticks_per_odometry', [
@@ -25,18 +26,23 @@ def test_the_physics_runs_at_240_hz_or_little_more(
     assert timeline.ticks_per_odometry == ticks_per_odometry
 
 
+@given(odom_rates, clock_rates)
+def test_the_rate_of_the_clock_changes_nothing_else(odom_rate, clock_rate):
+    coarse, fine = Timeline(odom_rate), Timeline(odom_rate, clock_rate)
+    assert fine.step_rate == coarse.step_rate
+    assert times(fine, 3, 'odometry_is_due') == times(coarse, 3, 'odometry_is_due')
+
+
 @pytest.mark.parametrize('stride', [1, 5, math.inf])
 @pytest.mark.parametrize('odom_rate, clock_rate, expected', [
     (20.0, 200.0, 200), (20.0, 1000.0, 1000), (20.0, 20.0, 20), (20.0, 50.0, 60), (30.0, 100.0, 120),
     (1.0, 5.0, 5), (50.0, 200.0, 200), (1000.0, 1000.0, 1000)])
 def test_the_clock_ticks_as_often_as_asked_or_just_more(odom_rate, clock_rate, expected, stride):
-    """Evenly, however far the simulation goes at once; for the first time at zero."""
+    """Evenly, however far the simulation goes at once."""
     timeline = Timeline(odom_rate, clock_rate)
-    assert timeline.clock_is_due
     ticks = times(timeline, odom_rate, 'clock_is_due', stride)
     assert len(ticks) == expected
     assert ticks == [round(number * 1e9 / expected) for number in range(1, expected + 1)]
-    assert timeline.step_rate == Timeline(odom_rate).step_rate
 
 
 def times(timeline, odometries, due, stride=1):
@@ -59,3 +65,25 @@ def test_odometry_is_on_time_to_the_nanosecond_for_a_day(odom_rate, seconds):
     now = timeline.time_of(number * timeline.steps_per_odometry)
     assert isinstance(now, int)
     assert abs(now - number * 10**9 / Fraction(odom_rate)) <= 1
+
+
+@pytest.mark.parametrize('odom_rate', [20.0, 50.0, 3.0, 1.0, 1000.0])
+def test_time_goes_from_tick_to_tick_or_to_the_last_step_before(odom_rate):
+    timeline, stepped = Timeline(odom_rate), Timeline(odom_rate)
+    for _ in range(20):
+        timeline.advance()
+        stepped.advance(stepped.steps + 1)
+        while not stepped.clock_is_due:
+            assert stepped.now < timeline.now
+            stepped.advance(stepped.steps + 1)
+        assert stepped.now == timeline.now
+
+
+def test_time_starts_at_zero_and_can_start_again():
+    timeline = Timeline(20.0)
+    assert (timeline.now, timeline.odometry_count) == (0, 0)
+    timeline.advance(12)
+    assert (timeline.now, timeline.odometry_count) == (5 * 10**7, 1)
+    timeline.restart()
+    assert (timeline.now, timeline.odometry_count) == (0, 0)
+    assert timeline.clock_is_due
