@@ -52,6 +52,16 @@ def test_world_odometry_is_a_full_pose_and_over_a_long_time_the_twist_of_the_mom
     assert (*now.linear, *now.angular) == pytest.approx((*TILTED.linear, *TILTED.angular))
 
 
+def test_the_twist_of_world_odometry_is_the_mean_since_the_last_message():
+    """In the frame of the base, whatever the velocity is at the moment of the message."""
+    robot = Robot()
+    robot.start(motion(1.0, 2.0, math.pi / 2))
+    now = robot.move(motion(1.0, 2.02, math.pi / 2)._replace(linear=(0.1, 0.0, 0.0)),
+                     duration=0.1)
+    assert now.linear == pytest.approx((0.2, 0.0, 0.0), abs=1e-12)
+    assert now.angular == pytest.approx(STILL, abs=1e-12)
+
+
 @given(speeds, turn_speeds)
 @example(0.0, 0.6 * math.pi)  # a spin, which leaves x and y at zero
 @example(-0.0005763755745385824, 2.7192147642655984)  # all but a spin: ticks are all its error
