@@ -23,6 +23,20 @@ def test_a_twist_that_it_cannot_do_is_clamped(command, expected):
     assert speeds(simulation) == pytest.approx(expected, rel=0.01, abs=0.01)
 
 
+@pytest.mark.parametrize('command', [
+    (math.nan, 0.0), (0.0, math.nan), (math.inf, 0.0), (0.1, -math.inf)])
+def test_a_command_that_is_not_finite_is_refused_and_stops_it(command):
+    """Better to stand than to guess."""
+    simulation = Simulation()
+    simulation.drive(0.3, 0.5, 1.0)
+    with pytest.raises(ValueError, match='is not finite'):
+        simulation.command(*command)
+    simulation.run(1.0)
+    assert simulation.robot.resting
+    simulation.drive(0.3, 0.0, 1.0)
+    assert speeds(simulation) == pytest.approx((0.3, 0.0), abs=0.01)
+
+
 @pytest.mark.parametrize('velocity', [(0.3, 0.0), (0.0, 1.0)])
 def test_it_stops_when_commands_cease(velocity):
     """0.6 s after the last one, as a Kobuki does, and not before."""
