@@ -17,7 +17,6 @@ os.environ.pop('ROS_NAMESPACE', None)
 import logging
 import sys
 import threading
-from importlib import import_module
 
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.launch import DemoError, Launch
@@ -54,7 +53,8 @@ def _run(options):
                   flush=True)
         # roslaunch reads its files while this imports rospy, and matplotlib on a thread: that may take
         # long to read its fonts, and the robot does not wait for it.
-        threading.Thread(target=import_module, args=['run_plot.figure']).start()
+        from run_plot.figure import new_figure
+        threading.Thread(target=new_figure, args=[1, 1]).start()
         from odometry_launch.following import follow
         return not follow(options, launch, page_port)
 

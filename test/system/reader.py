@@ -10,7 +10,6 @@ from odometry_tests.links import RECEIVES, connected_topics
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
-from roslaunch.arg_dump import get_args
 
 TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
@@ -100,6 +99,7 @@ class Reader:
             return f'nobody listens to {words[3]}'
         if words[:2] == ['rosservice', 'call'] and words[2] not in services:
             return f'there is no service {words[2]}'
+        from roslaunch.arg_dump import get_args  # takes long to import
         files = [str(ROOT / 'launch' / word) for word in [*words, 'sim.launch']  # each includes that
                  if word.endswith('.launch') and (ROOT / 'launch' / word).exists()]
         unknown = {word.partition(':=')[0] for word in words if ':=' in word}.difference(

@@ -10,6 +10,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.connections import is_connected
+from run_plot.figure import make_figure
 from run_plot.recorded_run import BagError, read_run
 from std_msgs.msg import Float64
 
@@ -73,7 +74,6 @@ def leave_picture(bag, end=math.inf, **targets):
     :param end: of the run (s)
     :param targets: as for make_figure()
     """
-    from run_plot.figure import make_figure  # matplotlib takes long to import
     picture = bag.with_suffix('.png')
     try:
         make_figure(read_run(bag, end=end), **targets).savefig(str(picture))

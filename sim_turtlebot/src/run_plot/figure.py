@@ -6,9 +6,6 @@ import numpy
 
 # A Jupyter cell or an editor sets a backend for its own windows, which may not be installed here.
 os.environ['MPLBACKEND'] = 'agg'
-
-from matplotlib.figure import Figure
-
 TWO_METRES = 2.0  # where the tutorial's robot stops
 # Of path and distance (m), speed (m/s) and heading (degrees); less would make noise look like motion.
 SMALLEST_SPANS = 0.5, 0.1, 0.05, 2.0
@@ -18,6 +15,7 @@ RESOLUTION = 100  # dots per inch
 
 def new_figure(width, height):
     """Return an empty matplotlib Figure of this size (inches), for a file."""
+    from matplotlib.figure import Figure  # takes long to import
     return Figure((width, height), dpi=RESOLUTION, layout='constrained')
 
 
