@@ -65,7 +65,7 @@ add_extras() {
     local word
     for word in "$@"; do
         case "$1 $word" in
-            'test test' | *screenshots.py)
+            'test test')
                 PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
                 EXTRAS+=(tests sweep cluster view) ;;
             'bench bench' | 'sweep sweep') EXTRAS+=(sweep) ;;

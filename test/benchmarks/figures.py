@@ -97,21 +97,6 @@ def demo(options):
     return in_turns(options, run_demo, run_bare)
 
 
-@figure('end of a node', 's', '<=', 1.25)
-def end(options):
-    """Compare the detector with a node of bare rospy, from Ctrl-C on."""
-    def end_after(process, word):
-        """Wait for a word first: rospy may never end if Ctrl-C comes while it registers a topic."""
-        with process:
-            process.wait_for_output(word, TIMEOUT)
-            begin = time.perf_counter()
-            process.end()
-            return time.perf_counter() - begin
-
-    return in_turns(options, lambda: end_after(detector(), 'waiting for odometry'),
-                    lambda: end_after(relay('/question', '/answer'), 'ready'))
-
-
 def relay(question, answer):
     """Start a node of bare rospy that only passes odometry on."""
     return Process(sys.executable, FOLDER / 'relay.py', question, answer)

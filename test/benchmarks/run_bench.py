@@ -9,7 +9,6 @@ import csv
 import os
 import platform
 import sys
-from pathlib import Path
 from statistics import median
 
 import rospy
@@ -29,7 +28,7 @@ def main():
         # The clock of the simulators must not become the clock of what measures them.
         rospy.init_node('bench', disable_signals=True, disable_rostime=True)
         rows = [measure(FIGURES[name], options) for name in options.only or sorted(FIGURES)]
-    path = options.csv or new_folder('bench-') / 'figures.csv'
+    path = new_folder('bench-') / 'figures.csv'
     with open(path, 'w', newline='') as file:
         csv.writer(file).writerows([HEADING, *rows])
     missed = [name for name, *_, target in rows if target.endswith('MISSED')]
@@ -64,8 +63,6 @@ def parse(arguments):
                         help='of which the median is shown (default: %(default)s)')
     parser.add_argument('--window', type=float, default=1.0, metavar='S',
                         help='wall time of one look at a speed (default: %(default)s)')
-    parser.add_argument('--csv', type=Path, metavar='FILE',
-                        help='write the figures there instead of into the folder runs')
     options = parser.parse_args(arguments)
     unknown = {*options.only} - {*FIGURES}
     if unknown or options.runs < 1 or not options.window > 0:

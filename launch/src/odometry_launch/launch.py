@@ -3,7 +3,6 @@
 import contextlib
 import os
 import queue
-import resource
 import subprocess
 import threading
 import time
@@ -18,8 +17,6 @@ from odometry_launch.process_guard import start_guarded
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
 LOOK_PERIOD = 0.02  # s
-# With half of this some threads cannot start, and their nodes hang.
-MIN_ADDRESS_SPACE = 2 * 10**9  # bytes
 RESPAWNED = 'rosout'  # roslaunch starts it again
 # roslaunch waits only 10 s for a master that it starts itself, too short on a busy machine. This
 # master is a child of roslaunch, so that it ends after the nodes.
@@ -45,7 +42,6 @@ class Launch:
 
     def __enter__(self):
         """Start everything, and return at once; raise OSError if no port is free."""
-        check_address_space()
         usual = usual_master_port()
         self._port = next_port(usual)
         self.is_at_usual_port = self._port.number == usual
@@ -114,11 +110,3 @@ def _wait(condition, outcome):
         outcome.put(None)
     except Exception as error:  # noqa: BLE001
         outcome.put(error)
-
-
-def check_address_space():
-    """Raise DemoError if the nodes, which inherit the limit, may have too little."""
-    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
-    if limit != resource.RLIM_INFINITY and limit < MIN_ADDRESS_SPACE:
-        raise DemoError(f'the address space is limited to {limit // 1024} kB (ulimit -v), but must '
-                        f'be at least {MIN_ADDRESS_SPACE // 1024} kB')
