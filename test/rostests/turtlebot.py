@@ -48,7 +48,7 @@ class TurtlebotTest(unittest.TestCase):
         self.number += 1
         return self.robot.odometry.wait_for(lambda m: m.header.seq == self.number)
 
-    def test_fixed_frames_are_there_for_whoever_comes_late(self):
+    def test_a_late_subscriber_gets_the_fixed_frames(self):
         """In one message for all robots, each frame with one parent, and none of them on /tf."""
         fixed = Recorder('/tf_static', TFMessage).wait_for().transforms
         tree = {frame.child_frame_id: frame.header.frame_id for frame in fixed}
