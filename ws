@@ -77,7 +77,7 @@ main() {
     export ODOMETRY_ROOT=$ROOT
     cd "$CALLED_FROM"
     case $1 in
-        demo) shift; exec_guarded "$ROOT/launch/scripts/demo.py" "$@" ;;
+        demo) shift; exec_guarded "$ROOT/launch/script/demo.py" "$@" ;;
         bench) shift; exec_guarded "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
         sweep) shift; exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
     esac

@@ -10,7 +10,7 @@ from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import mover, rotator
 from odometry_tests.waiting import wait_until
 
-SCRIPTS = sorted(str(path.relative_to(ROOT)) for folder in ('src', 'script', 'scripts')
+SCRIPTS = sorted(str(path.relative_to(ROOT)) for folder in ('src', 'script')
                  for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test')
 
 
