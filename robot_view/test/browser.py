@@ -18,7 +18,13 @@ CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 SWITCHES = ['--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle',
             '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing',
             # A window that no other one covers is still hidden to Chromium.
-            '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding']
+            '--disable-backgrounding-occluded-windows', '--disable-renderer-backgrounding',
+            # Few pixels: what draws without a graphics card leaves little for the robot.
+            '--window-size=1200,640', '--force-device-scale-factor=0.5']
+# Two pictures a second. All that wants to draw does so at the same moments, or each would get its own.
+DRAW_SELDOM = ('window.requestAnimationFrame = (draw) => setTimeout('
+               '() => draw(performance.now()), 500 - performance.now() % 500);'
+               'window.cancelAnimationFrame = clearTimeout;')
 ANSWER_TIMEOUT = 120.0 * PATIENCE  # s
 LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
@@ -30,17 +36,11 @@ class Page:
     One that drew two pages without a graphics card would make them wait for each other.
     """
 
-    def __init__(self, url, width=1200, height=640, scale=1.0, frame_rate=None):
-        """Open it and return once it has the panel.
-
-        :param width, height: of the window (pixels of the page)
-        :param scale: pixels of the screen per pixel of the page; the fewer, the less work
-        :param frame_rate: at most so many pictures per second (Hz), for a machine that has other
-            things to do; None: as many as it can draw
-        """
+    def __init__(self, url):
+        """Open it and return once it has the panel."""
         options = webdriver.ChromeOptions()
         options.binary_location = CHROMIUM
-        for switch in [*SWITCHES, f'--window-size={width},{height}', f'--force-device-scale-factor={scale}']:
+        for switch in SWITCHES:
             options.add_argument(switch)
         self.driver = webdriver.Chrome(options=options, service=Service(DRIVER))
         with contextlib.ExitStack() as stack:
@@ -49,9 +49,7 @@ class Page:
             self.driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
             self.driver.set_page_load_timeout(ANSWER_TIMEOUT)
             self.driver.set_script_timeout(ANSWER_TIMEOUT)
-            if frame_rate:
-                self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
-                                            {'source': _draw_at(frame_rate)})
+            self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DRAW_SELDOM})
             self.driver.get(url)
             self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
                              'a page with readings')
@@ -114,15 +112,13 @@ class Page:
             'return document.querySelector("[class*=Notification-root]")'),
             'a page without notices')
 
-    def photograph(self):
-        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
-
     def scene(self):
         """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
         box = self.run('const box = document.querySelector("canvas").getBoundingClientRect();'
                        'return [box.left, box.top, box.right, box.bottom]'
                        '.map((edge) => edge * devicePixelRatio)')
-        return numpy.asarray(self.photograph().crop([round(edge) for edge in box]), dtype=int)
+        picture = Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
+        return numpy.asarray(picture.crop([round(edge) for edge in box]), dtype=int)
 
     def _button(self, label):
         # At once in the page: it may replace its buttons at any time.
@@ -133,12 +129,3 @@ class Page:
     @staticmethod
     def _wait_until(condition, what, timeout=PAGE_TIMEOUT):
         return wait_until(condition, timeout, what, LOOKING_PERIOD)
-
-
-def _draw_at(frame_rate):
-    """Return JavaScript by which a page draws only so many pictures per second (Hz)."""
-    # All that wants to draw does so at the same moments, or each would get its own picture.
-    script = ('window.requestAnimationFrame = (draw) => setTimeout('
-              '() => draw(performance.now()), PERIOD - performance.now() % PERIOD);'
-              'window.cancelAnimationFrame = clearTimeout;')
-    return script.replace('PERIOD', str(1000 / frame_rate))

@@ -19,7 +19,7 @@ pytestmark = [pytest.mark.nightly, pytest.mark.usefixtures('simulated_time')]
 def screen():
     if not shutil.which('Xvfb'):
         pytest.skip('Xvfb is not installed')
-    with virtual_screen(800, 600):
+    with virtual_screen():
         yield
 
 

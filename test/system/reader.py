@@ -66,9 +66,9 @@ class Reader:
                    lambda: f'{text}\nhas not shown {self._missing(words, shown, terminal, before)}; '
                            f'it printed:\n{terminal.output}', LOOKING_PERIOD)
         if terminal.status is not None:
-            misses = text.startswith('./ws bench') and ' MISSED' in terminal.output
+            expected = int(text.startswith('./ws bench') and ' MISSED' in terminal.output)
             line = first_missing(shown, terminal.lines)
-            assert terminal.status == misses and line is None, \
+            assert terminal.status == expected and line is None, \
                 f'{text}\nended with {terminal.status}, without {line!r}; it printed:\n{terminal.output}'
             self._running.remove((words, terminal))
             self._idle.append(terminal)

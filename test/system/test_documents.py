@@ -128,7 +128,7 @@ def readers(request, tmp_path_factory):
             if hasattr(item, 'callspec') and 'key' in item.callspec.params]
     with ExitStack() as stack:
         if shutil.which('Xvfb'):
-            stack.enter_context(virtual_screen(800, 600))
+            stack.enter_context(virtual_screen())
         pool = stack.enter_context(ThreadPoolExecutor(READERS))
         yield {key: pool.submit(read, key, tmp_path_factory.mktemp('home')) for key in keys}
 

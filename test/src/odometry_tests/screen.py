@@ -11,20 +11,15 @@ from odometry_tests.waiting import wait_until
 
 
 @contextlib.contextmanager
-def virtual_screen(width, height):
+def virtual_screen():
     """Start an X server, on which all later processes draw."""
-    with Process('Xvfb', '-displayfd', '1', '-screen', '0', f'{width}x{height}x24', '+extension', 'GLX',
+    with Process('Xvfb', '-displayfd', '1', '-screen', '0', '800x600x24', '+extension', 'GLX',
                  '-noreset') as server:
         wait_until(lambda: server.stdout, 10.0, lambda: server.output)
         with mock.patch.dict(os.environ, DISPLAY=f':{server.stdout}', LIBGL_ALWAYS_SOFTWARE='1'):
             yield
 
 
-def photograph():
-    """Return the screen as an image."""
-    return ImageGrab.grab(xdisplay=os.environ['DISPLAY'])
-
-
 def colours():
     """Return the number of colours on the screen."""
-    return len(photograph().getcolors(2**24))
+    return len(ImageGrab.grab(xdisplay=os.environ['DISPLAY']).getcolors(2**24))
