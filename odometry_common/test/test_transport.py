@@ -63,6 +63,29 @@ def test_one_that_does_not_read_loses_messages_but_neither_their_order_nor_the_l
     assert warnings == ['/reader does not keep up with /odom: it loses messages']
 
 
+def test_only_one_thread_sends_a_backlog(connection):
+    """Also if a new backlog begins just as the thread that sent the last one finds nothing more."""
+    link, far = connection
+    begun = threading.Event()
+
+    class Changed(threading.Condition):
+        """Lets the publisher go on as soon as the thread that drains has sent everything."""
+
+        def __exit__(self, *failure):
+            super().__exit__(*failure)
+            is_publisher = threading.current_thread() is threading.main_thread()
+            if not (is_publisher or link._backlog or begun.is_set()):
+                begun.set()
+                refill = threading.Thread(target=write, args=[link, range(COUNT, 2 * COUNT)])
+                refill.start()
+                refill.join(TIMEOUT * PATIENCE)
+
+    link._changed = Changed()
+    write(link, range(COUNT))
+    numbers = read(far, 2 * COUNT - 1)
+    assert numbers == sorted(set(numbers))
+
+
 def test_one_that_reads_again_loses_nothing_more(connection, warnings):
     link, far = connection
     write(link, range(COUNT))

@@ -1,6 +1,5 @@
 """Connections to subscribers that never block their publisher."""
 
-import contextlib
 import socket
 import threading
 import time
@@ -27,7 +26,8 @@ class NonBlockingTransport(TCPROSTransport):
         """Take what rospy passes to a TCPROSTransport."""
         super().__init__(*arguments, **options)
         self._changed = threading.Condition()
-        self._backlog = deque()  # a thread is sending the first
+        self._backlog = deque(maxlen=BACKLOG)
+        self._draining = False  # whether a thread sends the backlog; a second one would mix the bytes
         self._patience_left = self.patience
         self._warned = False
 
@@ -37,22 +37,19 @@ class NonBlockingTransport(TCPROSTransport):
         :raises TransportTerminated: if the subscriber has gone; rospy then forgets it
         """
         with self._changed:
-            if self._backlog:
+            if self._draining:
                 self._queue(data)
-            else:
-                rest = self._send(data)
-                if not rest:
-                    return True
-                self._backlog.append(rest)
-                threading.Thread(target=self._drain, daemon=True).start()
-            if self.patience:
+            elif rest := self._send(data):
+                self._draining = True
+                threading.Thread(target=self._drain, args=[rest], daemon=True).start()
+            if self._draining and self.patience:
                 self._wait()
         return True
 
     def wait_until_sent(self, timeout):
         """Wait (s of wall time) until nothing is queued."""
         with self._changed:
-            self._changed.wait_for(lambda: not self._backlog, timeout)
+            self._changed.wait_for(lambda: not self._draining, timeout)
 
     def _send(self, data):
         """Send what the socket takes at once; return the rest."""
@@ -74,30 +71,35 @@ class NonBlockingTransport(TCPROSTransport):
         self._patience_left = min(self.patience, self._patience_left + PATIENCE_PER_MESSAGE)
 
     def _queue(self, data):
-        if len(self._backlog) > BACKLOG:
-            del self._backlog[1]
-            if not self._warned:
-                self._warned = True
-                rospy.logwarn(f'{self.endpoint_id} does not keep up with {self.name}: '
-                              'it loses messages')
+        if len(self._backlog) == BACKLOG and not self._warned:
+            self._warned = True
+            rospy.logwarn(f'{self.endpoint_id} does not keep up with {self.name}: it loses messages')
         self._backlog.append(data)
 
-    def _drain(self):
-        with contextlib.suppress(OSError, AttributeError):  # the subscriber or this node is shutting down
-            while self._backlog:
-                self.socket.sendall(self._backlog[0])
-                with self._changed:
-                    self._count(len(self._backlog.popleft()))
-                    self._changed.notify_all()
-            return
-        self.close()
+    def _drain(self, data):
+        """Send the rest of a message, then the backlog."""
+        try:
+            while data:
+                self.socket.sendall(data)
+                data = self._next(len(data))
+        except (OSError, AttributeError):  # the subscriber or this node is shutting down
+            self.close()
+            with self._changed:
+                self._backlog.clear()
+                self._next(0)
+
+    def _next(self, size):
+        """Note that `size` bytes are sent; return the next message, or end the draining."""
         with self._changed:
-            self._backlog.clear()
+            self._count(size)
+            data = self._backlog.popleft() if self._backlog else None
+            self._draining = data is not None
             self._changed.notify_all()
+            return data
 
     def _wait(self):
         start = time.monotonic()
-        self._changed.wait_for(lambda: not self._backlog, self._patience_left)
+        self._changed.wait_for(lambda: not self._draining, self._patience_left)
         self._patience_left = max(0.0, self._patience_left - (time.monotonic() - start))
 
 
