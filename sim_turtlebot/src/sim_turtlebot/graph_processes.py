@@ -1,6 +1,8 @@
 """Which processes the nodes of a graph are."""
 
+import contextlib
 import socket
+from pathlib import Path
 from urllib.parse import urlparse
 
 import psutil
@@ -11,6 +13,8 @@ from rosgraph.network import is_local_address
 
 from sim_turtlebot.rest import LONGEST_POLL, PATIENCE
 
+PUBLISHERS = 0  # where the master's state has them
+MOST_GENERATIONS = 10  # of children, in one wait: others on this machine may start some all the time
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
 ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
@@ -32,8 +36,9 @@ class GraphProcesses:
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
-        self._state = None, None, None  # what the master said last: publishers, subscribers, services
-        self._usage = {}  # of the master's threads, when it was asked last
+        self._state = [], [], []  # what the master said last: publishers, subscribers, services
+        self._newest = _newest_pid()
+        self._usage = None  # of the master's threads, when it was asked last
         self._find({MASTER: self._master_uri})
 
     @property
@@ -44,15 +49,18 @@ class GraphProcesses:
     @property
     def publishers(self):
         """The names of those that publish more than their log."""
-        return _names(self._state[0])
+        return _names(self._state[PUBLISHERS])
 
-    def wait(self):
+    def wait(self, only_clock=False):
         """Return when all rest; OSError: no master.
 
         If the master was asked for something, wait for new nodes, and until it has told everybody of
         new publishers: it looks for such work by wall time.
+
+        :param only_clock: as for Rest.wait()
         """
-        self._rest.wait()
+        self._rest.wait(only_clock)
+        self._await_children()
         if self._was_asked():
             try:
                 while self._refresh():
@@ -61,19 +69,37 @@ class GraphProcesses:
                 self._rest.wait()
             self._was_asked()
 
+    def sends_to(self, names, name):
+        """Return whether one of these nodes publishes a topic to which the one called `name` subscribes."""
+        published, subscribed, _ = map(dict, self._state)
+        return any(name in subscribed.get(topic, ()) and not names.isdisjoint(publishers)
+                   for topic, publishers in published.items())
+
+    def _await_children(self):
+        """Take the processes that nodes have started to work for them, and wait until they rest, too."""
+        for _ in range(MOST_GENERATIONS):
+            before, self._newest = self._newest, _newest_pid()
+            if self._newest == before:
+                return
+            for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
+                with contextlib.suppress(psutil.NoSuchProcess):
+                    parent = self._rest.processes.get(psutil.Process(pid).ppid())
+                    if parent and parent.longest_poll:
+                        self._add(parent.name, pid, PATIENCE)
+            self._rest.wait()
+
     def _was_asked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
-        master = self._pids[MASTER]
-        before, self._usage = self._usage, {
-            thread: usage for thread, usage in self._rest.rested.items() if thread.pid == master}
-        return self._usage != before or master not in self._rest.processes
+        master = self._rest.processes.get(self._pids[MASTER])
+        before, self._usage = self._usage, self._rest.rested.get(master)
+        return self._usage != before or master is None
 
     def _refresh(self):
-        """Take the nodes that have come, and forget those that have gone; return whether any has.
+        """Take the nodes that have come, and forget those that have gone; return whether any publishes.
 
         One that was killed and started again has the same name and topics at another address.
         """
-        before = self._state, {**self._addresses}
+        before, addresses_before = self._state[PUBLISHERS], {**self._addresses}
         self._state = self._master.getSystemState(self._own_name)[ANSWER]
         for name in self._addresses.keys() - self.names:
             del self._addresses[name]
@@ -81,7 +107,7 @@ class GraphProcesses:
                      for name in self.names if self._pids.get(name) not in self._rest.processes}
         self._find({name: address for name, address in addresses.items()
                     if address and self._addresses.get(name) != address})
-        return (self._state, self._addresses) != before
+        return (self._state[PUBLISHERS], self._addresses) != (before, addresses_before)
 
     def add_starting(self):
         """Take the processes that roslaunch has started and that are no nodes yet."""
@@ -115,10 +141,17 @@ class GraphProcesses:
         try:
             computes = name in (MASTER, self._own_name)
             self._rest.add(name, pid, 0.0 if computes else LONGEST_POLL, patience)
+            for child in [] if computes else psutil.Process(pid).children():
+                self._add(name, child.pid, patience)
         except PermissionError:
             self._on_unseen(name)
-        except (FileNotFoundError, ProcessLookupError):  # it has ended
+        except (FileNotFoundError, ProcessLookupError, psutil.Error):  # it has ended
             pass
+
+
+def _newest_pid():
+    """Return the id of the process or thread that has begun last on this machine."""
+    return int(Path('/proc/loadavg').read_text(encoding='ascii').split()[-1])
 
 
 def _pids_at(addresses):
@@ -142,5 +175,5 @@ def _pid_at(address, listening):
 
 def _names(*states):
     """Return the names of the nodes in parts of the master's state, but for rosout and what all log."""
-    return {name for state in states for topic, nodes in state or () if topic != LOG
+    return {name for state in states for topic, nodes in state if topic != LOG
             for name in nodes} - {LOG}

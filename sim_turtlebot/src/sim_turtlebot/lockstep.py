@@ -4,6 +4,7 @@ import contextlib
 import http.client
 import time
 import xmlrpc.client
+from collections import Counter, deque
 from pathlib import Path
 
 import rospy
@@ -13,9 +14,12 @@ from sim_turtlebot.graph_processes import GraphProcesses
 from sim_turtlebot.rest import PATIENCE, Rest
 
 NAP_PERIOD = 2.0  # s of wall time between two looks for nodes that sleep by it
-# Hz; threads that watch something sleep by wall time to no harm, as rospy.spin() does at 2 Hz
-LEAST_SPINNING, MOST_WATCHING = 1.2, 2.8
-SLEEPS = 'sleeps by wall time, as by time.sleep(): use rospy.sleep()'
+MOST_WATCHING = 2.8  # Hz; a thread that watches something sleeps by wall time to no harm
+MOST_UNASKED = 2  # messages while all rest; one may come of the node's start
+# Between messages of a node that sleeps by wall time, wall times are alike, simulated times are not.
+LEAST_INTERVALS, WALL_SPREAD, SPREAD = 6, 0.05, 0.2
+TINY = 1e-9  # s
+SLEEPS = 'acts by wall time, as after time.sleep(): use rospy.sleep()'
 MOMENT = 0.5  # s of wall time in which nobody comes or goes before time begins
 DIFFER = 'two runs may differ'
 
@@ -30,19 +34,28 @@ class Lockstep:
         :raises ParameterError: if /proc does not show what others do
         """
         _check_proc()
-        self._rest = Rest(is_over, self._report_restless)
+        self._rest = Rest(is_over, self._report_restless, self._is_flooded)
         self._graph = GraphProcesses(self._rest, rospy.get_name(), self._report_unseen)
         self._changed = self._next_naps = 0.0
-        self._naps = {}  # of threads in long naps: when, and how often they had run and napped
+        self._naps = {}  # of threads in long naps: when, and how often they had napped
+        self._unasked = Counter()  # messages while all rested, by name
+        self._times = {}  # of the last messages (s): wall time and simulated time, by name
         self._known = set()
         self._reported = set()
+        self._master_answers = True
 
-    def wait(self):
-        """Return when every node rests, or has been waited for long enough."""
+    def wait(self, only_clock=False):
+        """Return when every node rests, or has been waited for long enough.
+
+        :param only_clock: as for Rest.wait()
+        """
         try:
-            self._graph.wait()
+            self._graph.wait(only_clock)
+            self._master_answers = True
         except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
-            rospy.logdebug(f'lockstep: the master does not answer: {error}')
+            if self._master_answers:
+                rospy.logwarn(f'lockstep does not wait for new nodes: the master does not answer ({error})')
+            self._master_answers = False
         if time.monotonic() > self._next_naps:
             self._next_naps = time.monotonic() + NAP_PERIOD
             self._look_for_naps(time.monotonic())
@@ -63,8 +76,22 @@ class Lockstep:
             self._known, self._changed = known, now
         return now - self._changed > MOMENT
 
+    def notice(self, names, now, unasked):
+        """Name the nodes that send messages by wall time.
+
+        :param names: of nodes that have sent something since the last call
+        :param now: simulated time (s)
+        :param unasked: whether all rested, and nothing has been published since
+        """
+        for name in names & {process.name for process in self._rest.processes.values()} - self._reported:
+            self._unasked[name] += unasked
+            times = self._times.setdefault(name, deque(maxlen=LEAST_INTERVALS + 1))
+            times.append((time.monotonic(), now))
+            if self._unasked[name] >= MOST_UNASKED or _follow_wall_time(times):
+                self._report(name, SLEEPS)
+
     def _look_for_naps(self, now):
-        """Name the nodes that publish and, since the last call, slept by wall time."""
+        """Name the nodes that publish and, since the last call, slept by wall time again and again."""
         before, self._naps = self._naps, {}
         for process in self._rest.processes.values():
             # roscpp sleeps by wall time wherever it waits.
@@ -72,19 +99,22 @@ class Lockstep:
                 continue
             for thread in process.threads.values():
                 with contextlib.suppress(OSError):  # it has ended
-                    runs = thread.usage[2]
                     if (thread.sleeps_by_wall_time
-                            and thread.naps_longer_than(process.longest_poll, runs, now)):
-                        self._naps[thread] = now, runs, thread.naps_seen
+                            and thread.naps_longer_than(process.longest_poll, thread.runs, now)):
+                        self._naps[thread] = now, thread.naps_seen
                 if thread in before and thread in self._naps:
-                    earlier, runs_then, naps_then = before[thread]
-                    naps, runs = thread.naps_seen - naps_then, runs - runs_then
-                    is_main = thread.tid == process.pid
-                    if (naps > MOST_WATCHING * (now - earlier)
-                            or is_main and runs < LEAST_SPINNING * (now - earlier)):
+                    earlier, naps_then = before[thread]
+                    if thread.naps_seen - naps_then > MOST_WATCHING * (now - earlier):
                         self._report(process.name, SLEEPS)
 
+    def _is_flooded(self, process):
+        return self._graph.sends_to(self._reported, process.name)
+
     def _report_restless(self, process):
+        if process.is_stopped():
+            self._report(process.name, 'has been stopped, by a signal or a debugger '
+                         f'(process {process.pid}): let it continue, or end it')
+            return
         thread = process.awake_thread()
         self._report(process.name, f'has not rested for {PATIENCE:g} s (process {process.pid}, thread '
                      f'{thread.name if thread else "unknown"}): give its loop a rospy.sleep()')
@@ -97,6 +127,20 @@ class Lockstep:
         if name not in self._reported:
             self._reported.add(name)
             rospy.logwarn(f'lockstep does not wait for {name}, so that {DIFFER}: it {reason}')
+
+
+def _follow_wall_time(times):
+    """Return whether pairs of wall and simulated time (s) are equally far apart by wall time only."""
+    if len(times) <= LEAST_INTERVALS:
+        return False
+    wall, simulated = (_spread([after - before for before, after in zip(column, column[1:])])
+                       for column in zip(*times))
+    return wall < WALL_SPREAD and simulated > SPREAD
+
+
+def _spread(intervals):
+    """Return how much the longest is longer than the shortest, as a share of the mean."""
+    return (max(intervals) - min(intervals)) * len(intervals) / max(sum(intervals), TINY)
 
 
 def _check_proc():

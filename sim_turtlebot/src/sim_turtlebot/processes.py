@@ -7,7 +7,7 @@ import time
 
 # Functions of the kernel in which time.sleep() sleeps; Python to 3.10 selects, as servers do, too
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
-SLEEPING, STOPPED = b'S', (b't', b'T', b'Z', b'X')  # states in /proc/PID/task/TID/stat
+SLEEPING, STOPPED, ENDED = b'S', b'tT', b'ZX'  # states in /proc/PID/task/TID/stat
 NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
 LONGEST_LINE = 128  # bytes, of wchan and of schedstat
 SLEEPS = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
@@ -26,6 +26,7 @@ class Thread:
         self.pid, self.tid = pid, tid
         self._path, self._wait = f'/proc/{pid}/task/{tid}', None
         self._schedstat, self._wchan = self._open('schedstat'), self._open('wchan')
+        self.ignored = False  # whether it need not rest
         self.polls = False  # whether it looks for work all the time, as timers of roscpp do
         self.is_asleep = False  # when it was looked at last
         self.settled = None  # its usage when it had fallen asleep
@@ -49,11 +50,16 @@ class Thread:
         return self.is_asleep
 
     def _is_asleep_in(self, wait):
-        state = self._read('stat').rpartition(b')')[2][1:2]
+        state = self.state
         if state == SLEEPING and wait != NOT_TOLD:
             _waits.add(wait)
         # One that has begun to sleep since the first question will be asked once more.
-        return state in STOPPED or state == SLEEPING and (wait != NOT_TOLD or not _waits)
+        return state in ENDED or state == SLEEPING and (wait != NOT_TOLD or not _waits)
+
+    @property
+    def state(self):
+        """Its state, as in /proc/PID/task/TID/stat."""
+        return self._read('stat').rpartition(b')')[2][1:2]
 
     def settle(self):
         """Return whether it sleeps, or has not run since it was last seen asleep."""
@@ -72,6 +78,11 @@ class Thread:
         return os.pread(self._schedstat, LONGEST_LINE, 0) == self.settled
 
     @property
+    def is_free(self):
+        """Whether nobody waits until it rests."""
+        return self.polls or self.ignored
+
+    @property
     def naps(self):
         """Whether it slept by wall time, or selected, when it was looked at last."""
         return self._wait in (SLEEP, SELECT)
@@ -85,6 +96,11 @@ class Thread:
     def usage(self):
         """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
         return tuple(map(int, os.pread(self._schedstat, LONGEST_LINE, 0).split()))
+
+    @property
+    def runs(self):
+        """How often it has run."""
+        return self.usage[2]
 
     @property
     def sleeps(self):
@@ -153,7 +169,7 @@ class Process:
         cpu_time = self.cpu_time()
         if cpu_time != self._settled_at:
             self._settled_at = cpu_time if all(
-                thread.polls or thread.settle() for thread in self.threads.values()) else None
+                thread.is_free or thread.settle() for thread in self.threads.values()) else None
         return self._settled_at is not None
 
     def is_asleep(self):
@@ -162,7 +178,7 @@ class Process:
 
     def is_settled(self):
         """Return whether no thread has run since settle(); those that poll may have."""
-        if not all(thread.polls or thread.is_settled() for thread in self.threads.values()):
+        if not all(thread.is_free or thread.is_settled() for thread in self.threads.values()):
             self._settled_at = None
         return self._settled_at is not None
 
@@ -172,7 +188,12 @@ class Process:
         if links - 2 != len(self.threads) + bool(self._looker):
             self.list_threads()
         return next((thread for thread in self.threads.values()
-                     if not thread.look() and not thread.polls), None)
+                     if not thread.look() and not thread.is_free), None)
+
+    def is_stopped(self):
+        """Return whether a signal or a debugger has stopped it."""
+        thread = self.awake_thread()
+        return thread is not None and thread.state in STOPPED
 
     def list_threads(self):
         """Take the threads that have begun, and forget those that have ended."""

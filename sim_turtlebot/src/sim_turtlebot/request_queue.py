@@ -1,22 +1,43 @@
 """Requests of rospy's threads, which the main thread serves: only it may touch the robots."""
 
-import queue
+import itertools
+import threading
 from concurrent import futures
-from operator import itemgetter
 
 ANSWER_TIMEOUT = 5.0  # s
 
 
-class RequestQueue(queue.Queue):
+class RequestQueue:
     """Functions without arguments, with the names of their senders, for the main thread to serve.
 
-    queue.SimpleQueue would be faster, but its get() may never return, if the scheduler suspends it
-    for longer than its timeout just before it waits.
+    Of a topic only the latest message of each sender waits, so that nobody's flood delays the others.
     """
 
-    def put_and_wait(self, request, sender=''):
+    def __init__(self):
+        self._changed = threading.Condition()
+        self._waiting = {}  # functions by their senders
+        self._numbers = itertools.count()
+
+    @property
+    def nodes(self):
+        """The names of the nodes whose messages wait."""
+        with self._changed:
+            return {sender[0] for sender in self._waiting if len(sender) == 2}
+
+    def put(self, sender, request):
+        """Take a request in place of an earlier one of the same sender.
+
+        :param sender: a tuple of names: of the node, and of its topic
+        """
+        with self._changed:
+            self._waiting.pop(sender, None)  # the new one has come after all others
+            self._waiting[sender] = request
+            self._changed.notify()
+
+    def put_and_wait(self, sender, request):
         """Add a request and return once it has been served.
 
+        :param sender: a tuple of names: of the node, and of the service
         :raises TimeoutError: after ANSWER_TIMEOUT; a request that has not begun by then is dropped,
             one that has begun still takes effect
         """
@@ -29,28 +50,25 @@ class RequestQueue(queue.Queue):
             answer.set_result(None)
             return True
 
-        self.put((sender, serve))
+        self.put((*sender, next(self._numbers)), serve)
         if not futures.wait([answer], ANSWER_TIMEOUT).done:
             bound = f'within {ANSWER_TIMEOUT:g} s of wall time'
             raise TimeoutError(f'not begun {bound}, and dropped' if answer.cancel() else
                                f'not finished {bound}; it will still take effect')
 
-    def serve(self, timeout):
-        """Wait (s of wall time) for a request and serve it; return False if none came."""
-        try:
-            _, request = self.get(timeout=timeout)
-        except queue.Empty:
-            return False
-        request()
-        return True
-
     def wait(self, timeout):
         """Wait (s of wall time) for a request; return whether there is one."""
-        with self.not_empty:
-            return bool(self.not_empty.wait_for(self._qsize, timeout))
+        with self._changed:
+            return self._changed.wait_for(lambda: bool(self._waiting), timeout)
 
-    def serve_all(self):
-        """Serve all requests in the order of their senders; return whether one of these waited."""
-        requests = [self.get() for _ in range(self.qsize())]
-        waited = [request() for _, request in sorted(requests, key=itemgetter(0))]
-        return any(waited)
+    def serve_all(self, by_name=False):
+        """Serve the requests that wait now, in the order in which they have come.
+
+        :param by_name: in the order of their senders' names instead
+        :return: whether a caller waited for one of them
+        """
+        with self._changed:
+            waiting, self._waiting = self._waiting, {}
+        senders = sorted(waiting) if by_name else waiting
+        answered = [waiting[sender]() for sender in senders]
+        return any(answered)

@@ -5,7 +5,8 @@ holds for all threads, and a look then finds each asleep, nobody is left to wake
 loopback, a message is there when the sender's write returns.
 
 Only a thread that polls may still have something to do: rospy.wait_for_message(), ros::Rate and
-ros::Timer nap by wall time, and then look. It has to have looked since all others rest.
+ros::Timer nap by wall time, and then look. If another thread of its process has run, it has to look
+once more when all others rest.
 """
 
 import contextlib
@@ -17,6 +18,8 @@ from sim_turtlebot.processes import Process
 
 LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
 PATIENCE = 2.0  # s of CPU time that a process may use before it rests
+BUSY_SHARE = 0.1  # of that, which a main thread uses that is to blame; rospy.spin() uses nothing
+STOP_PATIENCE = 2.0  # s of wall time for a process that a signal or a debugger has stopped
 STALL_TIMEOUT = 60.0  # s of wall time, for what neither computes nor sleeps
 SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
 POLL_RUNS = 20  # in that time, without work; ros::Rate and ros::Timer poll every millisecond
@@ -27,17 +30,19 @@ LOOK_PERIOD = 2e-5  # s of wall time, after that
 class Rest:
     """Waits until some processes rest at once."""
 
-    def __init__(self, is_over, on_restless):
+    def __init__(self, is_over, on_restless, is_flooded=lambda process: False):
         """Begin with no process.
 
         :param is_over: function that returns whether to wait no longer
         :param on_restless: function of a Process that does not come to rest, and is not awaited any
             more
+        :param is_flooded: function of a Process that returns whether such a one keeps it awake
         """
-        self._is_over, self._on_restless = is_over, on_restless
+        self._is_over, self._on_restless, self._is_flooded = is_over, on_restless, is_flooded
         self.processes = {}  # by id
-        self.rested = {}  # the usage of threads when all rested last; of those that do not nap
+        self.rested = {}  # by Process: the usage of its threads that do not nap, when all rested last
         self._awaited = []
+        self._stopped = set()  # Processes that are not awaited until they continue
         self._surveyed = set()  # threads of which it is known whether they poll
 
     def add(self, name, pid, longest_poll=LONGEST_POLL, patience=PATIENCE):
@@ -45,9 +50,14 @@ class Rest:
         self.processes[pid] = Process(name, pid, longest_poll, patience)
         self._awaited.append(self.processes[pid])
 
-    def wait(self):
-        """Return when all rest at once, but for those that have been waited for long enough."""
+    def wait(self, only_clock=False):
+        """Return when all rest at once, but for those that have been waited for long enough.
+
+        :param only_clock: whether a tick of the clock is all that the processes received; one
+            thread of each receives it, and who polls for messages need not look
+        """
         begin, first_cpu_times, rested, polls = time.monotonic(), {}, None, {}
+        self._await_continued()
         while not self._is_over():
             look_begin = time.monotonic()
             try:
@@ -55,9 +65,9 @@ class Rest:
                 polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
                 restless = self._look()
                 if not restless:
-                    before, (rested, polling) = rested, self._split(look_begin)
-                    polls = ({thread: polls[thread] for thread in polls.keys() & polling.keys()}
-                             if rested == before else polling)
+                    before, (rested, polling) = rested, self._split(look_begin, int(only_clock))
+                    polls = {thread: polls.get(thread, looks) for thread, looks in polling.items()
+                             if thread in polls or self._has_news(thread, rested, before)}
                     if not polls:
                         self.rested = rested
                         return
@@ -66,8 +76,9 @@ class Rest:
                     # These looks may take the processor from those that have something to do.
                     os.sched_yield()
                     continue
-                first_cpu_times = first_cpu_times or {process: process.cpu_time()
-                                                      for process in self._awaited}
+                first_cpu_times = first_cpu_times or {
+                    thread: thread.usage[0] for process in self._awaited
+                    for thread in process.threads.values()}
                 if self._gives_up(restless, first_cpu_times, look_begin - begin):
                     begin, first_cpu_times = look_begin, {}
             except OSError as error:
@@ -93,6 +104,7 @@ class Rest:
         """Do not wait for a process any more."""
         process = self.processes.pop(pid)
         process.close()
+        self._stopped.discard(process)
         if process in self._awaited:
             self._awaited.remove(process)
 
@@ -113,42 +125,76 @@ class Rest:
         return None
 
     def _gives_up(self, process, first_cpu_times, passed):
-        """Await the process that computes most no longer, and return True, if one takes too long.
+        """If one takes too long, stop waiting for what keeps the graph awake; return whether it does.
 
         :param process: does not rest
-        :param first_cpu_times: when all began to wait
+        :param first_cpu_times: CPU time (ns) by Thread, when all began to wait
         :param passed: s of wall time since then
         """
-        def spent(process):
-            return (process.cpu_time() - first_cpu_times[process]) / 1e9
+        def spent(thread):
+            return (thread.usage[0] - first_cpu_times.get(thread, 0)) / 1e9
 
-        nodes = [process for process in self._awaited if process.longest_poll]
-        if not nodes or spent(process) <= process.patience and passed <= STALL_TIMEOUT:
+        def spent_by_main(process):
+            return sum(spent(thread) for thread in process.threads.values() if thread.tid == process.pid)
+
+        if passed > STOP_PATIENCE and process.is_stopped():
+            self._stopped.add(process)
+            self._give_up(process)
+            return True
+        if sum(map(spent, process.threads.values())) <= process.patience and passed <= STALL_TIMEOUT:
             return False
-        # The master computes because a node keeps asking it.
-        culprit = process if process in nodes else max(nodes, key=spent)
-        self._awaited.remove(culprit)
-        self._on_restless(culprit)
+        nodes = [node for node in self._awaited if node.longest_poll]
+        busiest = max(nodes, key=spent_by_main, default=None)
+        if busiest and spent_by_main(busiest) > BUSY_SHARE * process.patience:
+            self._give_up(busiest)
+        elif process not in nodes or self._is_flooded(process):
+            # It reads what a node sends without a pause, which is no fault of its own.
+            max(process.threads.values(), key=spent).ignored = True
+        else:
+            self._give_up(process)
         return True
 
-    def _split(self, look_begin):
+    def _give_up(self, process):
+        self._awaited.remove(process)
+        self._on_restless(process)
+
+    def _await_continued(self):
+        for process in [process for process in self._stopped if not process.is_stopped()]:
+            self._stopped.remove(process)
+            self._awaited.append(process)
+
+    def _split(self, look_begin, receivers):
         """Tell apart what works and what only polls.
 
         :param look_begin: when the look began (monotonic, s)
-        :returns: by thread that works, its usage; and, by thread that polls, how often it has slept
-            when it has looked for work once more
+        :param receivers: how many threads of a process may have run without news for those that poll
+        :returns: the usage of the threads that work, by Process; and, by thread that polls, how often
+            it has slept when it has looked for work once more
         """
         self._survey()
-        working, polling = {}, {}
+        rested, polling = {}, {}
         for process in self._awaited:
-            limit = process.longest_poll
-            for thread in process.threads.values():
-                if not thread.naps and not thread.polls:
-                    working[thread] = thread.settled
-                elif limit and not (thread.is_asleep and thread.naps_longer_than(
-                        limit, thread.usage[2], look_begin)):
-                    polling[thread] = thread.sleeps + (1 if thread.is_asleep else 2)
-        return working, polling
+            limit, threads = process.longest_poll, process.threads.values()
+            rested[process] = {thread: thread.settled for thread in threads
+                               if not (thread.naps or thread.polls or thread.ignored)}
+            # ros::Rate and ros::Timer poll for the clock.
+            if limit and (process.is_cpp or self._count_new(process, rested[process]) > receivers):
+                polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
+                                for thread in threads if not (
+                                    thread in rested[process] or thread.ignored or thread.is_asleep
+                                    and thread.naps_longer_than(limit, thread.runs, look_begin))})
+        return rested, polling
+
+    def _count_new(self, process, usages):
+        """Return how many threads of a process have run since all rested last."""
+        earlier = self.rested.get(process, {})
+        return sum(earlier.get(thread) != usage for thread, usage in usages.items())
+
+    def _has_news(self, thread, rested, before):
+        """Return whether another node, which may have sent something, has run since `before`."""
+        return before is None or any(
+            process.longest_poll and process.pid != thread.pid and usages != before.get(process)
+            for process, usages in rested.items())
 
     def _survey(self):
         """Find out which threads of C++ poll: those that run while all others rest."""

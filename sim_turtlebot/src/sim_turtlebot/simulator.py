@@ -30,6 +30,7 @@ from sim_turtlebot.window import NoScreenError
 from sim_turtlebot.world_file import WorldFileError
 
 SHORTEST_SLEEP = 0.001  # s; shorter sleeps take longer than asked
+MOST_ROUNDS = 10  # of answers to callers that ask again at once, in one moment of lockstep
 LOOK_PERIOD = 0.1  # s of wall time between two checks whether the graph has settled
 
 
@@ -77,29 +78,33 @@ class Simulator:
             self._take_turn()
 
     def _take_turn(self):
-        """Serve one request if there is one, else advance if it is time to."""
-        if not self._requests.empty() or self._paused:
-            self._serve(LONGEST_WAIT)
+        """Serve the requests that wait, and advance if it is time to: whatever else arrives meanwhile."""
+        if self._paused:
+            self._requests.wait(LONGEST_WAIT)
+            self._requests.serve_all()
         elif not self._begun:
             self._begin()
         else:
             lead = self._pacer.lead(self._timeline.now)
-            if lead > SHORTEST_SLEEP:
-                self._serve(min(lead, LONGEST_WAIT))
-            else:
+            is_early = lead > SHORTEST_SLEEP
+            if self._requests.wait(min(lead, LONGEST_WAIT) if is_early else 0.0):
+                self._settle_and_serve()
+            if not is_early:
                 self._advance()
 
-    def _serve(self, timeout):
-        """Wait (s of wall time) for a request and serve it; in lockstep, all that have arrived."""
-        if self._paused or not self._lockstep:
-            self._requests.serve(timeout)
-        elif self._requests.wait(timeout):
+    def _settle_and_serve(self):
+        if self._lockstep:
+            self._lockstep.notice(self._requests.nodes, self._timeline.now / 1e9, unasked=True)
             self._lockstep.wait()
-            self._serve_all()
+        self._serve()
 
-    def _serve_all(self):
-        if self._requests.serve_all():
-            self._lockstep.wait()  # until the callers that were answered rest
+    def _serve(self):
+        """Serve the requests that wait; in lockstep also what callers ask once they are answered."""
+        for _ in range(MOST_ROUNDS if self._lockstep else 1):
+            if not self._requests.serve_all(by_name=bool(self._lockstep)):
+                break
+            if self._lockstep:
+                self._lockstep.wait()
 
     def _begin(self):
         """Publish time zero; in lockstep, once the graph has settled."""
@@ -108,6 +113,8 @@ class Simulator:
             return
         self._begun = True
         self._publish()
+        if self._lockstep:
+            self._serve()
         self._pacer.restart(self._timeline.now)
 
     def _advance(self):
@@ -115,9 +122,13 @@ class Simulator:
         # Paced by the wall clock, obey commands at the next step.
         is_paced = self._settings.real_time_factor and not self._lockstep
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
+        unasked = self._requests.nodes
         self._publish(new_odometry)
         if self._lockstep:
-            self._serve_all()
+            now = self._timeline.now / 1e9
+            self._lockstep.notice(unasked, now, unasked=True)
+            self._lockstep.notice(self._requests.nodes - unasked, now, unasked=False)
+            self._serve()
         if new_odometry and self._settings.gui:
             self._update_window()
 
@@ -132,7 +143,7 @@ class Simulator:
         for publish in reversed(due) if self._lockstep else due:
             publish()
             if self._lockstep:
-                self._lockstep.wait()
+                self._lockstep.wait(only_clock=publish == self._topics.publish_clock)
 
     def _publish_robots(self):
         self._topics.publish_robots()
@@ -165,19 +176,22 @@ class Simulator:
 
     def _subscribe(self, topic, message_class, action, *arguments):
         """Have the main thread call action(message, *arguments) for each message."""
+        # Of what has arrived together rospy reads the latest only, so that a flood costs little.
         rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
-            (_sender_of(message), partial(action, message, *arguments))), tcp_nodelay=True)
+            _sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
 
     def _answer(self, action, request):
         try:
-            self._requests.put_and_wait(action, _sender_of(request))
+            self._requests.put_and_wait(_sender_of(request), action)
         except TimeoutError as error:
             raise rospy.ServiceException(error) from None
         return srv.EmptyResponse()
 
     def _command(self, twist, robot, mux_input):
         if self._lockstep and not self._begun:
-            return  # whether it arrives before the connection is made is chance
+            # Whether one arrives so early depends on when the connection is made.
+            rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
+            return
         try:
             self._simulation.command(twist.linear.x, twist.angular.z, robot, mux_input)
         except ValueError as error:
@@ -228,7 +242,7 @@ class Simulator:
 
     def _stop(self):
         self._stopping = True
-        self._requests.put((('', ''), lambda: None))
+        self._requests.put(('', ''), lambda: None)
 
 
 def _sender_of(message):
