@@ -8,8 +8,6 @@ without a message, and the nodes end with it.
 import os
 import signal
 
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
 # Nobody else is at the demo's master, for whom a namespace could be meant. rospy reads this when
 # it is imported.
 os.environ.pop('ROS_NAMESPACE', None)

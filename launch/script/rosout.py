@@ -10,11 +10,6 @@ Publishes:
     /rosout_agg (rosgraph_msgs/Log)
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 import rospy
 from odometry_common.node import run_node, spin
 from rosgraph_msgs.msg import Log

@@ -9,11 +9,6 @@ Publishes:
     moved_distance (std_msgs/Float64): metres travelled, once per odometry message
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 import rospy
 from moved_distance.distance_counter import DistanceCounter
 from moved_distance.parameters import PARAMETERS
@@ -34,7 +29,7 @@ class MovementDetector:
         self._publisher = ClosingPublisher('moved_distance', Float64)
         self._moved = Float64()
         self.odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')
-        Subscriber('moved_distance/reset', Empty, self._on_reset)
+        Subscriber('moved_distance/reset', Empty, self._on_reset, queue_size=1)
 
     def _on_odometry(self, message):
         position, stamp = message.pose.pose.position, message.header.stamp
@@ -46,13 +41,12 @@ class MovementDetector:
 
     def _on_reset(self, _message):
         self._counter.reset()
-        rospy.loginfo('counting from zero again')
+        rospy.loginfo_throttle(1.0, 'counting from zero again')
 
 
 def main():
     """Count until shutdown."""
-    MovementDetector().odometry.wait()
-    if not rospy.is_shutdown():
+    if MovementDetector().odometry.wait():
         rospy.loginfo(f'counting from {rospy.resolve_name("odom")}')
     spin()
 

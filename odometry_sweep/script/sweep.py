@@ -2,10 +2,7 @@
 """Run a tutorial many times, over a grid of parameter values and seeds, without ROS."""
 
 import os
-import signal
 
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
 # Nobody else is at the master of a replay, for whom a namespace could be meant. rospy reads this
 # when it is imported.
 os.environ.pop('ROS_NAMESPACE', None)

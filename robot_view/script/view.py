@@ -22,11 +22,6 @@ Calls:
         sim_turtlebot/reset_simulation (std_srvs/Empty): the panel's buttons
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 from odometry_common.node import run_node
 from odometry_common.parameters import StartError
 from robot_view.address import PARAMETERS, read_address

@@ -8,11 +8,6 @@ Prints the yaw in radians for each message and, once a second, the quaternion [x
 computed back from roll, pitch and yaw.
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import euler_from_orientation

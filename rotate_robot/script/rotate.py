@@ -11,23 +11,17 @@ Publishes:
 The node always sends zero before it exits.
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 import math
 
 import rospy
 from heading_control.parameters import PARAMETERS
 from heading_control.turn import Turn
 from nav_msgs.msg import Odometry
-from odometry_common.control_loop import ControlLoop
 from odometry_common.geometry import yaw_from_orientation
-from odometry_common.node import run_node, spin
+from odometry_common.node import run_node
 from odometry_common.publisher_conflicts import warn_of_conflicts
 from odometry_common.subscribing import Subscriber
-from odometry_common.timing import RestDetector
+from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
 
@@ -39,35 +33,38 @@ class RotateRobot:
     """The node: heading in, angular velocity out."""
 
     def __init__(self):
-        """Read the parameters and subscribe; the robot turns from the first odometry on."""
+        """Read the parameters and subscribe."""
         parameters = PARAMETERS.read()
         self._turn = Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
-        self._tolerance = parameters.tolerance
-        self._loop = ControlLoop(
-            self._control, self._stop, parameters.timeout, period=1 / parameters.rate)
+        self._hertz = parameters.rate
+        self._tolerance = math.radians(parameters.tolerance)
+        self._watchdog = Watchdog(parameters.timeout)
         self._rest = RestDetector(REST_BAND, REST_DURATION)
+        self._yaw = None
         self._velocity = VelocityPublisher('cmd_vel')
-        Subscriber('odom', Odometry, self._on_odometry, 'odometry')
-        Subscriber('~target', Float64, self._on_target)
+        self._odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')
+        Subscriber('~target', Float64, self._on_target, queue_size=1)
         warn_of_conflicts('cmd_vel')
 
-    def _on_odometry(self, message):
-        yaw = yaw_from_orientation(message.pose.pose.orientation)
-        self._loop.receive(yaw, message.header.stamp.to_sec())
+    def run(self):
+        """Ten times a second: take the error, multiply by the gain, publish."""
+        self._odometry.wait()
+        rate = rospy.Rate(self._hertz, reset=True)
+        while not rospy.is_shutdown():
+            if self._watchdog.expired(rospy.get_time()):
+                self._stop()
+            else:
+                self._control()
+            rate.sleep()
 
-    def _on_target(self, message):
-        if math.isfinite(message.data):
-            self._turn.target = message.data
-        else:
-            rospy.logwarn_throttle(1.0, f'target ignored: {message.data} degrees is not finite')
-
-    def _control(self, yaw, now):
+    def _control(self):
+        yaw = self._yaw
         error = self._turn.error_at(yaw)
         self._velocity.publish(angular=self._turn.speed_for(error))
         print(f'target={self._turn.target} current:{yaw}')
-        if self._tolerance == 0 or abs(error) > math.radians(self._tolerance):
+        if self._tolerance == 0 or abs(error) > self._tolerance:
             self._rest.reset()
-        elif self._rest.at_rest(now, error):
+        elif self._rest.at_rest(rospy.get_time(), error):
             rospy.signal_shutdown('the target has been reached')
 
     def _stop(self):
@@ -75,11 +72,20 @@ class RotateRobot:
         self._velocity.stop()
         self._rest.reset()
 
+    def _on_odometry(self, message):
+        self._yaw = yaw_from_orientation(message.pose.pose.orientation)
+        self._watchdog.feed(rospy.get_time())
+
+    def _on_target(self, message):
+        if math.isfinite(message.data):
+            self._turn.target = message.data
+        else:
+            rospy.logwarn_throttle(1.0, f'target ignored: {message.data} degrees is not finite')
+
 
 def main():
     """Turn until the target is reached, or until shutdown."""
-    RotateRobot()
-    spin()
+    RotateRobot().run()
 
 
 if __name__ == '__main__':

@@ -1,11 +1,6 @@
 #!/usr/bin/env python3
 """Draw a run from a bag with odometry in it, a real robot's too, and print its figures."""
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 import argparse
 import sys
 

@@ -30,11 +30,6 @@ Services:
         on its side. A paused simulation stays paused
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 from odometry_common.node import run_node
 from sim_turtlebot.settings import PARAMETERS
 from sim_turtlebot.simulator import simulate

@@ -12,11 +12,6 @@ Publishes:
     sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 from geometry_msgs.msg import (
     PoseStamped,
     PoseWithCovarianceStamped,

@@ -10,22 +10,17 @@ Publishes:
 The node always sends zero before it exits.
 """
 
-import signal
-
-# While the imports below run, Ctrl-C ends Python without a traceback.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-
 import rospy
-from odometry_common.control_loop import ControlLoop
 from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.subscribing import Subscriber
-from odometry_common.timing import RestDetector
+from odometry_common.subscribing import Subscriber, one_at_a_time
+from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
 from straight_drive.drive import Drive
 from straight_drive.parameters import PARAMETERS
 
+LOOK_PERIOD = 0.1  # s of wall time between two looks for silence
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s
 
@@ -38,45 +33,48 @@ class TestMovement:
         parameters = PARAMETERS.read()
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done
-        self._loop = ControlLoop(self._control, self._stop, parameters.timeout)
+        self._watchdog = Watchdog(parameters.timeout)
         self._rest = RestDetector(REST_BAND, REST_DURATION)
-        self._moving = False
+        self._speed = None  # of the last command
         self._velocity = VelocityPublisher('cmd_vel')
-        distance = Subscriber('moved_distance', Float64, self._on_moved_distance)
+        Subscriber('moved_distance', Float64, self._on_moved_distance)
         warn_of_conflicts('cmd_vel')
-        warn_of_conflicts('moved_distance', distance.publishers)
+        warn_of_conflicts('moved_distance')
+
+    def stop_if_silent(self):
+        """Command zero while no moved distance arrives."""
+        with one_at_a_time:
+            if self._speed and self._watchdog.expired(rospy.get_time()):
+                self._command(0.0)
+                rospy.logwarn('stopping: no moved_distance arrives')
 
     def _on_moved_distance(self, message):
-        self._loop.receive(message.data)
-
-    def _control(self, moved_distance, now):
+        now = rospy.get_time()
+        self._watchdog.feed(now)
         try:
-            speed = self._drive.speed_at(moved_distance)
+            speed = self._drive.speed_at(message.data)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
             speed = 0.0
+        if self._speed is None and speed == 0:
+            rospy.loginfo(f'moved_distance is {message.data:.3f} m already: nothing to drive. Reset it '
+                          '(rostopic pub -1 /moved_distance/reset std_msgs/Empty), or set _relative:=true')
         self._command(speed)
         if speed != 0:
             self._rest.reset()
-        elif self._rest.at_rest(now, moved_distance) and self._exit_when_done:
+        elif self._rest.at_rest(now, message.data) and self._exit_when_done:
             rospy.signal_shutdown('the robot has moved and stopped')
-
-    def _stop(self):
-        if self._moving:
-            self._command(0.0)
-            rospy.logwarn('stopping: no moved_distance arrives')
 
     def _command(self, speed):
         self._velocity.publish(linear=speed)
-        if self._moving != (speed != 0):
-            self._moving = not self._moving
-            rospy.loginfo(f'driving at {speed} m/s' if self._moving else 'stopped')
+        if bool(self._speed) != (speed != 0):
+            rospy.loginfo(f'driving at {speed} m/s' if speed else 'stopped')
+        self._speed = speed
 
 
 def main():
     """Answer messages until shutdown."""
-    TestMovement()
-    spin()
+    spin(TestMovement().stop_if_silent, LOOK_PERIOD)
 
 
 if __name__ == '__main__':

@@ -2,6 +2,7 @@
 
 import logging
 import os
+import resource
 import signal
 import sys
 import tempfile
@@ -14,8 +15,6 @@ import rospkg
 import rospy
 
 from odometry_common import node_help
-from odometry_common.file_descriptors import raise_limit, shortage
-from odometry_common.output import LineOutput
 from odometry_common.parameters import Parameters, StartError
 from odometry_common.rospy_fixes import fix_rospy
 
@@ -25,14 +24,11 @@ EXIT_BAD_PARAMETER = 2
 LONGEST_WAIT = 0.5
 MASTER_RETRY_PERIOD = 0.5  # s
 FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
-# The master's reason for the shutdown of a node whose parameters are now those of another one.
-REPLACED = 'new node registered with same name'
 NO_PARAMETERS = Parameters()
 
 _failures = []  # exit status and text
 _hooks_have_run = threading.Event()  # so that the last command is out
 _unregistered = threading.Event()
-_forgetting = threading.Thread(target=node_help.forget_arguments, daemon=True)
 _exit_lock = threading.Lock()
 _pythons_excepthook = threading.excepthook  # which it names __excepthook__ since 3.10 only
 
@@ -46,19 +42,17 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     :param parameters: the table of its Parameters
     :param init_node_options: passed on to rospy.init_node
 
-    The exit status is 0, or 2 with one line on stderr if the node cannot start, or 1 if it runs
-    out of file descriptors, or if main() fails.
+    The exit status is 0, or 2 with one line on stderr if the node cannot start, or 1 if main() fails.
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
-    sys.stdout, sys.stderr = (LineOutput(stream, lambda: _shut_down('nobody reads the output'))
-                              for stream in (sys.stdout, sys.stderr))
-    rospy.core.add_preshutdown_hook(lambda reason: _exit_soon(name, reason))
+    _open_output()
+    rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         node_help.show_help_if_asked(documentation, parameters)
         node_help.check_command_line()
-        raise_limit()
+        _raise_limit_on_files()
         _go_without_logs_if_necessary()
         _start(name, init_node_options)
         node_help.warn_of_unknown(parameters)
@@ -67,26 +61,36 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
-    except Exception as error:  # noqa: BLE001
+    except OSError as error:
+        end_node(error)
+    except Exception:  # noqa: BLE001
         # rospy raises one where a topic is closed, at shutdown, while it is being published.
-        if not rospy.core.is_shutdown_requested() and not _report(error):
+        if not rospy.core.is_shutdown_requested():
             _failures.append((EXIT_FAILURE, traceback.format_exc()))
     rospy.signal_shutdown('the node has ended')
     _exit(name)
 
 
-def spin():
-    """Return at once at shutdown, for which rospy.spin() looks only twice a second."""
+def spin(check=lambda: None, period=LONGEST_WAIT):
+    """Return at shutdown, at once, while rospy.spin() may take half a second.
+
+    :param check: is called every `period` s of wall time
+    """
     ended = threading.Event()
     rospy.on_shutdown(ended.set)
-    while not (rospy.core.is_shutdown_requested() or ended.wait(LONGEST_WAIT)):
-        pass
+    while not (rospy.core.is_shutdown_requested() or ended.wait(period)):
+        check()
 
 
-def _exit_soon(name, reason):
+def end_node(error):
+    """Shut down because of an OSError; one of a reader that has gone, as of `| head`, is no failure."""
+    if not isinstance(error, BrokenPipeError) and not rospy.core.is_shutdown_requested():
+        _failures.append((EXIT_FAILURE, f'{error}\n'))
+    _shut_down(str(error))
+
+
+def _exit_soon(name):
     """Exit even if main() does not return; rospy calls this after the hooks of the node."""
-    if REPLACED not in reason:
-        _forgetting.start()
     _hooks_have_run.set()
     threading.Thread(target=_exit, args=[name], daemon=True).start()
 
@@ -94,11 +98,8 @@ def _exit_soon(name, reason):
 def _exit(name):
     """End the process, whatever its other threads wait for, such as a master that is stuck."""
     _hooks_have_run.wait()
-    timeout = time.monotonic() + FAREWELL_TIMEOUT
     _unregistered.wait(FAREWELL_TIMEOUT)
-    if _forgetting.ident:
-        _forgetting.join(max(0.0, timeout - time.monotonic()))
-    _exit_lock.acquire()  # for ever: only one thread may tell why
+    _exit_lock.acquire()  # never released: only the first thread reports
     status, reason = _failures[0] if _failures else (0, None)
     if reason:
         sys.stderr.write(f'{name}: {reason}')
@@ -108,20 +109,24 @@ def _exit(name):
 def _report_thread(failure):
     """Report the exception that ended a thread, unless the node is shutting down.
 
-    At shutdown rospy's threads fail on sockets that it has closed. The thread that accepts
-    connections ends when the node runs out of file descriptors; without it no peer can connect.
+    At shutdown rospy's threads fail on sockets that it has closed.
     """
-    if not rospy.core.is_shutdown_requested() and not _report(failure.exc_value):
+    if not rospy.core.is_shutdown_requested():
         _pythons_excepthook(failure)
 
 
-def _report(error):
-    """Shut the node down if it is out of file descriptors; return whether it is."""
-    reason = shortage(error)
-    if reason and not rospy.is_shutdown():
-        _failures.append((EXIT_FAILURE, f'{reason}\n'))
-        _shut_down(reason)
-    return reason is not None
+def _open_output():
+    """Print each line at once: without a terminal, Python keeps it in a buffer until the node exits."""
+    for name in 'stdout', 'stderr':
+        if getattr(sys, name) is None:  # closed by the parent process
+            setattr(sys, name, open(os.devnull, 'w', encoding='ascii'))  # noqa: SIM115
+        getattr(sys, name).reconfigure(line_buffering=True)
+
+
+def _raise_limit_on_files():
+    """Raise the soft limit on open files to the hard limit: rospy opens one for each connection."""
+    _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
 
 
 def _start(name, init_node_options):
@@ -139,7 +144,7 @@ def _start(name, init_node_options):
     _on_signals(interrupt)
     _wait_for_master(interrupted)
     if not interrupted:
-        fix_rospy(on_failure=_report)
+        fix_rospy()
         rospy.init_node(name, disable_signals=True, **init_node_options)
     _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted:

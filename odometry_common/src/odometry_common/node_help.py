@@ -1,18 +1,15 @@
 """A node's command line: --help, checks, and warnings about unknown names."""
 
-import contextlib
 import os
 import sys
 import xmlrpc.client
 
-import rosgraph
 import rospy
 import yaml
 
 from odometry_common.parameters import ParameterError
 
 HELP = {'-h', '--help'}
-NAMELESS = '/unnamed'  # what rospy calls a node before it has set any of its parameters
 
 
 def show_help_if_asked(documentation, parameters):
@@ -56,17 +53,6 @@ def check_command_line():
             raise ParameterError(
                 name, text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
-
-
-def forget_arguments():
-    """Delete the parameters that the command line set, or the next run would get them, too."""
-    if rospy.get_name() == NAMELESS:
-        return
-    # rospy's own connection may be in the middle of a request that Ctrl-C has interrupted.
-    master = rosgraph.Master(rospy.get_name())
-    for name, _ in _given_parameters():
-        with contextlib.suppress(rosgraph.MasterException, OSError):  # it was not set, or no master
-            master.deleteParam(rospy.resolve_name(name))
 
 
 def _given_parameters():

@@ -1,66 +1,38 @@
-"""Warnings about several nodes that publish a topic that only one should publish."""
+"""A warning about a second node that publishes a topic that only one should publish."""
 
+import http.client
 import threading
-import time
+import xmlrpc.client
 
 import rosgraph
 import rospy
 
+from odometry_common.connections import node_at
+
 LOOK_PERIOD = 1.0  # s of wall time
-LONGEST_PERIOD = 30.0  # s of wall time; on a busy machine one answer may take long
-SHARE = 500  # the master of a hundred robots has long answers: ask it for 1/500 of the time at most
 
 
-class ConflictWatch:
-    """Decides which conflicts are news."""
-
-    def __init__(self):
-        """Begin before the first look."""
-        self._seen = set()
-        self._reported = set()
-
-    def news(self, publishers):
-        """Take the names of all publishers now; return those to report, or nothing.
-
-        A publisher seen only once may be shutting down. Each new one is reported with all others.
-        """
-        lasting = self._seen & publishers
-        self._seen = publishers
-        if len(lasting) < 2 or lasting <= self._reported:
-            return []
-        self._reported |= lasting
-        return sorted(lasting)
+def warn_of_conflicts(topic):
+    """Warn once, by asking the master every second, if more than one node publishes a topic."""
+    threading.Thread(target=_watch, args=[rospy.resolve_name(topic)], daemon=True).start()
 
 
-def warn_of_conflicts(topic, find_publishers=None):
-    """Warn, until shutdown, whenever another node begins to publish a topic that has a publisher.
-
-    :param find_publishers: returns the set of their names; None: ask the ROS master
-    """
-    name = rospy.resolve_name(topic)
-    arguments = name, find_publishers or (lambda: _registered_publishers(name))
-    threading.Thread(target=_watch, args=arguments, daemon=True).start()
-
-
-def period_after(duration):
-    """Return how long (s) to wait for the next look after one that took `duration` seconds."""
-    return min(LONGEST_PERIOD, max(LOOK_PERIOD, SHARE * duration))
+def _watch(topic):
+    ended, before = threading.Event(), set()
+    rospy.on_shutdown(ended.set)
+    while not ended.wait(LOOK_PERIOD):
+        publishers = _publishers(topic)
+        lasting = before & publishers  # one that is seen only once may be shutting down
+        if len(lasting) > 1:
+            rospy.logwarn(f'{topic} is published by {" and ".join(sorted(lasting))}: stop all but one')
+            return
+        before = publishers
 
 
-def _watch(topic, find_publishers):
-    watch, period = ConflictWatch(), LOOK_PERIOD
-    while not rospy.is_shutdown():
-        time.sleep(period)
-        start = time.monotonic()
-        conflict = watch.news(find_publishers())
-        if conflict:
-            rospy.logwarn(f'{topic} is published by {" and ".join(conflict)}: stop all but one')
-        period = period_after(time.monotonic() - start)
-
-
-def _registered_publishers(topic):
+def _publishers(topic):
     try:
-        topics, _, _ = rosgraph.Master(rospy.get_name()).getSystemState()
-    except (OSError, rosgraph.MasterException):
+        with node_at(rosgraph.get_master_uri()) as master:
+            _, _, (publishers, _, _) = master.getSystemState(rospy.get_name())
+    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
         return set()
-    return set(dict(topics).get(topic, ()))
+    return set(dict(publishers).get(topic, ()))

@@ -2,12 +2,10 @@
 
 import contextlib
 import re
-import socketserver
 import threading
 
 import rosgraph
 import rospy
-from rosgraph.xmlrpc import ThreadingXMLRPCServer
 from rospy.impl import tcpros_pubsub
 from rospy.impl.masterslave import ROSHandler
 from rospy.impl.paramserver import get_param_server_cache
@@ -25,20 +23,8 @@ _shutdown = ROSHandler.shutdown
 _accept_subscriber = TCPROSServer._tcp_server_callback
 
 
-def fix_rospy(on_failure=lambda error: None):
-    """Fix rospy for this process; call it before rospy.init_node, once the master answers.
-
-    :param on_failure: is called with the OSError when the node cannot accept an XML-RPC connection
-    """
-    def accept(server):
-        try:
-            return socketserver.TCPServer.get_request(server)
-        except OSError as error:
-            # Python ignores it, leaves the peer waiting, and tries again at once, for ever.
-            on_failure(error)
-            raise
-
-    ThreadingXMLRPCServer.get_request = accept
+def fix_rospy():
+    """Fix rospy for this process; call it before rospy.init_node, once the master answers."""
     TCPROSServer._tcp_server_callback = _accept_on_thread
     tcpros_pubsub.TCPROSTransport = NonBlockingTransport
     RegManager.publisher_update = _add_publishers

@@ -1,8 +1,14 @@
 """Subscribers whose callbacks run one at a time."""
 
+import http.client
 import threading
+import xmlrpc.client
 
+import rosgraph
 import rospy
+
+from odometry_common.connections import ANSWER, node_at
+from odometry_common.node import end_node
 
 one_at_a_time = threading.Lock()  # is held while a callback of this node runs
 
@@ -13,26 +19,37 @@ class Subscriber:
     rospy has a thread for each connection.
     """
 
-    def __init__(self, topic, message_class, callback, what=None):
+    def __init__(self, topic, message_class, callback, what=None, queue_size=None):
         """Subscribe.
 
         :param callback: takes a message; one over which it raises ValueError is ignored, with a
             throttled warning
         :param what: the messages in words, for the user; None: the topic's name
+        :param queue_size: of messages that have arrived together, handle only so many of the latest;
+            None: all
         """
-        self._topic, self._callback, self._what = topic, callback, what or topic
-        self._received = threading.Event()
-        rospy.on_shutdown(self._received.set)
-        self._subscriber = rospy.Subscriber(topic, message_class, self._on_message, tcp_nodelay=True)
-
-    def publishers(self):
-        """Return the set of the names of the nodes that it is connected to."""
-        return {connection.callerid_pub for connection in self._subscriber.impl.connections}
+        self._name, self._type = rospy.resolve_name(topic), message_class._type
+        self._callback, self._what = callback, what or topic
+        self._has_message = False
+        self._woken = threading.Event()
+        rospy.on_shutdown(self._woken.set)
+        rospy.Subscriber(topic, message_class, self._on_message, queue_size=queue_size,
+                         tcp_nodelay=True)
 
     def wait(self):
-        """Return at the first message or at shutdown; log once a second that it waits."""
-        while not (self._received.wait(timeout=1.0) or rospy.is_shutdown()):
-            rospy.loginfo('waiting for %s on %s', self._what, rospy.resolve_name(self._topic))
+        """Wait for the first message, or shutdown; log once a second what is missing.
+
+        :return: whether a message has come
+        """
+        while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
+            rospy.loginfo(self._reason_to_wait())
+        return self._has_message
+
+    def _reason_to_wait(self):
+        other = _type_of(self._name)
+        if other in (None, self._type):
+            return f'waiting for {self._what} on {self._name}'
+        return f'waiting for {self._what}: {self._name} has the type {other}, not {self._type}'
 
     def _on_message(self, message):
         try:
@@ -40,5 +57,18 @@ class Subscriber:
                 self._callback(message)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'{self._what} ignored: {error}')
+        except OSError as error:  # the output
+            end_node(error)
         else:
-            self._received.set()
+            self._has_message = True
+            self._woken.set()
+
+
+def _type_of(topic):
+    """Return the type of a topic, or None if nobody publishes it or the master does not answer."""
+    try:
+        with node_at(rosgraph.get_master_uri()) as master:
+            topics = master.getPublishedTopics(rospy.get_name(), '')[ANSWER]
+    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
+        return None
+    return dict(topics).get(topic)

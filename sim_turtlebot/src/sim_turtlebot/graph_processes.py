@@ -1,6 +1,7 @@
 """Which processes the nodes of a graph are."""
 
 import contextlib
+import os
 import socket
 from pathlib import Path
 from urllib.parse import urlparse
@@ -83,9 +84,7 @@ class GraphProcesses:
                 return
             for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
                 with contextlib.suppress(psutil.NoSuchProcess):
-                    parent = self._rest.processes.get(psutil.Process(pid).ppid())
-                    if parent and parent.longest_poll:
-                        self._add(parent.name, pid, PATIENCE)
+                    self._add_child(self._rest.processes.get(psutil.Process(pid).ppid()), pid)
             self._rest.wait()
 
     def _was_asked(self):
@@ -133,7 +132,7 @@ class GraphProcesses:
             if pid is None:
                 self._on_unseen(name)
             elif pid in self._rest.processes:
-                self._rest.processes[pid].patience = PATIENCE
+                self._rest.processes[pid].name, self._rest.processes[pid].patience = name, PATIENCE
             elif pid:
                 self._add(name, pid, PATIENCE)
 
@@ -141,12 +140,20 @@ class GraphProcesses:
         try:
             computes = name in (MASTER, self._own_name)
             self._rest.add(name, pid, 0.0 if computes else LONGEST_POLL, patience)
-            for child in [] if computes else psutil.Process(pid).children():
-                self._add(name, child.pid, patience)
+            for child in psutil.Process(pid).children():
+                self._add_child(self._rest.processes[pid], child.pid)
         except PermissionError:
             self._on_unseen(name)
         except (FileNotFoundError, ProcessLookupError, psutil.Error):  # it has ended
             pass
+
+
+    def _add_child(self, parent, pid):
+        """Take a process that works for a node: not one that has been given a process group of its own."""
+        if parent and parent.longest_poll and pid not in self._rest.processes:
+            with contextlib.suppress(ProcessLookupError):
+                if os.getpgid(pid) == os.getpgid(parent.pid):
+                    self._add(parent.name, pid, PATIENCE)
 
 
 def _newest_pid():
