@@ -1,39 +1,41 @@
-"""The controllers' clocks: what is due, and what is at rest; test_control_loop has the watchdog."""
+"""What is silent, and what is at rest."""
+
+from types import SimpleNamespace
 
 import pytest
-from odometry_common.timing import Metronome, RestDetector
+from odometry_common import timing
+from odometry_common.timing import RestDetector, Watchdog
 
 BAND, DURATION = 0.001, 0.5
+START, HOUR = 100.0, 3600.0  # s
 
 
-def beats(metronome, stamps):
-    """Return the times at which a period began."""
-    return [now for now in stamps if metronome.is_due(now)]
+@pytest.fixture
+def wall(monkeypatch):
+    """Return a wall clock that stands still unless the test advances it."""
+    clock = SimpleNamespace(now=START, monotonic=lambda: clock.now)
+    monkeypatch.setattr(timing, 'time', clock)
+    return clock
 
 
-@pytest.mark.parametrize('start', [0.0, 1.7e9])
-@pytest.mark.parametrize('rate', [10, 20, 25, 1000])
-def test_any_faster_input_keeps_the_average_of_ten_beats_a_second(rate, start):
-    """The beat falls on messages; 25 Hz is no multiple, yet no beat is lost, nor doubled."""
-    found = beats(Metronome(0.1), [start + number / rate for number in range(60 * rate)])
-    assert 600 <= len(found) <= 601
-    gaps = [later - sooner for sooner, later in zip(found, found[1:])]
-    assert 0.099 - 1 / rate - 1e-6 <= min(gaps) and max(gaps) <= 0.1 + 1 / rate + 1e-6
-
-
-@pytest.mark.parametrize('rounding', [-1e-6, 1e-6])
-def test_rounded_time_stamps_lose_no_beat(rounding):
-    """A stamp that is a microsecond early is meant for the beat."""
-    stamps = [number * 0.1 + rounding * (number % 2) for number in range(100)]
-    assert beats(Metronome(0.1), stamps) == stamps
-
-
-@pytest.mark.parametrize('stamps, expected', [
-    ([100.0, 100.05, 0.03, 0.08, 0.13, 0.18, 0.23], [100.0, 0.03, 0.13, 0.23]),  # back
-    ([0.0, 5.03, 5.05, 5.07, 5.09, 5.11, 5.13], [0.0, 5.03, 5.13])])  # a gap
-def test_time_that_leaps_begins_a_new_row(stamps, expected):
-    """A reset silences no controller, and no missed beat is made up for."""
-    assert beats(Metronome(0.1), stamps) == expected
+@pytest.mark.parametrize('timeout, steps, silent', [
+    (1.0, [(0.9, 0.9), (1.01, 1.01), (1.5, 1.5)], [False, True, True]),
+    (0.0, [(HOUR, HOUR)], [False]),
+    (1.0, [(HOUR, 0.0), (HOUR, 0.19), (HOUR, 0.21)], [False, False, True]),  # a clock that leaps
+    (0.1, [(0.11, 0.09), (0.11, 0.11)], [False, True]),
+    (1.0, [(-90.0, 0.5), (-89.1, 1.4), (-88.9, 1.6)], [False, False, True])])  # time goes back
+def test_silence_lasts_for_the_timeout_and_a_while_of_wall_time(wall, timeout, steps, silent):
+    """Steps are times since the last arrival: simulated and real (s)."""
+    watchdog = Watchdog(timeout)
+    assert not watchdog.expired(START)
+    watchdog.feed(START)
+    found = []
+    for simulated, real in steps:
+        wall.now = START + real
+        found.append(watchdog.expired(START + simulated))
+    assert found == silent
+    watchdog.feed(START + simulated)
+    assert not watchdog.expired(START + simulated)
 
 
 @pytest.mark.parametrize('rows, rests', [

@@ -11,11 +11,11 @@ RECOVERY = 30.0  # s without one
 class Pacer:
     """Keeps simulated time from running ahead of the wall clock."""
 
-    def __init__(self, real_time_factor, on_pace=lambda reached: None):
+    def __init__(self, real_time_factor, on_pace=lambda reached, share: None):
         """Allow `real_time_factor` simulated seconds per second; 0: any number.
 
         :param on_pace: called with the factor that the machine reaches once it proves too slow, and
-            with None once it has caught up
+            the share of one processor that this process uses; with None and 0 once it has caught up
         """
         self._factor = real_time_factor
         self._on_pace = on_pace
@@ -39,7 +39,7 @@ class Pacer:
             self._start, self._wall_start = now, wall
         elif self._is_slow and wall - self._last_slip > RECOVERY:
             self._is_slow = False
-            self._on_pace(None)
+            self._on_pace(None, 0.0)
         return lead
 
     def _slip(self, now, wall):
@@ -47,10 +47,11 @@ class Pacer:
         if wall - self._last_slip > LONGEST_GAP:
             self._slips = 0
         if self._slips == 0:
-            self._first_slip = now, wall
+            self._first_slip = now, wall, time.process_time()
         self._slips += 1
         self._last_slip = wall
         if self._slips >= SLIPS and not self._is_slow:
             self._is_slow = True
-            then, wall_then = self._first_slip
-            self._on_pace((now - then) / 1e9 / (wall - wall_then))
+            then, wall_then, cpu_then = self._first_slip
+            self._on_pace((now - then) / 1e9 / (wall - wall_then),
+                          (time.process_time() - cpu_then) / (wall - wall_then))

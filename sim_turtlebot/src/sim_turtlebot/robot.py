@@ -75,22 +75,23 @@ class Robot:
         if not (math.isfinite(linear) and math.isfinite(angular)):
             self.stop()
             raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
-        self._deadline = now + self._timeout
+        self._watchdog_expires = now + self._timeout
         self._obey(_clamp(linear, kobuki.MAX_LINEAR_SPEED),
                    _clamp(angular, kobuki.MAX_ANGULAR_SPEED))
 
     def stop(self):
         """Command zero."""
-        self._deadline = math.inf
+        self._watchdog_expires = math.inf
         self._obey(0.0, 0.0)
 
     def is_steady_until(self, end):
         """Return whether before_step() would do nothing until step `end`."""
-        return self._driven == self._commanded and end <= self._deadline + 1
+        return self._driven == self._commanded and end <= self._watchdog_expires + 1
 
     def before_step(self, now):
         """Accelerate, brake or time out; call it before each physics step."""
-        if now > self._deadline:
+        if now > self._watchdog_expires:
+            self.timed_out = self._commanded != (0.0, 0.0)
             self.stop()
         if self._driven != self._commanded:
             self._accelerate()
@@ -142,7 +143,8 @@ class Robot:
     def _forget_commands(self):
         """Forget commands and timeout, and stop driving."""
         self._commanded = self._driven = (0.0, 0.0)
-        self._deadline = math.inf
+        self._watchdog_expires = math.inf
+        self.timed_out = False  # whether the watchdog has stopped a robot that drove
         self._slow_since = None
 
     def _obey(self, linear, angular):

@@ -30,6 +30,8 @@ from sim_turtlebot.window import NoScreenError
 from sim_turtlebot.world_file import WorldFileError
 
 SHORTEST_SLEEP = 0.001  # s; shorter sleeps take longer than asked
+BUSY_SHARE = 0.8  # of a processor; a simulation that gets less waits for others
+TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 MOST_ROUNDS = 10  # of answers to callers that ask again at once, in one moment of lockstep
 LOOK_PERIOD = 0.1  # s of wall time between two checks whether the graph has settled
 
@@ -147,12 +149,22 @@ class Simulator:
 
     def _publish_robots(self):
         self._topics.publish_robots()
+        self._report_timeouts()
         for name, warning in self._falls.look():
             if warning:
                 rospy.logwarn(warning)
             else:
                 rospy.loginfo(f'{name} stands upright again')
             self._topics.warn(name, warning)
+
+    def _report_timeouts(self):
+        """Say which robots' watchdogs have stopped them, as a Kobuki's driver does."""
+        for robot, namespace in zip(self._simulation.robots, self._namespaces):
+            if robot.timed_out:
+                robot.timed_out = False
+                rospy.logwarn_throttle(TIMEOUT_LINE_PERIOD, (
+                    f'the base stops: no command on {rospy.resolve_name(namespace + "cmd_vel")} for '
+                    f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)'))
 
     def _update_window(self):
         if self._simulation.world.window.closed:
@@ -215,16 +227,19 @@ class Simulator:
         if self._paused and not refusal:
             self._publish_robots()
 
-    def _report_pace(self, reached):
-        """Warn, in the log and on ~warning, that the machine is too slow, or has caught up."""
+    def _report_pace(self, reached, share):
+        """Warn, in the log and on ~warning, that the simulation is too slow, or has caught up."""
         wanted = self._settings.real_time_factor
         if reached is None:
             text = ''
             rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted:g}')
         else:
-            text = (f'this machine is too slow: it reaches a real-time factor of {reached:.2g} '
+            text = (f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} '
                     f'instead of {wanted:g}')
-            rospy.logwarn(f'{text}; fewer robots, a lower ~odom_rate or ~real_time_factor help')
+            help_text = ('fewer robots, no ~gui, a lower ~odom_rate or ~real_time_factor help'
+                         if share > BUSY_SHARE else 'perhaps other programs need the processors, '
+                         'such as windows that render without a graphics card')
+            rospy.logwarn(f'{text}, with {share:.0%} of a processor; {help_text}')
         self._topics.warn('pace', text)
 
     def _pause(self):
