@@ -53,7 +53,7 @@ while [[ ${1:-} == -* ]]; do
         --set-up) only_set_up=true ;;
         --host)
             host=${2:-}
-            [ -n "$host" ] || fail '--host needs the address of this machine that others reach'
+            [ -n "$host" ] || refuse '--host needs the address of this machine that others reach'
             shift ;;
         *) refuse "$1 is not one of --host ADDRESS, --set-up, --help" ;;
     esac

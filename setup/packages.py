@@ -20,7 +20,7 @@ KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depe
 
 
 def read_packages():
-    """Return the packages that catkin accepts, by folder, and a line about each of the others."""
+    """Return the packages that catkin accepts, by folder, all names, and a line about each other package."""
     packages, errors = {}, []
     taken = {parse_package(folder).name: folder for folder in sys.argv[3:]}
     for path in sorted(find_package_paths(f'{WORKSPACE}/src')):
@@ -30,16 +30,17 @@ def read_packages():
             if package.name in taken:
                 raise InvalidPackage(f'{taken[package.name]} has the name {package.name}, too: rename yours')
         except (InvalidPackage, OSError, ValueError) as error:
-            errors.append(f'left out {folder}: {error}')
+            reason = str(error).partition("package.xml':")[2] or error
+            errors.append(f'left out .ws/src/{path}: {reason}')
         else:
             package.evaluate_conditions({'ROS_VERSION': '1', 'ROS_PYTHON_VERSION': '3'})
             packages[folder], taken[package.name] = package, folder
-    return packages, errors
+    return packages, taken, errors
 
 
 def build():
     """Build them, and write the errors into the file left_out."""
-    packages, errors = read_packages()
+    packages, _, errors = read_packages()
     for folder, package in topological_order_packages(packages):
         if folder is None:
             errors.append(f'left out {package}: they depend on each other')
@@ -61,14 +62,15 @@ def build():
 
 def depends():
     """Print what apt, whose names of all packages are the input, calls that on which they depend."""
-    known, packages = set(sys.stdin.read().split()), read_packages()[0].values()
-    needed = {depend.name: package.name for package in packages for kind in KINDS
+    known = set(sys.stdin.read().split())
+    packages, taken, _ = read_packages()
+    needed = {depend.name: package.name for package in packages.values() for kind in KINDS
               for depend in getattr(package, kind) if depend.evaluated_condition}
-    for name in needed.keys() - {'catkin', *(package.name for package in packages)}:
+    for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
         debian = name.replace('_', '-')
         names = known & {f'lib{debian}-dev', f'lib{debian}-config-init-mutex-dev', f'python3-{debian}',
                          f'ros-{debian}', f'{debian}-tools', debian} - {'tf'}  # a game
-        print('\n'.join(names))
+        print(*sorted(names))
         if not names and not Path('/usr/share', name, 'package.xml').exists():
             print(f'./ws: {needed[name]} depends on {name}, of which apt knows no package', file=sys.stderr)
 

@@ -6,7 +6,7 @@ OPT=/opt/ros
 # find_ros: set ROS, the folder that has it, and its PYTHON. A workspace stays with the ROS it was
 # made with, whatever a terminal has sourced.
 find_ros() {
-    ! { read -r ROS && read -r PYTHON; } 2>/dev/null <"$VENV/ros" || return 0
+    [ -f "$VENV/ros" ] && { read -r ROS && read -r PYTHON; } <"$VENV/ros" && return
     if [ "${ROS_VERSION:-}" = 1 ] && ROS=$(type -P catkin_make); then
         ROS=${ROS%/bin/catkin_make}
         ROS=${ROS:-$USR}

@@ -34,9 +34,9 @@ build() {
     rm -f "$WORKSPACE/ready"
     # Earlier versions had links to our packages there. What else there is, is the user's.
     find "$WORKSPACE/src" -maxdepth 1 -lname '../../*' ! -lname '../../*/*' -delete
-    while read -r part; do
+    for part in $(! is_debians || apt-cache pkgnames | (load_ros && run_packages depends)); do
         has_parts "$part" || missing+=("$part")
-    done < <(! is_debians || apt-cache pkgnames | (load_ros && run_packages depends))
+    done
     [ ${#missing[@]} = 0 ] || {
         announce "packages in .ws/src depend on ${missing[*]}"
         (need_parts "${missing[@]}") || announce 'going on without them'
@@ -52,8 +52,7 @@ build_all() {
     # CMake believes PWD where it is a name of its folder, and else takes the one without links.
     cd "$WORKSPACE/build/ours"
     catkin_make -C "$WORKSPACE" --source "$WORKSPACE/ours" --build "$WORKSPACE/build/ours" \
-        -DPYTHON_EXECUTABLE="$VENV/bin/python3"
-    run_packages build
+        -DPYTHON_EXECUTABLE="$VENV/bin/python3" && run_packages build || return
     echo "$BUILT_FROM" >"$WORKSPACE/ready"
 }
 
