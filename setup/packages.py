@@ -16,6 +16,8 @@ WORKSPACE = Path(sys.argv[2])
 # Without PWD, CMake would take the name of its folder without links.
 BUILD = 'cd "$1" && . "$0/devel/setup.bash" && { [ -e Makefile ] || cmake "${@:2}"; } && make -k'
 ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: error: .*)')
+# Other programs of Debian have names of ROS packages: tf is a game.
+SAME_NAME = r'^(?:python3-|lib|rviz$|topic-tools$|joint-state-publisher).*'
 KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
 
 
@@ -68,8 +70,8 @@ def depends():
               for depend in getattr(package, kind) if depend.evaluated_condition}
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
         debian = name.replace('_', '-')
-        names = known & {f'lib{debian}-dev', f'lib{debian}-config-init-mutex-dev', f'python3-{debian}',
-                         f'ros-{debian}', f'{debian}-tools', debian} - {'tf'}  # a game
+        names = {f'lib{debian}-dev', f'lib{debian}-config-init-mutex-dev', f'python3-{debian}', f'ros-{debian}',
+                 f'{debian}-tools', *re.findall(SAME_NAME, debian)} & known
         print(*sorted(names))
         if not names and not Path('/usr/share', name, 'package.xml').exists():
             print(f'./ws: {needed[name]} depends on {name}, of which apt knows no package', file=sys.stderr)

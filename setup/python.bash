@@ -16,6 +16,7 @@ has_requirements() { [ ! -e "$1" ] || is_done "$VENV/ready-${1//\//-}" "$(finger
 
 set_up_python() {
     local step='installing PyBullet' version
+    is_debians || check_ros
     version=$("$PYTHON" -Ic 'import sys; print("%d.%d" % sys.version_info[:2])')
     [[ "$version $(uname -m)" =~ ^3\.([89]|10|11)\ x86_64$ ]] || {
         need_parts "${COMPILER_PARTS[@]}"

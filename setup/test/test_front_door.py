@@ -1,6 +1,7 @@
 """What ./ws answers before anything is set up, and where it cannot go on."""
 
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -90,6 +91,16 @@ def test_help_installs_nothing(fresh, option):
 def test_a_command_that_is_not_there(command, hint):
     run = Process(ROOT / 'ws', command)
     assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
+
+
+@pytest.mark.parametrize('variable, status, answer', [
+    ('PYTHONHOME', 0, ''), ('PYTHONPATH', 1, "with PYTHONPATH={} .*/setup.bash fails: .*'platform' has no .*")])
+def test_a_variable_that_stops_python_is_named_or_of_no_effect(tmp_path, variable, status, answer):
+    """As a folder with a module of the name of one of Python's own."""
+    (tmp_path / 'platform.py').write_text('x = 1\n')
+    run = Process('env', f'{variable}={tmp_path}', ROOT / 'ws', 'true')
+    assert run.wait() == status, run.output
+    assert re.fullmatch(answer.format(tmp_path), run.output.strip().replace('./ws: ', '', 1)), run.output
 
 
 @pytest.mark.parametrize('command, extras', [

@@ -58,7 +58,7 @@ STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 
 
 @pytest.mark.parametrize('script', [
-    'rotate_robot/script/rotate.py', 'setup/bin/roslaunch', *(
+    'rotate_robot/script/rotate.py', *(
         pytest.param(script, marks=pytest.mark.nightly) for script in (
             'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
             'rotate_robot/script/main.py', 'sim_turtlebot/script/sim_turtlebot_node.py',
