@@ -22,10 +22,9 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws --set-up COMMAND  only install what that command needs
   ./ws COMMAND...        run any command in the workspace, for example ./ws rostopic echo /odom -n1
 
-demo, test, bench and sweep have a --help of their own. The first use installs ROS from the system's
-packages and builds; later uses start at once. ROS listens on this machine only. --host ADDRESS lets
-other machines in, at this address of this machine; ROS 1 has no passwords: everybody there can drive
-the robot.
+demo, test, bench and sweep tell more with --help. The first use installs what is missing. ROS listens on
+this machine only; --host ADDRESS lets other machines in, at this address of this machine. ROS 1 has no
+passwords: everybody there can drive the robot.
 TEXT
 }
 
@@ -79,7 +78,7 @@ case $1 in
     shell) exec bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
 esac
 type -P -- "$1" >/dev/null || case $1 in
-    rqt*) refuse "there is no command $1; the page draws plots, too: ./ws rosrun robot_view view.py" ;;
+    rqt*) refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
     *) refuse "there is no command $1" ;;
 esac
 exec "$@"

@@ -1,5 +1,4 @@
-# The virtual environment .venv, and PyBullet in it. Whatever is installed leaves the fingerprint of
-# what it was made from, as its last step.
+# The virtual environment .venv, and what pip installs in it.
 
 # fingerprint FILE...: of the files, of where they are, and of ROS and Python.
 fingerprint() {
@@ -14,21 +13,10 @@ python_is_ready() { [ -x "$VENV/bin/python3" ] && has_requirements requirements.
 # has_requirements FILE: whether they are installed, or of a package that is left out.
 has_requirements() { [ ! -e "$1" ] || is_done "$VENV/ready-${1//\//-}" "$(fingerprint "$1")"; }
 
-set_up_python() {
-    local step='installing PyBullet' version
-    is_debians || check_ros
-    version=$("$PYTHON" -Ic 'import sys; print("%d.%d" % sys.version_info[:2])')
-    [[ "$version $(uname -m)" =~ ^3\.([89]|10|11)\ x86_64$ ]] || {
-        need_parts "${COMPILER_PARTS[@]}"
-        step="compiling PyBullet, which PyPI lacks for Python $version on $(uname -m); the first time \
-takes about 5 minutes"
-    }
-    run_step "$step" make_python
-}
-
 make_python() {
     rm -rf "$VENV" "$WORKSPACE"/{ready,build,devel}  # what is built starts with the old one
-    # ROS's modules belong to this Python, whatever python3 is first on PATH.
+    # What an existing ROS may lack. Its modules belong to this Python, whatever python3 is first on PATH.
+    "$PYTHON" -c 'import ensurepip, nav_msgs, rospy, rostest, tf'
     "$PYTHON" -m venv --system-site-packages "$VENV"
     printf '%s\n' "$ROS" "$PYTHON" >"$VENV/ros"
     add_requirements requirements.txt

@@ -38,13 +38,3 @@ load_ros() {
     fi
     export PATH=$VENV/bin:$PATH
 }
-
-# check_ros: end with one line if an existing ROS lacks something.
-check_ros() {
-    local lacks modules
-    modules=$(grep -o 'python3-\S*' <<<"${DEBIAN_PARTS[*]}" | sed 's/^python3-//; s/-/_/g; s/^venv$/ensurepip/')
-    lacks=$( (load_ros; type catkin_make make "${CXX:-c++}"; "$PYTHON" -c "import ${modules//$'\n'/, }") \
-        2>&1 >/dev/null | tail -n 1) || true
-    [ -z "$lacks" ] || fail "the ROS in $ROS is not whole: ${lacks#*line *: }. Install that where this ROS came \
-from (Debian and Ubuntu: as ros-${ROS##*/}-NAME, python3-venv, g++, make)"
-}

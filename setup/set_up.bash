@@ -6,13 +6,11 @@ done
 mapfile -t PACKAGES < <(cd "$CHECKOUT" && dirname -- */package.xml)
 # The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
 # lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
-DEBIAN_PARTS=(python3-venv catkin g++ make python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
+DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
     python3-roslaunch python3-rosmsg python3-rosnode python3-rospy python3-rosservice python3-rostest
     python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
-    librostest-dev ros-environment rosbash rosout
-    ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs ros-std-msgs
-    ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
-COMPILER_PARTS=(python3-dev)
+    librostest-dev ros-environment rosbash rosout ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg
+    ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 python3-actionlib python3-dynamic-reconfigure
     python3-message-filters x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
@@ -80,7 +78,7 @@ project into a folder of your own"
         flock 9
     }
     need_parts "${PARTS[@]}"
-    python_is_ready || set_up_python
+    python_is_ready || run_step 'installing PyBullet; where PyPI has no wheel, pip compiles it for minutes' make_python
     for file in "${REQUIREMENTS[@]}"; do
         has_requirements "$file" || run_step "installing $file" add_requirements "$file"
     done

@@ -35,10 +35,8 @@ run_step() {
 }
 
 has_parts() {
-    local states
-    type -P dpkg-query >/dev/null && [ $# != 0 ] || return 0
-    states=$(dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>/dev/null) || return 1
-    ! grep -qv '^installed$' <<<"$states"
+    [ $# = 0 ] || ! type -P dpkg-query >/dev/null ||
+        [ -z "$(dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>&1 | grep -vx installed)" ]
 }
 
 need_parts() {
@@ -65,7 +63,7 @@ apt_update() {
 apt_get() { as_root apt-get -q -y -o DPkg::Lock::Timeout=600 "$@"; }
 
 as_root() {
-    local sudo=(sudo)
-    [ "$(id -u)" != 0 ] || sudo=()
-    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "$@"
+    set -- env DEBIAN_FRONTEND=noninteractive "$@"
+    [ "$(id -u)" = 0 ] || set -- sudo "$@"
+    "$@"
 }

@@ -24,9 +24,7 @@ build_fingerprint() {
             -printf '%p %T@\n' | sort)
 }
 
-build_is_ready() {
-    [ -f "$WORKSPACE/devel/setup.bash" ] && is_done "$WORKSPACE/ready" "$(build_fingerprint)"
-}
+build_is_ready() { [ -d "$WORKSPACE/devel" ] && is_done "$WORKSPACE/ready" "$(build_fingerprint)"; }
 
 build() {
     local part missing=()

@@ -34,7 +34,7 @@ BAD = [
 # apt knows these; none is installed, and none can be.
 DEPENDS = """
 apt-cache() { printf '%s\\n' nowhere tf libtf-dev tf-tools python3-tf2-ros libtf2-ros-dev python3-odometry-common; }
-has_parts() { [ "${1#python3-venv}" != "$1" ]; }
+has_parts() { [ "$1" = catkin ]; }  # the first of what every command needs
 need_parts() { has_parts "$@" || fail 'this needs root or sudo'; }
 """
 INTERRUPT = FASTER + """
