@@ -47,7 +47,7 @@ def build():
         if folder is None:
             errors.append(f'left out {package}: they depend on each other')
             continue
-        place = WORKSPACE / 'build' / package.name
+        place = WORKSPACE / 'build' / folder[len(f'{WORKSPACE}/'):].replace('/', '+')
         place.mkdir(parents=True, exist_ok=True)
         run = subprocess.run(
             ['bash', '-c', BUILD, WORKSPACE, place, folder, f'-DPYTHON_EXECUTABLE={sys.executable}',

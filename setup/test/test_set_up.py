@@ -126,11 +126,11 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
         assert run.stderr.count('./ws: ') == len(building) + len(BAD), run.stderr
         for name, *_, reason in BAD:
             assert any(re.search(rf'\b{name}\b.*: .*{reason}', line) for line in shown), (name, run.stderr)
-    made = (checkout / '.ws' / 'build' / 'mine' / 'CMakeCache.txt').stat()
+    made = (checkout / '.ws' / 'build' / 'src+mine' / 'CMakeCache.txt').stat()
     (student / 'uncompiled' / 'x.cpp').write_text('int x() { return 1; }')
     run = in_checkout(checkout, RUN_MINE)
     assert 'building the packages' in run.stderr and 'uncompiled' not in run.stderr, run.stderr
-    assert (checkout / '.ws' / 'build' / 'mine' / 'CMakeCache.txt').stat() == made
+    assert (checkout / '.ws' / 'build' / 'src+mine' / 'CMakeCache.txt').stat() == made
 
 
 def test_what_a_package_depends_on_is_installed(checkout):
