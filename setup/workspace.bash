@@ -13,7 +13,7 @@ find_root() {
     mkdir -m 755 "$folder" 2>/dev/null || true
     [[ $(stat -c %u "$folder") =~ ^($owner|0)$ ]] && {
         [ "$(readlink "$ROOT")" = "$CHECKOUT" ] || ln -sfnT "$CHECKOUT" "$ROOT" 2>/dev/null
-    } || fail "ROS cannot handle the path $CHECKOUT, and $folder, for a link to it, cannot be written"
+    } || fail "ROS cannot handle the path $CHECKOUT, and no link to it can be made in $folder"
 }
 
 # build_fingerprint: of how our packages are built, and of what is compiled of the user's.
