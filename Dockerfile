@@ -2,9 +2,10 @@
 FROM docker.io/library/debian:12
 
 # What neither runs nor builds a package in Python is not unpacked: documents, the headers and static
-# libraries of Boost and ICU, link-time optimization, sanitizers, Perl's modules (git needs none).
+# libraries of Boost, ICU and Python, link-time optimization, sanitizers, Perl's modules (git needs none).
 RUN printf 'path-exclude=%s\n' '/usr/share/doc/*' '/usr/share/man/*' '/usr/share/locale/*' \
         '/usr/include/boost/*' '/usr/include/eigen3/*' '/usr/lib/*/libboost*.a' '/usr/lib/*/libicu*.a' \
+        '/usr/lib/*/libpython*.a' '/usr/lib/python3*/config-*/*.a' \
         '/usr/lib/gcc/*/lto1' '/usr/bin/*-lto-dump*' '/usr/lib/*/lib*san.*' '/usr/*gprofng*' \
         '/usr/bin/cpack' '/usr/bin/ctest' '/usr/share/perl/*' '/usr/lib/*/perl/*' \
         >/etc/dpkg/dpkg.cfg.d/odometry && \

@@ -2,36 +2,29 @@
 # The front door: sets up what is missing, then runs a command in the workspace.
 set -euo pipefail
 
-IFS= read -r system < <(uname)
-if [ "$system" != Linux ]; then  # the next lines would fail there
-    echo "./ws: this needs Linux. On $system the container runs: docs/container.md" >&2
+[ "$(uname)" = Linux ] || {  # the next lines would fail there
+    echo "./ws: this needs Linux. On $(uname) the container runs: docs/container.md" >&2
     exit 1
-fi
-
-# Not by $(...): bash may forget a Ctrl-C while it waits for that.
-IFS= read -rd '' CHECKOUT < <(readlink -fz "${BASH_SOURCE[0]}")
+}
+CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}
 . "$CHECKOUT/setup/set_up.bash"
-end_by_signals
 
 usage() {
     cat <<'TEXT'
 usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
 
-  ./ws demo              drive a simulated TurtleBot 2 two metres; ./ws demo --help tells more
-  ./ws test              run the tests, with -m nightly the long ones; ./ws test --help tells more
+  ./ws demo              drive a simulated TurtleBot 2 two metres
+  ./ws test              run the tests, with -m nightly the long ones
   ./ws bench             measure speed and delay, each as a ratio to its limit
-  ./ws sweep             run a tutorial many times without ROS; ./ws sweep --help tells more
+  ./ws sweep             run a tutorial many times without ROS
   ./ws shell             open a shell in the workspace
   ./ws --set-up COMMAND  only install what that command needs
-  ./ws COMMAND...        run any command in the workspace, for example
-                           ./ws roslaunch odometry_launch move_two_meters.launch
-                           ./ws rostopic echo /odom -n1
+  ./ws COMMAND...        run any command in the workspace, for example ./ws rostopic echo /odom -n1
 
-ROS listens on this machine only. --host ADDRESS lets other machines in, at this address of this
-machine; ROS 1 has no passwords: everybody there can drive the robot.
-
-The first use installs ROS from the system's packages and builds; later uses start at once.
+demo, test, bench and sweep tell more with --help. The first use installs what is missing. ROS listens on
+this machine only; --host ADDRESS lets other machines in, at this address of this machine. ROS 1 has no
+passwords: everybody there can drive the robot.
 TEXT
 }
 
@@ -52,41 +45,40 @@ exec_guarded() {
         bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/setup/enter.bash" "$@"
 }
 
-main() {
-    local only_set_up=false
-    CALLED_FROM=$PWD
-    while [[ ${1:-} == -* ]]; do
-        case $1 in
-            -h | --help) usage; exit ;;
-            --set-up) only_set_up=true ;;
-            --host)
-                [ -n "${2:-}" ] || fail '--host needs the address of this machine that others reach'
-                unset ROS_HOSTNAME
-                export ROS_IP=$2
-                shift ;;
-            *) refuse "$1 is not one of --host ADDRESS, --set-up, --help" ;;
-        esac
-        shift
-    done
-    $only_set_up || [ $# != 0 ] || { usage; exit 1; }
-    [[ ${1:-} != shell || ${2:-} != -h && ${2:-} != --help ]] || { usage; exit; }
-    [[ ${1:-} != sweep || -d $CHECKOUT/odometry_sweep ]] ||
-        refuse './ws sweep needs the package odometry_sweep, which is not here'
-    set_up "$@"
-    ! $only_set_up || exit 0
-    export ODOMETRY_ROOT=$ROOT
-    cd "$CALLED_FROM"
+only_set_up=false host=
+while [[ ${1:-} == -* ]]; do
     case $1 in
-        demo) shift; exec_guarded "$ROOT/launch/script/demo.py" "$@" ;;
-        bench) shift; exec_guarded "$ROOT/test/benchmarks/run_bench.py" "$@" ;;
-        sweep) shift; exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "$@" ;;
+        -h | --help) usage; exit ;;
+        --set-up) only_set_up=true ;;
+        --host)
+            host=${2:-}
+            [ -n "$host" ] || refuse '--host needs the address of this machine that others reach'
+            shift ;;
+        *) refuse "$1 is not one of --host ADDRESS, --set-up, --help" ;;
     esac
-    enter
-    case $1 in
-        test) shift; cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "$@" ;;
-        shell) shift; exec bash --rcfile "$ROOT/setup/shell.bash" "$@" ;;
-        *) type -P -- "$1" >/dev/null || refuse_unknown "$1"; exec "$@" ;;
-    esac
-}
-
-main "$@"
+    shift
+done
+$only_set_up || [ $# != 0 ] || { usage; exit 1; }
+# These have a ROS master of their own on this machine, and need no address.
+[[ ! ${1:-} =~ ^(demo|test|bench|sweep)$ ]] || unset ROS_HOSTNAME ROS_IP
+[ -z "$host" ] || { unset ROS_HOSTNAME; export ROS_IP=$host; }
+CALLED_FROM=$PWD
+set_up "$@"
+! $only_set_up || exit 0
+cd "$CALLED_FROM"
+export ODOMETRY_ROOT=$ROOT
+case $1 in
+    demo) exec_guarded "$ROOT/launch/script/demo.py" "${@:2}" ;;
+    bench) exec_guarded "$ROOT/test/benchmarks/run_bench.py" "${@:2}" ;;
+    sweep) exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "${@:2}" ;;
+esac
+enter
+case $1 in
+    test) cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
+    shell) exec bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
+esac
+type -P -- "$1" >/dev/null || case $1 in
+    rqt*) refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
+    *) refuse "there is no command $1" ;;
+esac
+exec "$@"

@@ -1,21 +1,33 @@
 # Enter the workspace in ODOMETRY_ROOT, as ./ws and its shell do before a command. Source this from a
 # function without arguments: catkin reads the arguments of its caller.
+unset PYTHONHOME  # the workspace's Python has another
 # ROS 2 has modules and variables of the same names.
 [ "${ROS_VERSION:-}" != 2 ] ||
     unset PYTHONPATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
-# It writes a file, and prints a traceback if that fails.
-. "$ODOMETRY_ROOT/.ws/devel/setup.bash" &>/dev/null || {
-    echo "./ws: nothing can be written to ${TMPDIR:-/tmp}: full disk, or limited files (ulimit -f)" >&2
+setup=$ODOMETRY_ROOT/.ws/devel/setup.bash
+. "$setup" &>/dev/null || {
+    # Again, for what it says, and without PYTHONPATH, to see whether that is the cause.
+    reason=$(. "$setup" 2>&1 >/dev/null | tail -n 1) || true
+    ! (unset PYTHONPATH && . "$setup" &>/dev/null) || setup="with PYTHONPATH=$PYTHONPATH $setup"
+    echo "./ws: $setup fails: $reason" >&2
     exit 1
 }
-export PATH=$ODOMETRY_ROOT/setup/bin:$ODOMETRY_ROOT/.venv/bin:$PATH
+export PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
 
-address=${ROS_HOSTNAME:-${ROS_IP:-localhost}}
+variable=ROS_IP
+[ -z "${ROS_HOSTNAME:-}" ] || variable=ROS_HOSTNAME
+address=${!variable:-localhost}
 case ${address,,} in
     localhost | localhost.* | *.localhost | localhost[46] | ip6-localhost | ip6-loopback | 127.* | ::1)
         # rospy listens on loopback only if ROS_HOSTNAME is localhost. The C++ rosout never does: use
         # the one in our roscore.xml.
         export ROS_HOSTNAME=localhost ROS_ETC_DIR=$ODOMETRY_ROOT/launch/etc
         unset ROS_IP ;;
+    *)
+        python3 -I -c 'import socket, sys
+family, *_, address = socket.getaddrinfo(sys.argv[1], 0)[0]
+socket.socket(family).bind(address)' "$address" 2>/dev/null ||
+            echo "./ws: $variable=$address is not an address of this machine, but other nodes look there for \
+those started here: unset it" >&2 ;;
 esac
-unset address
+unset setup variable address

@@ -3,100 +3,74 @@ for file in system ros python workspace; do
     . "$CHECKOUT/setup/$file.bash"
 done
 
-# All that are here: robot_view and odometry_sweep may be left out.
-PACKAGES=("$CHECKOUT"/*/package.xml)
-PACKAGES=("${PACKAGES[@]%/package.xml}")
-PACKAGES=("${PACKAGES[@]##*/}")
+mapfile -t PACKAGES < <(cd "$CHECKOUT" && dirname -- */package.xml)
 # The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
 # lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
-DEBIAN_PARTS=(python3-venv catkin g++ make python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
+DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
     python3-roslaunch python3-rosmsg python3-rosnode python3-rospy python3-rosservice python3-rostest
     python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
-    librostest-dev ros-environment rosbash rosout
-    ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs ros-std-msgs
-    ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
-COMPILER_PARTS=(python3-dev)
+    librostest-dev ros-environment rosbash rosout ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg
+    ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 python3-actionlib python3-dynamic-reconfigure
     python3-message-filters x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(rviz)
-# Python packages that only some commands need.
-declare -A EXTRA_REQUIREMENTS=([tests]=test/requirements.txt [sweep]=odometry_sweep/requirements.txt
-    [cluster]=odometry_sweep/requirements-cluster.txt [view]=robot_view/requirements.txt)
+TF_PARTS=(libtf-dev tf-tools)
 
 # set_up COMMAND ARGUMENT...: make everything ready for a command in the workspace.
 set_up() {
+    end_by_signals
     find_root
     VENV=$ROOT/.venv
     WORKSPACE=$ROOT/.ws
     LOG=$WORKSPACE/setup.log
     cd "$ROOT"
     find_ros
-    PARTS=() EXTRAS=()
+    PARTS=() REQUIREMENTS=()
     case $ROS in
         "$USR") PARTS=("${DEBIAN_PARTS[@]}") ;;
-        "$OPT"/*) RVIZ_PARTS=("ros-${ROS##*/}-rviz") ;;
-        *) RVIZ_PARTS=() ;;
+        "$OPT"/*) RVIZ_PARTS=("ros-${ROS##*/}-rviz") TF_PARTS=("ros-${ROS##*/}-tf") ;;
+        *) RVIZ_PARTS=() TF_PARTS=() ;;
     esac
-    if asks_for_help "$@"; then
-        is_ready && return
-        [ "$1" != demo ] || ! python3 -IB -c "$DEMO_HELP" "$ROOT" 2>/dev/null || exit 0
-        usage
-        printf '\n%s\n' "./ws $1 --help tells more after: ./ws --set-up $1"
-        exit
-    fi
     add_extras "$@"
-    is_ready || make_ready "$@"
-    tell_left_out
+    is_ready || make_ready
+    [ ! -s "$WORKSPACE/left_out" ] || sed 's,^,./ws: ,' "$WORKSPACE/left_out" >&2
 }
 
-DEMO_HELP='
-import sys
-sys.path[:0] = [sys.argv[1] + "/launch/src", sys.argv[1] + "/odometry_common/src"]
-from odometry_launch.options import make_parser
-make_parser().print_help()'
-
-# asks_for_help COMMAND ARGUMENT...: whether a command of ./ws should only print its usage.
-asks_for_help() { is_own "${1:-}" && [[ " ${*:2} " =~ ' '(-h|--help)' ' ]]; }
-is_own() { [[ $1 =~ ^(demo|test|bench|sweep)$ ]]; }
-
-# add_extras COMMAND ARGUMENT...: add to PARTS and EXTRAS what only some commands need.
+# add_extras COMMAND ARGUMENT...: add to PARTS and REQUIREMENTS what only this command needs.
 add_extras() {
-    local word
-    for word in "$@"; do
-        case "$1 $word" in
-            'test test')
-                PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
-                EXTRAS+=(tests sweep cluster view) ;;
-            'bench bench' | 'sweep sweep') EXTRAS+=(sweep) ;;
-            'sweep --cluster'* | 'dask dask') EXTRAS+=(sweep cluster) ;;
-            *' pytest') EXTRAS+=(tests sweep cluster view) ;;
-            *' ruff' | *' vermin' | *' pre-commit') PARTS+=(catkin-lint) EXTRAS+=(tests) ;;
-            *' --view' | *' view:='[1Tt]* | *' view.py') EXTRAS+=(view) ;;
-            *' --gui' | *' gui:='[1Tt]* | *' _gui:='[1Tt]*) PARTS+=("${WINDOW_PARTS[@]}") ;;
-            *' rviz:='[1Tt]* | *' rviz') PARTS+=("${RVIZ_PARTS[@]}") ;;
-        esac
+    local view=robot_view/requirements.txt
+    case "$* " in
+        'test '* | 'pytest '* | python*' -m pytest '*)
+            PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
+            REQUIREMENTS+=(test/requirements.txt odometry_sweep/requirements{,-cluster}.txt $view) ;;
+        'ruff '* | 'vermin '* | 'pre-commit '*) PARTS+=(catkin-lint) REQUIREMENTS+=(test/requirements.txt) ;;
+        'dask '* | 'sweep '*'--cluster'*) REQUIREMENTS+=(odometry_sweep/requirements{,-cluster}.txt) ;;
+        'bench '* | 'sweep '*) REQUIREMENTS+=(odometry_sweep/requirements.txt) ;;
+        'rosrun tf '*) PARTS+=("${TF_PARTS[@]}") ;;
+        'rosrun rviz '* | 'rviz '* | 'roslaunch '*' rviz:='[1Tt]*) PARTS+=("${RVIZ_PARTS[@]}") ;;&
+        'rosrun sim_turtlebot '*' _gui:='[1Tt]* | 'demo '*'--gui '* | 'roslaunch '*' gui:='[1Tt]*)
+            PARTS+=("${WINDOW_PARTS[@]}") ;;&
+        'rosrun robot_view view.py '* | 'demo '*'--view '* | 'roslaunch '*' view:='[1Tt]*)
+            REQUIREMENTS+=($view) ;;
+    esac
+}
+
+is_ready() {
+    local file
+    has_parts "${PARTS[@]}" && python_is_ready && build_is_ready || return
+    for file in "${REQUIREMENTS[@]}"; do
+        has_requirements "$file" || return
     done
 }
 
-# is_ready: whether nothing is missing. In the background, since bash forgets a Ctrl-C now and then
-# while it waits for a $(...), but never in `wait`.
-is_ready() {
-    (
-        has_parts "${PARTS[@]}" && python_is_ready && build_is_ready || exit
-        for extra in "${EXTRAS[@]}"; do
-            extra_is_ready "$extra" || exit
-        done
-    ) &
-    wait $!
-}
-
-# make_ready COMMAND ARGUMENT...: install and build what is missing, one call of ./ws at a time.
+# make_ready: install and build what is missing, one call of ./ws at a time.
 make_ready() {
-    local extra
-    [ $# = 0 ] || may_exist "$1" || refuse_unknown "$1"
-    need_write
-    python_is_ready || [ ! -x "$PYTHON" ] || has_pybullet || PARTS+=("${COMPILER_PARTS[@]}")
+    local file path
+    path=$(find "$CHECKOUT" "$CHECKOUT"/.ws{,/src,/lock,/setup.log} "$CHECKOUT/.venv" -maxdepth 0 ! -writable \
+        -print -quit 2>/dev/null) || true
+    [ -z "$path" ] || fail "you cannot write to $path, which belongs to $(stat -c %U "$path"): clone the \
+project into a folder of your own"
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
     flock -n 9 || {
@@ -104,39 +78,10 @@ make_ready() {
         flock 9
     }
     need_parts "${PARTS[@]}"
-    python_is_ready || set_up_python
-    for extra in "${EXTRAS[@]}"; do
-        extra_is_ready "$extra" || run_step "installing Python packages for the $extra" \
-            add_python "$VENV/ready-$extra" "$ROOT/${EXTRA_REQUIREMENTS[$extra]}"
+    python_is_ready || run_step 'installing PyBullet; where PyPI has no wheel, pip compiles it for minutes' make_python
+    for file in "${REQUIREMENTS[@]}"; do
+        has_requirements "$file" || run_step "installing $file" add_requirements "$file"
     done
-    build_is_ready || run_step 'building the packages' build
+    build_is_ready || build
     exec 9>&-
 }
-
-set_up_python() {
-    check_ros
-    local step='installing PyBullet'
-    has_pybullet || {
-        need_parts "${COMPILER_PARTS[@]}"
-        step="compiling PyBullet, which PyPI lacks for Python $(python_version) on $(uname -m), once; \
-it takes about 5 minutes on two processors"
-    }
-    run_step "$step" make_python
-}
-
-# may_exist COMMAND: whether there is such a command, or may be once everything is installed.
-may_exist() {
-    is_own "$1" || [ "$1" = shell ] || (cd "$CALLED_FROM" && type -P -- "$1" >/dev/null) ||
-        [[ $1 =~ ^(ros|rviz|rqt|catkin|tf|py|pip|ruff$|vermin$|pre-commit$|dask) ]]
-}
-
-# refuse_unknown COMMAND: end, and name the command of ./ws that is spelled most alike.
-refuse_unknown() {
-    local close
-    close=$(python3 -c "$CLOSE_SPELLING" "$1" 2>/dev/null || true)
-    refuse "there is no command $1${close:+; did you mean ./ws $close?}"
-}
-
-CLOSE_SPELLING='
-import difflib, sys
-print(*difflib.get_close_matches(sys.argv[1], "demo test bench sweep shell".split(), 1))'

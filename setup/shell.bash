@@ -4,15 +4,12 @@ address=$(declare -p ROS_HOSTNAME ROS_IP 2>/dev/null)
 [ ! -f ~/.bashrc ] || . ~/.bashrc
 unset ROS_HOSTNAME ROS_IP
 eval "$address"
-unset address
 . "$ODOMETRY_ROOT/setup/enter.bash"
 PS1="(ws) $PS1"
 
 # Debian has completion of ROS's commands only beside the package bash-completion.
-completions=/usr/share/bash-completion/completions/rosbash
-complete -p rostopic &>/dev/null || [ ! -f $completions ] || . $completions
-unset completions
+complete -p rostopic &>/dev/null || . /usr/share/bash-completion/completions/rosbash 2>/dev/null
 
-# view:=true, rviz:=true and gui:=true need parts that are installed when they are first asked for.
+# What some launch arguments and programs need is installed when they are first typed.
 roslaunch() { "$ODOMETRY_ROOT/ws" --set-up roslaunch "$@" && command roslaunch "$@"; }
 rosrun() { "$ODOMETRY_ROOT/ws" --set-up rosrun "$@" && command rosrun "$@"; }

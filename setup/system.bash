@@ -1,8 +1,4 @@
-# Steps of the set-up, its messages, and system packages.
-
-# Variables of a sourced workspace or ROS, on which this one must not depend.
-SOURCED=(CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH PYTHONHOME PKG_CONFIG_PATH LD_LIBRARY_PATH
-    AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO)
+# Messages of the set-up, its steps, and system packages.
 
 announce() { echo "./ws: $1" >&2; }
 fail() { announce "$1"; exit 1; }
@@ -20,13 +16,9 @@ end_by_signals() {
 # run_step TEXT COMMAND...: run a command with its output in the log, and show that it is alive.
 run_step() {
     local text=$1 start=$SECONDS pid status=0 before
-    shift
     before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
     [ -t 2 ] || announce "$text ..."
-    (
-        [ ! -f "$ROS/setup.bash" ] && ! is_debians || unset "${SOURCED[@]}"
-        "$@"
-    ) >>"$LOG" 2>&1 &
+    { load_ros && "${@:2}"; } >>"$LOG" 2>&1 &
     pid=$!
     trap 'kill $pid 2>/dev/null || true; exit 130' INT TERM HUP
     while [ -t 2 ] && kill -0 $pid 2>/dev/null; do
@@ -43,45 +35,35 @@ run_step() {
 }
 
 has_parts() {
-    local states
-    type -P dpkg-query >/dev/null && [ $# != 0 ] || return 0
-    states=$(dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>/dev/null) || return 1
-    ! grep -qv '^installed$' <<<"$states"
+    [ $# = 0 ] || ! type -P dpkg-query >/dev/null ||
+        [ -z "$(dpkg-query -W -f '${db:Status-Status}\n' "$@" 2>&1 | grep -vx installed)" ]
 }
 
 need_parts() {
+    local command="sudo apt-get install --no-install-recommends $*" version
     ! has_parts "$@" || return 0
-    is_debians || fail "this needs more of the system: $(apt_line "$@")"
+    is_debians || fail "this needs more of the system: $command"
     [ "$(id -u)" = 0 ] || sudo -v 2>/dev/null ||
-        fail "this needs root or sudo, or somebody who has it and types: $(apt_line "$@")"
+        fail "this needs root or sudo, or somebody who has it and types: $command"
     run_step 'asking apt what there is' apt_update
-    has_ros_packages || nowhere 'ROS 1 is not among the packages of this system, or too old'
+    version=$(LC_ALL=C apt-cache policy python3-rospy | awk '/Candidate:/ { print $2 }')
+    # Debian 11's rospy fails on its own Python.
+    [[ $version == [0-9]* ]] && dpkg --compare-versions "$version" ge 1.15.13 ||
+        nowhere 'ROS 1 is not among the packages of this system, or too old'
     run_step "installing $# system packages and what they need" \
         apt_get install --no-install-recommends "$@"
 }
 
-apt_line() { echo "sudo apt-get install --no-install-recommends $*"; }
-
-as_root() {
-    local sudo=(sudo)
-    [ "$(id -u)" != 0 ] || sudo=()
-    "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "$@"
+apt_update() {
+    # An earlier set-up may have been killed in the middle of an installation.
+    [ -z "$(dpkg --audit)" ] || { as_root dpkg --configure -a; apt_get --fix-broken install; }
+    apt_get update
 }
 
 apt_get() { as_root apt-get -q -y -o DPkg::Lock::Timeout=600 "$@"; }
 
-apt_update() {
-    # An earlier set-up may have been killed in the middle of an installation.
-    if [ -n "$(dpkg --audit)" ]; then
-        as_root dpkg --configure -a
-        apt_get --fix-broken install
-    fi
-    apt_get update
-}
-
-# has_ros_packages: whether apt has them, and newer ones than Debian 11, whose rospy fails there.
-has_ros_packages() {
-    local version
-    version=$(LC_ALL=C apt-cache policy python3-rospy | awk '/Candidate:/ { print $2 }')
-    [[ $version == [0-9]* ]] && dpkg --compare-versions "$version" ge 1.15.13
+as_root() {
+    set -- env DEBIAN_FRONTEND=noninteractive "$@"
+    [ "$(id -u)" = 0 ] || set -- sudo "$@"
+    "$@"
 }

@@ -59,6 +59,14 @@ def test_it_turns_to_a_heading_in_an_odd_environment(tmp_path):
     assert 'picture' in demo.stdout
 
 
+@pytest.mark.parametrize('home', ['', '/dev/null'])
+def test_the_logs_are_where_the_user_wishes(home, tmp_path):
+    """Without a ~/.ros, as on every CI, or where there can be none."""
+    demo = run(SHORT, HOME=home or str(tmp_path), ROS_LOG_DIR=str(tmp_path / 'logs'))
+    assert (demo.wait(), demo.stderr) == (0, ''), demo.output
+    assert any((tmp_path / 'logs').iterdir())
+
+
 @pytest.mark.nightly
 def test_it_drives_backwards_when_the_disk_is_full():
     demo = run(f'ulimit -f {KILOBYTES}; ./ws demo --distance 1 --speed -0.2 --real-time-factor 0')
@@ -70,7 +78,7 @@ def test_it_drives_backwards_when_the_disk_is_full():
 
 @pytest.mark.parametrize('line, message', [
     # cat, which has no limit, writes the message to the file.
-    ('(ulimit -f 0; ./ws demo) 2>&1 | cat >&2', r'\./ws: nothing can be written to \S+: .*'),
+    ('(ulimit -f 0; ./ws demo) 2>&1 | cat >&2', r'\./ws: \S+/setup.bash fails: OSError: .* File too large'),
     ('DISPLAY= ./ws demo --gui', 'demo: sim_turtlebot: parameter ~gui is True, .*')])
 def test_what_it_cannot_drive_without_is_named_in_one_line(line, message):
     demo = run(line)

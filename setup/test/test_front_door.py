@@ -1,6 +1,7 @@
 """What ./ws answers before anything is set up, and where it cannot go on."""
 
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from checkout import in_checkout, make_checkout
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 
 DEBIAN = """
@@ -20,37 +22,22 @@ as_root() { true; }
 NO_SUDO = DEBIAN + """
 id() { echo 1000; }
 sudo() { return 1; }
-has_pybullet() { false; }
-set_up demo --view rviz:=true
+set_up roslaunch odometry_launch sim.launch rviz:=true
 """
 PACKAGES = DEBIAN + """
 dpkg() { [ "$1" != --audit ] && command dpkg "$@"; }
 apt-cache() { printf 'python3-rospy:\\n  Installed: (none)\\n  Candidate: %s\\n' "$CANDIDATE"; }
 sudo() { true; }
 apt_get() { [ "$1" != install ] || echo installs; }
-set_up_python() { exit; }
+make_python() { exit; }
 set_up demo
 """
-# Python 3.13, for which PyPI has no PyBullet, and its pip, which compiles in a child process.
-PYTHON = """#!/bin/bash
-case $* in
-    *version_info*) echo 3.13 ;;
-    *venv*) mkdir -p "$4/bin"; cp "$0" "$4/bin/python3" ;;
-    *--wheel-dir*)
-        while [ "$1" != --wheel-dir ]; do shift; done
-        bash -c "$COMPILER" compiler
-        touch "$2/${3/==/-}-cp313-cp313-linux_$(uname -m).whl" ;;
-esac
+EXTRAS = """
+PARTS=() REQUIREMENTS=()
+add_extras "${WORDS[@]}"
+echo "${PARTS[*]} ${REQUIREMENTS[*]}"
 """
-COMPILE = """
-find_root
-WORKSPACE=$CHECKOUT/.ws LOG=$CHECKOUT/.ws/setup.log VENV=$CHECKOUT/.venv USR=$CHECKOUT/usr
-PYTHON=$CHECKOUT/python3 ROS=$USR
-mkdir -p "$WORKSPACE"
-need_parts() { echo "needs $*"; }
-end_by_signals
-set_up_python
-"""
+VIEW, SWEEP, TESTS = (f'{folder}/requirements.txt' for folder in ('robot_view', 'odometry_sweep', 'test'))
 
 
 @pytest.fixture
@@ -69,22 +56,52 @@ def in_fresh(folder, *arguments):
 @pytest.mark.parametrize('arguments, answer', [
     (['--foo', 'demo'], '--foo is not one of --host ADDRESS, --set-up, --help'),
     (['--host', '192.0.2.1', '--view'], '--view is not one of --host ADDRESS, --set-up, --help'),
-    (['sweep', 'move'], './ws sweep needs the package odometry_sweep, which is not here'),
-    (['foo'], 'there is no command foo'),
-    (['demoo'], 'there is no command demoo; did you mean ./ws demo?')])
+    (['--host', '192.0.2.1', '--host'], '--host needs the address of this machine that others reach')])
 def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
-    (fresh / 'odometry_sweep').unlink()
     run = in_fresh(fresh, *arguments)
     assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
 
 
-@pytest.mark.parametrize('arguments', [
-    ['--help'], ['demo', '--help'], ['test', '-h'], ['shell', '--help']])
-def test_help_installs_nothing(fresh, arguments):
-    run = in_fresh(fresh, *arguments)
+@pytest.mark.parametrize('option', ['--help', '-h'])
+def test_help_installs_nothing(fresh, option):
+    run = in_fresh(fresh, option)
     assert run.wait() == 0 and run.stdout.startswith('usage: ./ws '), run.output
     assert not run.stderr
-    assert ('--real-time-factor N' in run.stdout) == (arguments[0] == 'demo')
+
+
+@pytest.mark.parametrize('command, hint', [
+    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
+def test_a_command_that_is_not_there(command, hint):
+    run = Process(ROOT / 'ws', command)
+    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
+
+
+@pytest.mark.parametrize('variable, status, answer', [
+    ('PYTHONHOME', 0, ''), ('PYTHONPATH', 1, "with PYTHONPATH={} .*/setup.bash fails: .*'platform' has no .*")])
+def test_a_variable_that_stops_python_is_named_or_of_no_effect(tmp_path, variable, status, answer):
+    """As a folder with a module of the name of one of Python's own."""
+    (tmp_path / 'platform.py').write_text('x = 1\n')
+    run = Process('env', f'{variable}={tmp_path}', ROOT / 'ws', 'true')
+    assert run.wait() == status, run.output
+    assert re.fullmatch(answer.format(tmp_path), run.output.strip().replace('./ws: ', '', 1)), run.output
+
+
+@pytest.mark.parametrize('command, extras', [
+    ('grep -c pytest docs/ci.md', ''), ('rospack find rviz', ''), ('rosnode info rviz', ''), ('cat view.py', ''),
+    ('echo --gui', ''), ('rosrun robot_view view.py', VIEW), ('demo rotate --view', VIEW), ('demo --view', VIEW),
+    ('roslaunch odometry_launch sim.launch view:=true', VIEW), ('roslaunch odometry_launch sim.launch gui:=false', ''),
+    ('rviz', 'rviz'), ('demo --gui --view', f'libgl1 libx11-6 {VIEW}'), ('rosrun tf tf_echo odom base_link', 'libtf-dev tf-tools'),
+    ('pre-commit run', f'catkin-lint {TESTS}'), ('sweep move', SWEEP)])
+def test_a_word_installs_something_only_where_it_means_that(fresh, command, extras):
+    run = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}')
+    assert run.stdout.split() == extras.split(), run.output
+
+
+@pytest.mark.parametrize('command', ['test --help', 'pytest', 'python3 -m pytest -x'])
+def test_tests_need_everything_that_they_test(fresh, command):
+    """In a fresh clone too, where the first call may ask for help."""
+    words = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}').stdout.split()
+    assert {TESTS, VIEW, SWEEP, 'rviz', 'chromium', 'libgl1'} <= set(words)
 
 
 def last_words(folder, commands, **variables):
@@ -118,7 +135,7 @@ def test_no_sudo(fresh):
     """An administrator needs one command only, with what the typed command asks for besides."""
     start, parts = last_words(fresh, NO_SUDO).split(' --no-install-recommends ')
     assert start == 'this needs root or sudo, or somebody who has it and types: sudo apt-get install'
-    assert {'catkin', 'python3-venv', 'rviz', 'python3-dev'} <= set(parts.split())
+    assert {'catkin', 'python3-venv', 'rviz'} <= set(parts.split())
 
 
 def test_a_checkout_of_another_user():
@@ -134,15 +151,3 @@ def test_a_checkout_of_another_user():
             f'./ws: you cannot write to {folder}, which belongs to {folder.owner()}: clone the '
             'project into a folder of your own\n'))
         folder.chmod(0o755)
-
-
-def test_pybullet_is_compiled_once(fresh):
-    """It says how long it takes; another workspace finds what the first has compiled."""
-    (fresh / 'python3').write_text(PYTHON)
-    (fresh / 'python3').chmod(0o755)
-    first = in_checkout(fresh, COMPILE, COMPILER='true')
-    assert (first.wait(), first.stdout) == (0, 'needs python3-dev'), first.output
-    assert first.stderr.startswith('./ws: compiling PyBullet, which PyPI lacks for Python 3.13 on ')
-    second = in_checkout(fresh, f'{COMPILE}ls "$(wheels)"', COMPILER='false')
-    assert (second.wait(), second.stderr) == (0, './ws: installing PyBullet ...'), second.output
-    assert second.stdout.startswith('pybullet')

@@ -42,3 +42,16 @@ def test_a_launch_in_a_shell_listens_on_loopback_only(tmp_path):
         assert_loopback_only(terminal.pid)
         terminal.press_ctrl_c()
         terminal.wait_for_prompt()
+
+
+@pytest.mark.parametrize('setting', ['ROS_IP=192.0.2.1', 'ROS_HOSTNAME=robot.invalid'])
+def test_an_address_of_another_network_is_named_and_stops_no_demo(setting):
+    """As a lab's ~/.bashrc leaves it; the demo has a ROS master of its own."""
+    named = Process('env', '--unset=ROS_HOSTNAME', setting, ROOT / 'ws', 'true')
+    assert (named.wait(), named.output.strip()) == (0, (
+        f'./ws: {setting} is not an address of this machine, but other nodes look there for those started '
+        'here: unset it'))
+    with hold_port() as port:
+        demo = Process('env', '--unset=ROS_HOSTNAME', setting, f'ROS_MASTER_URI=http://localhost:{port}',
+                       ROOT / 'ws', 'demo', '--distance', '0.1', '--real-time-factor', '0')
+        assert (demo.wait(60.0), demo.stderr) == (0, ''), demo.output

@@ -105,5 +105,5 @@ def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
     lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)',
                        (ROOT / 'docs' / 'workspace.md').read_text())
     installed = {word for line in lines for word in line.split()}
-    by_set_up = {word for name in ('DEBIAN', 'COMPILER', 'WINDOW', 'RVIZ') for word in PARTS[name]}
+    by_set_up = {word for name in ('DEBIAN', 'WINDOW', 'RVIZ') for word in PARTS[name]}
     assert installed == debian_packages() | by_set_up - {'rosout'} | {'git'}

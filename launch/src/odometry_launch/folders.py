@@ -26,14 +26,24 @@ def new_folder(name=''):
 
 
 def use_writable_logs():
-    """If ROS cannot write its usual log folder, make it log to a new temporary one, and say so."""
-    try:
-        os.makedirs(rospkg.get_log_dir(), exist_ok=True)
-        for folder in (rospkg.get_log_dir(), rospkg.get_ros_home()):
-            with tempfile.TemporaryFile(dir=folder) as file:
-                file.write(bytes(LOG_SIZE))
-                file.flush()
-    except OSError as error:
+    """Where ROS cannot write its home or its logs, use a new temporary folder, and say so of the logs."""
+    failed = {variable: error for variable, folder in (
+        ('ROS_HOME', rospkg.get_ros_home()), ('ROS_LOG_DIR', rospkg.get_log_dir()))
+        if (error := _error_of_writing(folder))}
+    if failed:
         folder = tempfile.mkdtemp(prefix='ros-')
-        complain(f'logs are in {folder}: {error}')
-        os.environ.update(ROS_HOME=folder, ROS_LOG_DIR=folder, MPLCONFIGDIR=folder)
+        os.environ.update({variable: folder for variable in failed}, MPLCONFIGDIR=folder)
+    if 'ROS_LOG_DIR' in failed:
+        complain(f'logs are in {folder}: {failed["ROS_LOG_DIR"]}')
+
+
+def _error_of_writing(folder):
+    """Make a folder and write as much into it as logs may need; return the error if that fails."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder) as file:
+            file.write(bytes(LOG_SIZE))
+            file.flush()
+    except OSError as error:
+        return error
+    return None

@@ -1,0 +1,80 @@
+"""Build each package in .ws/src by itself, so that one with an error stops no other.
+
+usage: packages.py depends|build WORKSPACE FOLDER..., the folders of the packages whose names are taken.
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from catkin_pkg.package import InvalidPackage, parse_package
+from catkin_pkg.packages import find_package_paths
+from catkin_pkg.topological_order import topological_order_packages
+
+WORKSPACE = Path(sys.argv[2])
+# Without PWD, CMake would take the name of its folder without links.
+BUILD = 'cd "$1" && . "$0/devel/setup.bash" && { [ -e Makefile ] || cmake "${@:2}"; } && make -k'
+ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: error: .*)')
+# Other programs of Debian have names of ROS packages: tf is a game.
+SAME_NAME = r'^(?:python3-|lib|rviz$|topic-tools$|joint-state-publisher).*'
+KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
+
+
+def read_packages():
+    """Return the packages that catkin accepts, by folder, all names, and a line about each other package."""
+    packages, errors = {}, []
+    taken = {parse_package(folder).name: folder for folder in sys.argv[3:]}
+    for path in sorted(find_package_paths(f'{WORKSPACE}/src')):
+        folder = f'{WORKSPACE}/src/{path}'
+        try:
+            package = parse_package(folder, warnings=[])
+            if package.name in taken:
+                raise InvalidPackage(f'{taken[package.name]} has the name {package.name}, too: rename yours')
+        except (InvalidPackage, OSError, ValueError) as error:
+            reason = str(error).partition("package.xml':")[2] or error
+            errors.append(f'left out .ws/src/{path}: {reason}')
+        else:
+            package.evaluate_conditions({'ROS_VERSION': '1', 'ROS_PYTHON_VERSION': '3'})
+            packages[folder], taken[package.name] = package, folder
+    return packages, taken, errors
+
+
+def build():
+    """Build them, and write the errors into the file left_out."""
+    packages, _, errors = read_packages()
+    for folder, package in topological_order_packages(packages):
+        if folder is None:
+            errors.append(f'left out {package}: they depend on each other')
+            continue
+        place = WORKSPACE / 'build' / folder[len(f'{WORKSPACE}/'):].replace('/', '+')
+        place.mkdir(parents=True, exist_ok=True)
+        run = subprocess.run(
+            ['bash', '-c', BUILD, WORKSPACE, place, folder, f'-DPYTHON_EXECUTABLE={sys.executable}',
+             f'-DCATKIN_DEVEL_PREFIX={WORKSPACE}/devel'], check=False, text=True, errors='replace',
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        print(run.stdout, flush=True)
+        if run.returncode:
+            error = ERROR.search(run.stdout)
+            errors.append(f'{package.name} is not built, or only in part: '
+                          f'{error[1] or error[2] if error else f"see {WORKSPACE}/setup.log"}')
+    (WORKSPACE / 'devel' / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
+    (WORKSPACE / 'left_out').write_text(''.join(' '.join(error.split()).rstrip(':') + '\n' for error in errors))
+
+
+def depends():
+    """Print what apt, whose names of all packages are the input, calls that on which they depend."""
+    known = set(sys.stdin.read().split())
+    packages, taken, _ = read_packages()
+    needed = {depend.name: package.name for package in packages.values() for kind in KINDS
+              for depend in getattr(package, kind) if depend.evaluated_condition}
+    for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
+        debian = name.replace('_', '-')
+        names = {f'lib{debian}-dev', f'lib{debian}-config-init-mutex-dev', f'python3-{debian}', f'ros-{debian}',
+                 f'{debian}-tools', *re.findall(SAME_NAME, debian)} & known
+        print(*sorted(names))
+        if not names and not Path('/usr/share', name, 'package.xml').exists():
+            print(f'./ws: {needed[name]} depends on {name}, of which apt knows no package', file=sys.stderr)
+
+
+{'depends': depends, 'build': build}[sys.argv[1]]()
