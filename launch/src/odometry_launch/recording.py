@@ -10,12 +10,12 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.connections import is_connected
-from run_plot.figure import make_figure
-from run_plot.recorded_run import BagError, read_run
 from std_msgs.msg import Float64
 
+from odometry_launch.figure import make_figure
 from odometry_launch.folders import new_folder
 from odometry_launch.output import complain
+from odometry_launch.recorded_run import BagError, read_run
 
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
           'cmd_vel': Twist}

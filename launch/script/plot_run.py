@@ -9,8 +9,8 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 import argparse
 import sys
 
-from run_plot.figure import make_figure
-from run_plot.recorded_run import BagError, read_run
+from odometry_launch.figure import make_figure
+from odometry_launch.recorded_run import BagError, read_run
 
 EXIT_BAD_BAG = 2
 

@@ -6,11 +6,11 @@ import numpy
 import pytest
 import rosbag
 import rospy
+from odometry_launch.figure import make_figure
+from odometry_launch.recorded_run import BagError, read_run
 from odometry_tests.forms import number_after
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
-from run_plot.figure import make_figure
-from run_plot.recorded_run import BagError, read_run
 from std_msgs.msg import Float64
 
 PNG = b'\x89PNG'
@@ -35,8 +35,8 @@ def record(path, messages, topic='/odom'):
 
 
 def plot(*arguments, **options):
-    """Run plot_run to its end."""
-    run = Process('rosrun', 'sim_turtlebot', 'plot_run.py', *arguments, **options)
+    """Run plot_run.py to its end."""
+    run = Process('rosrun', 'odometry_launch', 'plot_run.py', *arguments, **options)
     run.wait(30.0)
     return run
 
