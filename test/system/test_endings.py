@@ -63,7 +63,7 @@ STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
             'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
             'rotate_robot/script/main.py', 'sim_turtlebot/script/sim_turtlebot_node.py',
             'robot_view/script/view.py', 'sim_turtlebot/script/world_frame.py',
-            'launch/script/plot_run.py', 'launch/script/rosout.py'))])
+            'launch/script/rosout.py'))])
 def test_ctrl_c_ends_a_script_at_any_moment_of_its_imports(script):
     """At once and without a word, where Python would end it with a traceback, or go on."""
     with Process(sys.executable, '-c', IMPORTING, ROOT / script, '--help') as process:

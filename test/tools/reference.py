@@ -41,7 +41,9 @@ def updated(page):
 def _part(heading):
     if heading.endswith('.launch'):
         return _launch_part(heading)
-    return _options_part(heading) if heading in PARSERS else _node_part(heading)
+    if heading in PARSERS:
+        return _options_part(PARSERS[heading]())
+    return _node_part(heading)
 
 
 def _script(name):
@@ -65,8 +67,9 @@ def _node_part(heading):
     table = getattr(script, 'PARAMETERS', Parameters())
     parameters = [(_code(row.name), row.type, _code(row.default_text), row.range.text, row.meaning)
                   for row in table.rows]
+    options = _options_part(script.make_parser()) if hasattr(script, 'make_parser') else ''
     return '\n\n'.join(filter(None, [
-        *prose, _table(' | name | type | meaning', [*_topic_rows(documentation)]),
+        *prose, options, _table(' | name | type | meaning', [*_topic_rows(documentation)]),
         _table('parameter | type | default | range | meaning', parameters)]))
 
 
@@ -101,8 +104,7 @@ def _arguments(name):
     return {arg.get('name'): (arg.get('default'), arg.get('doc')) for arg in root.iterfind('arg')}
 
 
-def _options_part(heading):
-    parser = PARSERS[heading]()
+def _options_part(parser):
     return _table('option | meaning', [
         (_code(_usage(action)), action.help % vars(action)) for action in parser._actions
         if action.dest != 'help'])
