@@ -15,12 +15,12 @@ from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
 
 KEYS = ['tutorial', 'seeds', 'set', 'limits']
 MOST_RUNS = 10**6  # the metrics of each run stay in memory
-# They belong to windows, wall time, scans, late messages, or nodes that wait or exit. Each run has
-# a seed.
+# They belong to windows, wall time, tf, scans, late messages, or nodes that wait or exit. Each run
+# has a seed.
 WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep', 'paused',
                    '/use_sim_time', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
                    'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
-                   'seed'}
+                   'seed', 'publish_tf'}
 
 
 class Campaign(NamedTuple):

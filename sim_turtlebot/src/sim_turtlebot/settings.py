@@ -45,6 +45,8 @@ PARAMETERS = Parameters(
               'ticks of /clock per simulated second, rounded up to a multiple of ~odom_rate; 0 is '
               '200, but at most about 1000 per second of wall time; 100 in lockstep; otherwise '
               '~odom_rate if unpaced'),
+    Parameter('~publish_tf', True, '', ANY,
+              'publish odom -> base_footprint on /tf; false where a filter publishes it'),
     Parameter('~odometry_source', 'world', '', one_of('world', 'encoder'),
               'world is the true pose, encoder counts wheel ticks'),
     Parameter('~gyro', True, '', ANY,
