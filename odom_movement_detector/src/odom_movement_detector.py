@@ -15,8 +15,7 @@ import signal
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import rospy
-from moved_distance.distance_counter import DistanceCounter
-from moved_distance.parameters import PARAMETERS
+from moved_distance.distance_counter import PARAMETERS, DistanceCounter
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher

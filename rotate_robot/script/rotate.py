@@ -19,8 +19,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 import math
 
 import rospy
-from heading_control.parameters import PARAMETERS
-from heading_control.turn import Turn
+from heading_control.turn import PARAMETERS, Turn
 from nav_msgs.msg import Odometry
 from odometry_common.control_loop import ControlLoop
 from odometry_common.geometry import yaw_from_orientation

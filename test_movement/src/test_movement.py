@@ -23,8 +23,7 @@ from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
-from straight_drive.drive import Drive
-from straight_drive.parameters import PARAMETERS
+from straight_drive.drive import PARAMETERS, Drive
 
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s

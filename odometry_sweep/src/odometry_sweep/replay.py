@@ -36,7 +36,7 @@ def replay(folder, number):
     print(f'{"":16}{"sweep":24}nodes in lockstep')
     for name in (names := [*METRICS[tutorial], 'ended']):
         print(f'{name:16}{row[name]:24}{metrics[name]}')
-    leave_picture(bag)
+    leave_picture(bag, **run_parameters(tutorial, parameters)[0].targets)
     different = [name for name in names if row[name] != str(metrics[name])]
     if different:
         raise DemoError(f'not the same: {", ".join(different)}')
