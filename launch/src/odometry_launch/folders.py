@@ -25,6 +25,15 @@ def new_folder(name=''):
             return folder
 
 
+@contextlib.contextmanager
+def path_in_errors(path):
+    """Yield a path that is being written to, and name it in an OSError: write() does not."""
+    try:
+        yield path
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
+
+
 def use_writable_logs():
     """If ROS cannot write its usual log folder, make it log to a new temporary one, and say so."""
     try:
