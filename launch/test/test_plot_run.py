@@ -6,6 +6,7 @@ import numpy
 import pytest
 import rosbag
 import rospy
+from nav_msgs.msg import Odometry
 from odometry_launch.figure import make_figure
 from odometry_launch.recorded_run import BagError, read_run
 from odometry_tests.forms import number_after
@@ -32,6 +33,12 @@ def record(path, messages, topic='/odom', mode='w'):
         for number, message in enumerate(messages):
             bag.write(topic, message, rospy.Time.from_sec(START + PERIOD * number))
     return path
+
+
+def write_damaged(path):
+    """Write a bag whose only message is cut off."""
+    with rosbag.Bag(str(path), 'w') as bag:
+        bag.write('/odom', (Odometry._type, b'short', Odometry._md5sum, Odometry), raw=True)
 
 
 def plot(*arguments, **options):
@@ -122,7 +129,8 @@ def test_noise_does_not_look_like_motion_and_a_target_is_where_the_robot_turns_t
 
 @pytest.mark.parametrize('write, lines', [
     (lambda path: path.write_bytes(b'no bag at all'), 'cannot be read'),
-    (lambda path: rosbag.Bag(str(path), 'w').flush(), "is not indexed: rosbag reindex '{}'")])
+    (lambda path: rosbag.Bag(str(path), 'w').flush(), "is not indexed: rosbag reindex '{}'"),
+    (write_damaged, 'is damaged: DeserializationError(')])
 def test_a_file_without_a_run_is_refused(tmp_path, write, lines):
     """With status 2 and one line that names it, and the cure if there is one."""
     path = tmp_path / 'broken off.bag'

@@ -5,7 +5,6 @@ import http.client
 import math
 import signal
 import socket
-import threading
 import time
 
 import pytest
@@ -19,7 +18,7 @@ from std_msgs.msg import String
 from viewer import viewing
 
 pytest.importorskip('page_client', reason='viser is not installed')
-from page_client import ROBOTS, PageClient, open_page, published
+from page_client import ROBOTS, PageClient, flooding, open_page, published
 from robot_view.pad import SHORTEST_PERIOD
 from robot_view.steering import HOLD_TIMEOUT
 
@@ -72,21 +71,14 @@ def test_a_page_or_a_viewer_that_ends_in_mid_drive_stops_the_robot(master, end):
 
 def test_a_stop_holds_beside_a_page_that_floods(view, commands):
     """Until that page lets go. The robot gets no more commands than it can take."""
-    recorder, flooding = commands['robot_1'], threading.Event()
-
-    def flood():
-        while not flooding.wait(0.0001):
-            flooded.hold('forward')
-
-    with open_page(view) as flooded, open_page(view) as page:
-        threading.Thread(target=flood, daemon=True).start()
+    recorder = commands['robot_1']
+    with open_page(view) as page, open_page(view) as flooded, flooding(flooded, 'forward'):
         recorder.wait_for_count(50)
         page.set('stop', True)
         recorder.wait_for(lambda m: m == Twist(), what='zero')
         recorder.clear()
         time.sleep(2 * HOLD_TIMEOUT)
         sent = recorder.messages
-        flooding.set()
     assert all(message == Twist() for message in sent)
     assert len(sent) <= 2 * HOLD_TIMEOUT / SHORTEST_PERIOD
 

@@ -92,9 +92,6 @@ def read_run(path, topic=None, end=math.inf):
             types = {name: topic.msg_type
                      for name, topic in bag.get_type_and_topic_info().topics.items()}
             topic = topic or _odometry_topic(types)
-            if types.get(topic) != ODOMETRY:
-                raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
-                               f'{_choice(types)}')
             odometry, ground_truth, commands = (
                 [row for row in bag.read_messages(name) if _stamp(row) <= end]
                 if types.get(name) == kind else []
@@ -103,6 +100,12 @@ def read_run(path, topic=None, end=math.inf):
         raise BagError(f'{path} is not indexed: rosbag reindex {shlex.quote(str(path))}') from None
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
+    except Exception as error:  # noqa: BLE001
+        # rosbag raises KeyError, struct.error and others on wrong bytes.
+        raise BagError(f'{path} is damaged: {error!r}') from None
+    if types.get(topic) != ODOMETRY:
+        raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
+                       f'{_choice(types)}')
     start = next(map(_stamp, odometry), 0.0)
     rows = [(_stamp(row) - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
