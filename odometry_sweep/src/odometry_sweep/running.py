@@ -69,14 +69,19 @@ def _on_this_machine(campaign, jobs):
     processes = min(jobs or processors, MOST_JOBS * processors, campaign.count)
     # Forked, a process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
-            processes, multiprocessing.get_context('fork'), signal.signal,
-            (signal.SIGTERM, signal.SIG_DFL)) as executor:
+            processes, multiprocessing.get_context('fork'), _end_without_a_word) as executor:
         try:
             yield executor
         except BaseException:
             for process in multiprocessing.active_children():
                 process.kill()  # a run may take minutes
             raise
+
+
+def _end_without_a_word():
+    """Undo in a forked process what the sweep itself does on signals."""
+    for signum in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(signum, signal.SIG_DFL)
 
 
 @contextlib.contextmanager
