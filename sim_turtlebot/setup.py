@@ -3,4 +3,4 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=['run_plot', 'sim_turtlebot'], package_dir={'': 'src'}))
+setup(**generate_distutils_setup(packages=['sim_turtlebot'], package_dir={'': 'src'}))

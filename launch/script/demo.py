@@ -51,7 +51,7 @@ def _run(options):
                   flush=True)
         # roslaunch reads its files while this imports rospy, and matplotlib on a thread: that may take
         # long to read its fonts, and the robot does not wait for it.
-        from run_plot.figure import new_figure
+        from odometry_launch.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1]).start()
         from odometry_launch.following import follow
         return not follow(options, launch, page_port)

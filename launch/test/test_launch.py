@@ -5,11 +5,13 @@ import threading
 import time
 
 import pytest
+import yaml
 from odometry_launch.folders import new_folder
 from odometry_launch.launch import DemoError, Launch
 from odometry_launch.launch_log import LaunchLog
 from odometry_launch.options import launch_arguments, parse
 from odometry_launch.ports import HeldPort, next_port, usual_master_port
+from odometry_tests.processes import Process
 
 
 @pytest.fixture
@@ -87,6 +89,19 @@ def test_a_held_port_is_given_to_nobody_else():
 def test_a_port_with_a_server_cannot_be_held():
     with socket.create_server(('localhost', 0)) as server, pytest.raises(OSError):
         HeldPort(server.getsockname()[1])
+
+
+@pytest.mark.parametrize('name', ['sim', 'move_two_meters', 'rotate'])
+def test_a_file_sets_the_parameters_that_are_no_arguments(tmp_path, name):
+    """It lies where the user is."""
+    (tmp_path / 'drift.yaml').write_text('{gyro: false, gyro_drift: 0.01}')
+    with Process('roslaunch', '--dump-params', 'odometry_launch', f'{name}.launch', 'params:=drift.yaml',
+                 cwd=tmp_path) as dump:
+        assert dump.wait() == 0, dump.output
+    values = {key: value for key, value in yaml.safe_load(dump.stdout).items() if 'gyro' in key}
+    assert values == {'/sim_turtlebot/gyro': False, '/sim_turtlebot/gyro_drift': 0.01,
+                      '/sim_turtlebot/gyro_noise': 0.0, '/sim_turtlebot/gyro_scale_error': 0.0,
+                      '/sim_turtlebot/gyro_scale_correction': 1.0}
 
 
 @pytest.mark.parametrize('address, port', [

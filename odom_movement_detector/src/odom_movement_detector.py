@@ -10,8 +10,7 @@ Publishes:
 """
 
 import rospy
-from moved_distance.distance_counter import DistanceCounter
-from moved_distance.parameters import PARAMETERS
+from moved_distance.distance_counter import PARAMETERS, DistanceCounter
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher

@@ -14,7 +14,6 @@ from odometry_common.parameters import (
     at_least,
     between,
     one_of,
-    read_from,
 )
 
 TABLE = Parameters(
@@ -31,14 +30,12 @@ TABLE = Parameters(
 
 def test_defaults_and_values_are_of_the_type_of_the_default():
     """Numbers may be written in several ways; parameters are read by their names without ~."""
-    with read_from({'speed': 1, 'robots': 2.0, 'step': '1e-1'}) as asked:
-        values = vars(TABLE.read(world='x'))
+    values = vars(TABLE.read({'speed': 1, 'robots': 2.0, 'step': '1e-1'}, world='x'))
     assert values == {'speed': 1.0, 'slow': 0.1, 'step': 0.1, 'target': 90.0, 'robots': 2,
                       'gui': False, 'world': 'x', 'source': 'a'}
     assert [type(values[name]) for name in ('speed', 'robots')] == [float, int]
-    assert asked == set(values)
-    with read_from({'step': 0, 'robots': 9}):  # bounds are allowed, but for those of above()
-        assert TABLE.read().robots == 9
+    # Bounds are allowed, but for those of above().
+    assert TABLE.read({'step': 0, 'robots': 9}).robots == 9
 
 
 @pytest.mark.parametrize('name, value, allowed', [
@@ -50,8 +47,8 @@ def test_defaults_and_values_are_of_the_type_of_the_default():
     ('gui', 1, 'true or false'), ('world', 1, 'a string'), ('source', 'c', 'a or b')])
 def test_the_line_names_the_parameter_its_value_and_what_is_allowed(name, value, allowed):
     """A string is quoted, so that '1' and 1 can be told apart."""
-    with read_from({name: value}), pytest.raises(ParameterError) as refusal:
-        TABLE.read()
+    with pytest.raises(ParameterError) as refusal:
+        TABLE.read({name: value})
     assert str(refusal.value) == f'parameter ~{name} is {value!r}, but must be {allowed}'
     assert refusal.value.name == f'~{name}'
 
@@ -63,13 +60,6 @@ def test_the_help_says_everything_about_each_parameter():
         '    ~gui (bool, false): a window', "    ~world (str, ''): a file",
         '    ~source (str, a, a or b): which']
     assert Parameters().help == ''
-
-
-def test_afterwards_parameters_come_from_the_master_again(monkeypatch):
-    monkeypatch.setattr('rospy.get_param', lambda name, default: 0.3 if name == '~speed' else default)
-    with pytest.raises(ParameterError), read_from({'speed': 'fast'}):
-        TABLE.read()
-    assert TABLE.read().speed == 0.3
 
 
 @pytest.mark.parametrize('argument', [

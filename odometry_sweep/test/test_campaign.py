@@ -91,6 +91,16 @@ def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
     assert len(str(refusal.value).splitlines()) == 1
 
 
+def test_a_million_combinations_are_checked_at_once(monkeypatch):
+    """Each value alone, with one simulation for the world."""
+    built = []
+    monkeypatch.setattr('odometry_sweep.campaign.Simulation', built.append)
+    grid = dict.fromkeys(['x', 'y', 'yaw'], HUNDRED)
+    campaign = Campaign('move', 1, {**grid, 'world': ['room.urdf']}, {})
+    campaign.check()
+    assert len(built) == 1 and next(campaign.runs())['yaw'] == HUNDRED[0]
+
+
 def test_a_controller_that_keeps_step_with_the_odometry_is_run():
     """With every odometry, or with every third."""
     Campaign('rotate', 1, {'rate': [2.1, 0.7], 'odom_rate': [2.1]}, {}).check()

@@ -1,12 +1,12 @@
 """What a sweep starts, shows, keeps and draws, without physics."""
 
-import sys
-from types import SimpleNamespace
+import contextlib
 
 import pytest
 from odometry_sweep.campaign import Campaign
+from odometry_sweep.main import with_progress
 from odometry_sweep.picture import make_figure
-from odometry_sweep.results import METRICS, SHOWN, Setting, read_rows, table
+from odometry_sweep.results import METRICS, SHOWN, Setting, read_rows, table, write_results
 from odometry_sweep.running import side_by_side
 
 
@@ -58,13 +58,23 @@ def test_there_are_never_more_processes_than_runs_or_than_twice_the_processors(
         monkeypatch, jobs, seeds, processes):
     """There are four processors here."""
     started = []
-
-    def parallel(n_jobs, **_):
-        started.append(n_jobs)
-        return lambda _: iter(())
-
-    joblib = SimpleNamespace(cpu_count=lambda: 4, Parallel=parallel, delayed=None)
-    monkeypatch.setitem(sys.modules, 'joblib', joblib)
-    with side_by_side(jobs) as run_all:
-        assert list(run_all(Campaign('move', seeds, {}, {}))) == []
+    monkeypatch.setattr('os.sched_getaffinity', lambda _: range(4))
+    monkeypatch.setattr('concurrent.futures.ProcessPoolExecutor',
+                        lambda number, *_: started.append(number) or contextlib.nullcontext())
+    with side_by_side(Campaign('move', seeds, {}, {}), jobs):
+        pass
     assert started == [processes]
+
+
+def test_a_sweep_gives_a_sign_of_life_before_its_first_run_is_done(monkeypatch, capsys):
+    """At distance 1000 that takes a minute."""
+    monkeypatch.setattr('odometry_sweep.main.LINE_PERIOD', 0.0)
+    assert [*with_progress([None, 1, None, 2], 2)] == [1, 2]
+    assert capsys.readouterr().out.splitlines()[0].endswith('] 0 of 2 runs after 0:00:00')
+
+
+def test_a_full_disk_is_named_by_the_file_that_is_on_it(tmp_path):
+    """Here only the file of the runs is."""
+    (tmp_path / 'runs.csv').symlink_to('/dev/full')
+    with pytest.raises(OSError, match=f'No space left on device: .{tmp_path}/runs.csv'):
+        next(write_results(tmp_path, Campaign('move', 1, {}, {}), []))

@@ -13,6 +13,7 @@ from robot_view.steering import (
     HOLD_RATE,
     HOLD_TIMEOUT,
     LEFT,
+    RIGHT,
     STANDSTILL,
     STOP,
     Steering,
@@ -72,6 +73,36 @@ def test_the_first_robot_stops_before_another_one_starts():
     steering.commands(0.0)
     steering.hold('page', FORWARD, 'robot_2/', 0.1)
     assert list(steering.commands(0.1).items()) == [('robot_1/', STANDSTILL), ('robot_2/', (1, 0))]
+
+
+def test_a_stop_lasts_until_the_buttons_are_pressed_anew():
+    """By everybody who held one, also by a page that was silent just then; others may drive."""
+    steering = Steering()
+    steering.hold('silent', LEFT, '', -1.0)
+    steering.hold('page', FORWARD, '', 0.0)
+    assert steering.commands(0.0) == {'': (1, 0)}
+    steering.hold('other', STOP, '', 0.1)
+    for now in (0.1 * step for step in range(1, 30)):
+        steering.hold('page', FORWARD, '', now)
+        steering.hold('silent', LEFT, '', now)
+        assert steering.commands(now).get('', STANDSTILL) == STANDSTILL
+    steering.hold('other', RIGHT, '', 3.0)
+    assert steering.commands(3.0) == {'': (0, -1)}
+    steering.release('page', FORWARD)
+    steering.hold('page', FORWARD, '', 3.1)
+    assert steering.commands(3.1) == {'': (1, -1)}
+
+
+def test_a_robot_that_does_not_listen_keeps_no_other_one_driving(master, monkeypatch):
+    """The last command of that one would stand."""
+    monkeypatch.setattr(pad, 'LONGEST_CONNECTING', math.inf)
+    received = Recorder('/heard/cmd_vel', Twist)
+    chosen = ['/heard/']
+    driver = pad.Pad(lambda: chosen[0], lambda: (0.2, 1.0))
+    wait_until(lambda: driver.hold('page', FORWARD) or received.messages, TIMEOUT, 'a command')
+    chosen[0] = '/unheard/'
+    driver.hold('other', LEFT)
+    received.wait_for(lambda m: m == Twist(), what='zero')
 
 
 @pytest.mark.parametrize('button', [STOP, FORWARD])

@@ -1,7 +1,7 @@
 """The page's server admits the page under its own names, and nobody else's page."""
 
 import pytest
-from odometry_common.parameters import StartError, read_from
+from odometry_common.parameters import StartError
 from odometry_tests.processes import hold_port
 from robot_view.address import read_address
 
@@ -38,8 +38,8 @@ def test_others_are_not(host, origin):
                                        ('127.0.0.2', 'http://127.0.0.2')])
 def test_the_page_has_a_url_that_every_browser_finds(host, url):
     """0.0.0.0 is an address to listen on; not every browser takes it for this machine."""
-    with hold_port() as port, read_from({'host': host, 'port': port, 'allowed_hosts': 'LAB:81, b'}):
-        address = read_address()
+    with hold_port() as port:
+        address = read_address({'host': host, 'port': port, 'allowed_hosts': 'LAB:81, b'})
     assert address.url == f'{url}:{port}'
     assert {'localhost', host, 'lab:81', 'b'} <= address.names
 
@@ -48,6 +48,6 @@ def test_without_its_guard_the_page_does_not_start(monkeypatch):
     """As with a version of viser that starts its server in another way."""
     serve = server.serve
     monkeypatch.setattr(viser, 'ViserServer', lambda *_, **__: None)
-    with hold_port() as port, read_from({'port': port}), pytest.raises(StartError, match='version'):
-        start_server(read_address())
+    with hold_port() as port, pytest.raises(StartError, match='version'):
+        start_server(read_address({'port': port}))
     assert server.serve is serve

@@ -14,8 +14,7 @@ The node always sends zero before it exits.
 import math
 
 import rospy
-from heading_control.parameters import PARAMETERS
-from heading_control.turn import Turn
+from heading_control.turn import PARAMETERS, Turn
 from nav_msgs.msg import Odometry
 from odometry_common.geometry import yaw_from_orientation
 from odometry_common.node import run_node

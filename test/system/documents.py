@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass, field, replace
 
 from markdown_it import MarkdownIt
+from odometry_tests.scripts import ROOT
 
 WORDS = {'./ws', 'rosrun', 'roslaunch', 'rostopic', 'rosparam', 'rosnode', 'rosservice', 'rosbag',
          'rosmsg', 'rostest', 'rospack', 'roscore', 'rosdep', 'catkin_make', 'git', 'cd', 'mkdir',
@@ -68,6 +69,8 @@ def _read_code(fence, place, commands):
 def _inline_command(code):
     """Return the command that text between backticks stands for, or None."""
     if ARGUMENT.fullmatch(code.split()[0]):
-        # Such as view:=true, which the text says every launch file takes.
-        return f'roslaunch odometry_launch move_two_meters.launch {code}'
+        # Such as view:=true, which every launch file takes, or scan:=true, which sim.launch does.
+        argument, tutorial = code.partition(':=')[0], 'move_two_meters.launch'
+        is_usual = f'name="{argument}"' in (ROOT / 'launch' / tutorial).read_text()
+        return f'roslaunch odometry_launch {tutorial if is_usual else "sim.launch"} {code}'
     return code if is_command(code) and ' ' in code else None

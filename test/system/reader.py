@@ -100,11 +100,11 @@ class Reader:
         if words[:2] == ['rosservice', 'call'] and words[2] not in services:
             return f'there is no service {words[2]}'
         from roslaunch.arg_dump import get_args  # takes long to import
-        files = [str(ROOT / 'launch' / word) for word in [*words, 'sim.launch']  # each includes that
+        files = [str(ROOT / 'launch' / word) for word in words
                  if word.endswith('.launch') and (ROOT / 'launch' / word).exists()]
         unknown = {word.partition(':=')[0] for word in words if ':=' in word}.difference(
             *(get_args([file]) for file in files))
-        return f'there is no argument {unknown}' if len(files) > 1 and unknown else None
+        return f'there is no argument {unknown}' if files and unknown else None
 
     def _state(self):
         """Return who publishes, who subscribes and who serves; nobody before there is a master."""

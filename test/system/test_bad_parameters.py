@@ -2,7 +2,7 @@
 
 import pytest
 import rospy
-from odometry_common.parameters import ANY, ParameterError, read_from
+from odometry_common.parameters import ANY, ParameterError
 from odometry_tests.processes import assert_refused, run_script
 from odometry_tests.scripts import ROOT, load_script
 from sim_turtlebot.settings import read_settings
@@ -54,8 +54,8 @@ def test_each_bad_value_is_refused_by_name(script, row):
     out_of_range = OUT_OF_RANGE[script].get(name, [])
     assert out_of_range or row.range is ANY, 'the table above lacks it'
     for value in [*WRONG_TYPE[type(row.default)], *out_of_range]:
-        with read_from({name: value}), pytest.raises(ParameterError) as refusal:
-            read()
+        with pytest.raises(ParameterError) as refusal:
+            read({name: value})
         assert str(refusal.value).startswith(f'parameter {row.name} is {value!r}, but must be ')
 
 

@@ -77,7 +77,6 @@ IN_PLACE = [
      rf'ls -d {OUR_PACKAGES} >"$(echo ~/ros_python/lib/*/site-packages)/ours.pth"',
      'needs the network'),
     (r'^sudo apt-mark', 'apt-mark --simulate', 'is in the way of others'),
-    (r'^rosrun sim_turtlebot plot_run', r'cd ~ && \g<0>', 'leaves a picture where it is typed'),
 ]
 NOT_HERE = {
     r'turtlebot_bringup|turtlebot_teleop|cmd_vel_mux': 'is on the robot',

@@ -41,7 +41,9 @@ def updated(page):
 def _part(heading):
     if heading.endswith('.launch'):
         return _launch_part(heading)
-    return _options_part(heading) if heading in PARSERS else _node_part(heading)
+    if heading in PARSERS:
+        return _options_part(PARSERS[heading]())
+    return _node_part(heading)
 
 
 def _script(name):
@@ -65,28 +67,24 @@ def _node_part(heading):
     table = getattr(script, 'PARAMETERS', Parameters())
     parameters = [(_code(row.name), row.type, _code(row.default_text), row.range.text, row.meaning)
                   for row in table.rows]
+    options = _options_part(script.make_parser()) if hasattr(script, 'make_parser') else ''
     return '\n\n'.join(filter(None, [
-        *prose, _table(' | name | type | meaning', [*_topic_rows(documentation)]),
+        *prose, options, _table(' | name | type | meaning', [*_topic_rows(documentation)]),
         _table('parameter | type | default | range | meaning', parameters)]))
 
 
 def _launch_part(name):
     """Name the arguments that are described elsewhere, and describe the others."""
-    own = _arguments(name)
-    base = _arguments(BASE_LAUNCH) if name != BASE_LAUNCH else {}
-    parameters = defaults(LAUNCHED_NODE[name])
+    own, parameters = _arguments(name), defaults(LAUNCHED_NODE[name])
     passed = [argument for argument, (default, _) in own.items() if parameters.get(argument) == default]
-    lines = []
-    if base:
-        missing = _code(', '.join(argument for argument in base if argument not in own))
-        lines.append(f'Every argument of {BASE_LAUNCH}' + f' but {missing}' * bool(missing))
-    names = 'every parameter' if {*passed} == {*parameters} else _code(', '.join(passed))
-    lines.append(f'{names} of {LAUNCHED_NODE[name]}')
-    new = _table('argument | default | meaning', [
-        (_code(argument), _code(default), meaning) for argument, (default, meaning) in own.items()
-        if argument not in [*base, *passed]])
-    text = ', and '.join(lines)
-    return text[0].upper() + text[1:] + (f', and:\n\n{new}' if new else '.')
+    if name != BASE_LAUNCH:
+        shared = [argument for argument in own if argument in _arguments(BASE_LAUNCH)]
+        return (f'{_code(", ".join(passed))} of {LAUNCHED_NODE[name]}, and '
+                f'{_code(", ".join(shared))} of {BASE_LAUNCH}.')
+    rows = [(_code(argument), _code(default), meaning)
+            for argument, (default, meaning) in own.items() if argument not in passed]
+    return (f'Every parameter of {LAUNCHED_NODE[name]}, and:\n\n'
+            f'{_table("argument | default | meaning", rows)}')
 
 
 def defaults(node):
@@ -101,8 +99,7 @@ def _arguments(name):
     return {arg.get('name'): (arg.get('default'), arg.get('doc')) for arg in root.iterfind('arg')}
 
 
-def _options_part(heading):
-    parser = PARSERS[heading]()
+def _options_part(parser):
     return _table('option | meaning', [
         (_code(_usage(action)), action.help % vars(action)) for action in parser._actions
         if action.dest != 'help'])

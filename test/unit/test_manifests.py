@@ -13,7 +13,7 @@ from odometry_tests.scripts import ROOT
 REQUIREMENTS = [ROOT / 'requirements.txt', *ROOT.glob('*/requirements*.txt')]
 MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
 # Imported, but under a name that rosdep does not know: the requirements files list them.
-FROM_PYPI = {'distributed', 'hypothesis', 'joblib', 'msgspec', 'pybullet', 'rich', 'selenium',
+FROM_PYPI = {'distributed', 'hypothesis', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}
 UNDER_OTHER_NAMES = {'markdown_it', 'pybullet_utils', 'xdist'}  # of markdown-it-py, pybullet, pytest-xdist
 OPTIONAL = {'robot_view'}

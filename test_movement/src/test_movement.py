@@ -17,8 +17,7 @@ from odometry_common.subscribing import Subscriber, one_at_a_time
 from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
-from straight_drive.drive import Drive
-from straight_drive.parameters import PARAMETERS
+from straight_drive.drive import PARAMETERS, Drive
 
 LOOK_PERIOD = 0.1  # s of wall time between two looks for silence
 REST_BAND = 0.001  # m

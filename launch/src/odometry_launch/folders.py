@@ -25,6 +25,15 @@ def new_folder(name=''):
             return folder
 
 
+@contextlib.contextmanager
+def path_in_errors(path):
+    """Yield a path that is being written to, and name it in an OSError: write() does not."""
+    try:
+        yield path
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
+
+
 def use_writable_logs():
     """Where ROS cannot write its home or its logs, use a new temporary folder, and say so of the logs."""
     failed = {variable: error for variable, folder in (

@@ -10,12 +10,12 @@ import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.connections import is_connected
-from run_plot.figure import make_figure
-from run_plot.recorded_run import BagError, read_run
 from std_msgs.msg import Float64
 
-from odometry_launch.folders import new_folder
+from odometry_launch.figure import make_figure
+from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import complain
+from odometry_launch.recorded_run import BagError, read_run
 
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
           'cmd_vel': Twist}
@@ -76,7 +76,8 @@ def leave_picture(bag, end=math.inf, **targets):
     """
     picture = bag.with_suffix('.png')
     try:
-        make_figure(read_run(bag, end=end), **targets).savefig(str(picture))
+        with path_in_errors(picture):
+            make_figure(read_run(bag, end=end), **targets).savefig(str(picture))
     except (OSError, BagError) as error:
         complain(f'no picture: {error}')
     else:

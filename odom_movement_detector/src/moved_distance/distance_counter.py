@@ -4,8 +4,17 @@ import math
 from collections import deque
 from typing import NamedTuple
 
+from odometry_common.parameters import Parameter, Parameters, at_least
+
 SMALLEST_DISTANCE = 1e-6  # m; a smaller total is given as zero, as in the tutorial
 LONGEST_STEP = 1e300  # m; so that no sum of steps is more than a float holds
+
+PARAMETERS = Parameters(
+    Parameter('~min_step', 0.0, 'm', at_least(0),
+              'count the displacement from the last counted position only once it reaches this'),
+    Parameter('~max_speed', 5.0, 'm/s', at_least(0),
+              'warn once of a faster step, a jump of the odometry, and do not count it; 0 counts '
+              'every step'))
 
 
 class Position(NamedTuple):

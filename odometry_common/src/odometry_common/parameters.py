@@ -1,13 +1,10 @@
 """A node's parameters: declared in one table, and checked before the node does anything."""
 
-import contextlib
 import math
 import re
 import textwrap
 from types import SimpleNamespace
 from typing import Any, Callable, NamedTuple
-
-import rospy
 
 # YAML 1.1 reads 1e4 as a string: it wants a point and a sign, 1.0e+4.
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
@@ -127,20 +124,26 @@ class Parameters:
         """The part of --help that describes them; '' if there are none."""
         return '\n'.join(['Parameters:', *map(_help_of, self.rows)]) if self.rows else ''
 
-    def read(self, **defaults):
+    def read(self, source=None, **defaults):
         """Return a namespace with all values, by their names without ~.
 
+        :param source: dictionary of given values by these names; None: the ROS parameter server
         :param defaults: take the place of defaults in the table
         :raises ParameterError: for the first that the node cannot run with
         """
         values = SimpleNamespace()
         for row in self.rows:
             name = row.name.lstrip('~/')
-            given = _read(row.name, UNSET)
+            given = _on_server(row.name) if source is None else source.get(name, UNSET)
             value = (defaults.get(name, row.default) if given is UNSET
                      else row.check(given, values))
             setattr(values, name, value)
         return values
+
+
+def _on_server(name):
+    import rospy  # the arithmetic that declares parameters needs no ROS
+    return rospy.get_param(name, UNSET)
 
 
 def _help_of(row):
@@ -154,31 +157,3 @@ def as_number(value):
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     is_written_as_one = isinstance(value, str) and WITH_EXPONENT.fullmatch(value)
     return float(value) if is_number or is_written_as_one else None
-
-
-def _from_server(name, default):
-    return rospy.get_param(name, default)
-
-
-_read = _from_server
-
-
-@contextlib.contextmanager
-def read_from(values):
-    """Read parameters from a dictionary of their names without ~, instead of from a ROS master.
-
-    :return: a set, to which each name is added that is asked for
-    """
-    global _read
-    asked = set()
-
-    def read(name, default):
-        name = name.lstrip('~')
-        asked.add(name)
-        return values.get(name, default)
-
-    _read = read
-    try:
-        yield asked
-    finally:
-        _read = _from_server

@@ -5,8 +5,8 @@ import math
 from typing import NamedTuple
 
 import yaml
-from odometry_common.parameters import ParameterError, StartError, read_from
-from sim_turtlebot.settings import read_settings
+from odometry_common.parameters import ParameterError, StartError
+from sim_turtlebot.settings import PARAMETERS, read_settings
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.world_file import WorldFileError
 
@@ -15,12 +15,12 @@ from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
 
 KEYS = ['tutorial', 'seeds', 'set', 'limits']
 MOST_RUNS = 10**6  # the metrics of each run stay in memory
-# They belong to windows, wall time, scans, late messages, or nodes that wait or exit. Each run has
-# a seed.
+# They belong to windows, wall time, tf, scans, late messages, or nodes that wait or exit. Each run
+# has a seed.
 WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep', 'paused',
-                   '/use_sim_time', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
+                   'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
                    'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
-                   'seed'}
+                   'seed', 'publish_tf'}
 
 
 class Campaign(NamedTuple):
@@ -33,8 +33,8 @@ class Campaign(NamedTuple):
 
     @property
     def settings(self):
-        """Every combination of the values: dictionaries by parameter."""
-        return [dict(zip(self.values, row)) for row in itertools.product(*self.values.values())]
+        """Every combination of the values: dictionaries by parameter, one after the other."""
+        return (dict(zip(self.values, row)) for row in itertools.product(*self.values.values()))
 
     @property
     def names(self):
@@ -62,11 +62,11 @@ class Campaign(NamedTuple):
         if type(self.seeds) is not int or not 1 <= self.seeds <= MOST_RUNS:
             raise StartError(f'seeds is {self.seeds!r}, but must be a whole number from 1 to '
                              f'{MOST_RUNS}')
-        _check_names(self.tutorial, self.values)
+        _check_values(self.tutorial, self.values)
         if self.count > MOST_RUNS:
             raise StartError(f'there are {self.count} runs, but must be {MOST_RUNS} at most')
-        for setting in self.settings:
-            _check_values(self.tutorial, setting)
+        _check_rates(self.tutorial, self.values)
+        _check_worlds(next(self.settings), self.values.get('world', []))
         _check_limits(self.tutorial, self.limits)
 
     def text(self):
@@ -100,30 +100,38 @@ def read_campaign(path):
     return Campaign(content['tutorial'], content.get('seeds', 1), values, limits)
 
 
-def _check_names(tutorial, names):
-    with read_from({}) as read:
-        TUTORIALS[tutorial]()
-        read_settings()
-    known = sorted(read - WITHOUT_MEANING)
-    for name in names:
+def _check_values(tutorial, values):
+    """Check each value alone: what it may be depends on no other parameter of a sweep."""
+    known = {row.name[1:]: row for row in (*TUTORIALS[tutorial].PARAMETERS, *PARAMETERS.rows)
+             if row.name[1:] not in WITHOUT_MEANING}
+    for name, several in values.items():
         if name not in known:
             raise StartError(f'parameter {name} cannot be set in a sweep; {tutorial} has '
-                             f'{", ".join(known)}')
+                             f'{", ".join(sorted(known))}')
+        for value in several:
+            known[name].check(value)
 
 
-def _check_values(tutorial, values):
-    part, settings = run_parameters(tutorial, values)
-    if tutorial == 'rotate':
-        # At other rates the controller and a robot in lockstep would miss each other.
+def _check_rates(tutorial, values):
+    """At other rates the controller and a robot in lockstep would miss each other."""
+    if tutorial != 'rotate':
+        return
+    rates = {name: values[name] for name in ('rate', 'odom_rate') if name in values}
+    for setting in itertools.product(*rates.values()):
+        part, settings = run_parameters(tutorial, dict(zip(rates, setting)))
         share = settings.odom_rate / part.rate
         if abs(share - round(share)) > 1e-9:
             raise ParameterError('~rate', part.rate, f'~odom_rate, {settings.odom_rate:g} Hz, '
                                  'divided by a whole number, in lockstep')
-    if settings.world:
+
+
+def _check_worlds(setting, worlds):
+    """Build each world with the first robot of a sweep in it."""
+    for world in filter(None, worlds):
         try:
-            Simulation(settings)
+            Simulation(read_settings({**setting, 'world': world}))
         except WorldFileError as error:
-            raise ParameterError('~world', settings.world, error) from None
+            raise ParameterError('~world', world, error) from None
 
 
 def _check_limits(tutorial, limits):

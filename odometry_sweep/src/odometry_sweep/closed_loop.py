@@ -5,37 +5,37 @@ import math
 import threading
 
 from geometry_msgs.msg import Quaternion
-from heading_control.parameters import PARAMETERS as ROTATE_PARAMETERS
-from heading_control.turn import Turn
-from moved_distance.distance_counter import DistanceCounter
-from moved_distance.parameters import PARAMETERS as DETECTOR_PARAMETERS
+from heading_control import turn
+from moved_distance import distance_counter
 from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi, yaw_from_orientation
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
-from odometry_common.parameters import read_from
 from odometry_common.timing import Metronome
 from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, stands
 from sim_turtlebot.physics import World
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
-from straight_drive.drive import Drive
-from straight_drive.parameters import PARAMETERS as MOVE_PARAMETERS
+from straight_drive import drive
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
 # A run is late after so many times the time that a perfect robot takes, plus so many seconds.
 PATIENCE, MORE_PATIENCE = 1.5, 10.0
 
-# A process has one PyBullet and one source of parameters, but a Dask worker has several threads.
+# A Dask worker has several threads, but PyBullet is silenced for a whole process, and keeps its world.
 _one_at_a_time = threading.Lock()
 
 
 class Move:
     """The first tutorial: the detector and the mover."""
 
-    def __init__(self):
-        """Read the parameters."""
-        self._counter = DistanceCounter(**vars(DETECTOR_PARAMETERS.read()))
-        parameters = MOVE_PARAMETERS.read()
-        self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
+    PARAMETERS = (*distance_counter.PARAMETERS.rows, *drive.PARAMETERS.rows)
+
+    def __init__(self, values):
+        """Take parameter values by their names."""
+        self._counter = distance_counter.DistanceCounter(
+            **vars(distance_counter.PARAMETERS.read(values)))
+        parameters = drive.PARAMETERS.read(values)
+        self._drive = drive.Drive(parameters.distance, parameters.speed, parameters.relative)
+        self.targets = {'distance_target': parameters.distance}  # for the picture of the run
         speed = min(abs(self._drive.speed), MAX_LINEAR_SPEED)
         self.longest = PATIENCE * self._drive.distance / speed + MORE_PATIENCE  # s
 
@@ -66,10 +66,13 @@ class Move:
 class Rotate:
     """The second tutorial: the P-controller on the heading."""
 
-    def __init__(self):
-        """Read the parameters."""
-        parameters = ROTATE_PARAMETERS.read()
-        self._turn = Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
+    PARAMETERS = turn.PARAMETERS.rows
+
+    def __init__(self, values):
+        """Take parameter values by their names."""
+        parameters = turn.PARAMETERS.read(values)
+        self._turn = turn.Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
+        self.targets = {'heading_target': parameters.target}
         self.rate = parameters.rate  # Hz
         self._metronome = Metronome(1 / self.rate)
         self._overshoot = 0.0
@@ -110,8 +113,7 @@ def run_parameters(tutorial, values):
 
     :raises ParameterError: if a node would refuse one of them
     """
-    with read_from(values):
-        return TUTORIALS[tutorial](), read_settings()
+    return TUTORIALS[tutorial](values), read_settings(values)
 
 
 def run(tutorial, parameters, build_world=None):

@@ -7,7 +7,7 @@ import time
 from datetime import timedelta
 
 from odometry_common.parameters import StartError
-from odometry_launch.folders import new_folder
+from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.launch import DemoError
 from odometry_launch.output import Line, bar, complain, forget_output
 
@@ -52,17 +52,17 @@ def _run(options):
         replay(*options.replay)
         return 0
     options.campaign.check()
-    with side_by_side(options.jobs, options.cluster) as run_all:
-        return _sweep(options.campaign, run_all)
+    with side_by_side(options.campaign, options.jobs, options.cluster) as runs:
+        return _sweep(options.campaign, runs)
 
 
-def _sweep(campaign, run_all):
-    """Run a campaign by a function of side_by_side(); return the exit status."""
+def _sweep(campaign, runs):
+    """Do the runs of a campaign, those of side_by_side(); return the exit status."""
     folder = new_folder('sweep-')
     total = campaign.count
     rows = []
     try:
-        rows.extend(write_results(folder, campaign, with_progress(run_all(campaign), total)))
+        rows.extend(write_results(folder, campaign, with_progress(runs, total)))
     except (KeyboardInterrupt, LostError) as error:
         _print_table(campaign, _settings(campaign, rows))
         complain(f'{str(error) or "interrupted"} after {len(read_rows(folder))} of {total} runs, '
@@ -72,19 +72,23 @@ def _sweep(campaign, run_all):
 
 
 def with_progress(runs, total):
-    """Yield each of the runs, and then print how many are done and when all will be."""
-    line = None
-    for done, run in enumerate(runs, 1):
-        yield run
+    """Yield each of the runs but None, and then print how many are done and when all will be."""
+    done, start, first = 0, time.monotonic(), None
+    line = Line(LINE_PERIOD, start + LINE_PERIOD)
+    for run in runs:
         now = time.monotonic()
-        if line is None:
+        if run is not None:
+            done += 1
+            yield run
             # Processes have to start before the first run, which says nothing about the others.
-            first, line = now, Line(LINE_PERIOD, now + LINE_PERIOD)
+            first = first or now
         text = f'{bar(done / total)} {done} of {total} runs'
-        if now > first:
+        if done > 1 and now > first:
             speed = (done - 1) / (now - first)
             left = timedelta(seconds=round((total - done) / speed))
             text += f', {speed:.1f} a second, {left} left'
+        elif done == 0:
+            text += f' after {timedelta(seconds=round(now - start))}'
         if done < total:
             line.show(text, now)
         else:
@@ -115,7 +119,8 @@ def _report(campaign, settings, folder):
     # matplotlib takes half a second to import, which no run should wait for.
     from odometry_sweep import picture
     path = folder / picture.FILE
-    picture.make_figure(campaign.tutorial, settings).savefig(path)
+    with path_in_errors(path):
+        picture.make_figure(campaign.tutorial, settings).savefig(path)
     print(f'figures         {os.path.relpath(folder / FILE)}\n'
           f'picture         {os.path.relpath(path)}', flush=True)
     lines = [line for setting in settings for line in setting.broken(campaign.limits)]

@@ -1,7 +1,7 @@
 """A picture of how the metrics of a sweep are distributed."""
 
 import numpy
-from run_plot.figure import new_figure
+from odometry_launch.figure import new_figure
 
 from odometry_sweep.results import METRICS, SHOWN
 

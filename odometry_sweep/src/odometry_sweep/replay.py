@@ -2,12 +2,13 @@
 
 import csv
 import itertools
-import json
+import tempfile
 import time
 from pathlib import Path
 
 import rosbag
 import rospy
+import yaml
 from odometry_common.parameters import StartError
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.following import join, unpause
@@ -36,7 +37,7 @@ def replay(folder, number):
     print(f'{"":16}{"sweep":24}nodes in lockstep')
     for name in (names := [*METRICS[tutorial], 'ended']):
         print(f'{name:16}{row[name]:24}{metrics[name]}')
-    leave_picture(bag)
+    leave_picture(bag, **run_parameters(tutorial, parameters)[0].targets)
     different = [name for name in names if row[name] != str(metrics[name])]
     if different:
         raise DemoError(f'not the same: {", ".join(different)}')
@@ -58,16 +59,19 @@ def _find(folder, number):
 def _record(tutorial, parameters, end):
     """Have the nodes do a run that ends at a simulated time (s); return the path of the bag."""
     _, settings = run_parameters(tutorial, parameters)
-    arguments = {'tutorial': tutorial, 'odom_rate': settings.odom_rate,
-                 'parameters': json.dumps(parameters)}  # JSON is YAML
     use_writable_logs()
-    with Launch('replay.launch', arguments, package='odometry_sweep') as launch:
-        join(launch, 'sweep')
-        recording = Recording()
-        launch.wait_for(lambda: recording.is_connected(*TOPICS[tutorial]), 'the nodes do not answer')
-        launch.wait_for(unpause, 'the robot does not begin')
-        _wait_for_time(end, launch)
-        recording.close()
+    with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+        yaml.safe_dump(parameters, file)
+        file.flush()
+        arguments = {'tutorial': tutorial, 'odom_rate': settings.odom_rate, 'params': file.name}
+        with Launch('replay.launch', arguments, package='odometry_sweep') as launch:
+            join(launch, 'sweep')
+            recording = Recording()
+            launch.wait_for(lambda: recording.is_connected(*TOPICS[tutorial]),
+                            'the nodes do not answer')
+            launch.wait_for(unpause, 'the robot does not begin')
+            _wait_for_time(end, launch)
+            recording.close()
     return recording.path
 
 

@@ -4,6 +4,7 @@ import csv
 from typing import NamedTuple
 
 import numpy
+from odometry_launch.folders import path_in_errors
 
 from odometry_sweep.closed_loop import ARRIVED
 
@@ -88,14 +89,19 @@ def write_results(folder, campaign, runs):
 
     :param runs: yields the parameters and the metrics of each run, by name
     """
-    (folder / CAMPAIGN_FILE).write_text(campaign.text(), encoding='utf-8')
-    columns = ['run', *campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
-    with open(folder / FILE, 'w', newline='', encoding='utf-8', buffering=1) as file:
-        rows = csv.DictWriter(file, columns, lineterminator='\n')
-        rows.writeheader()
-        for number, (parameters, metrics) in enumerate(runs, 1):
-            rows.writerow({'run': number, **parameters, **metrics})
-            yield metrics
+    columns = [*campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
+    with path_in_errors(folder / CAMPAIGN_FILE) as path:
+        path.write_text(campaign.text(), encoding='utf-8')
+    _append(folder / FILE, ['run', *columns])
+    for number, (parameters, metrics) in enumerate(runs, 1):
+        values = {**parameters, **metrics}
+        _append(folder / FILE, [number, *(values[column] for column in columns)])
+        yield metrics
+
+
+def _append(path, row):
+    with path_in_errors(path), open(path, 'a', newline='', encoding='utf-8') as file:
+        csv.writer(file, lineterminator='\n').writerow(row)
 
 
 def read_rows(folder):

@@ -1,25 +1,35 @@
 """The runs of a campaign, side by side on this machine or on a Dask cluster."""
 
+import collections
 import concurrent.futures
 import contextlib
+import itertools
 import logging
+import multiprocessing
+import os
+import signal
 
 from odometry_common.parameters import StartError
+from sim_turtlebot.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import run
 
 MOST_JOBS = 2  # for each processor; more would only take memory
+AHEAD = 1000  # runs that may be done before an earlier one
+SIGN_PERIOD = 1.0  # s
 CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
 class LostError(RuntimeError):
-    """A process or machine that did runs is gone; the message is one line for the user."""
+    """The sweep cannot go on; the message is one line for the user."""
 
 
 @contextlib.contextmanager
-def side_by_side(jobs=None, cluster=None):
-    """Yield a function that yields parameters and metrics of each run of a Campaign, in order.
+def side_by_side(campaign, jobs=None, cluster=None):
+    """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
+
+    While none is done it yields None every SIGN_PERIOD.
 
     :param jobs: number of processes, at most MOST_JOBS for each processor and one for each run;
         None: one for each processor
@@ -27,39 +37,65 @@ def side_by_side(jobs=None, cluster=None):
     :raises StartError: if that is not possible
     :raises LostError: if it is no longer possible, between two runs
     """
-    import joblib
-    processors = joblib.cpu_count()
-    most = min(jobs or processors, MOST_JOBS * processors)
+    with _on_cluster(cluster) if cluster else _on_this_machine(campaign, jobs) as executor:
+        yield _run_all(campaign, executor)
 
-    def run_all(campaign):
-        parallel = joblib.Parallel(n_jobs=-1 if cluster else min(most, campaign.count),
-                                   return_as='generator')
-        results = parallel(joblib.delayed(run)(campaign.tutorial, parameters)
-                           for parameters in campaign.runs())
+
+def _run_all(campaign, executor):
+    begun = ((parameters, executor.submit(run, campaign.tutorial, parameters))
+             for parameters in campaign.runs())
+    try:
+        ahead = collections.deque(itertools.islice(begun, AHEAD))
+        while ahead:
+            parameters, future = ahead[0]
+            if not concurrent.futures.wait([future], SIGN_PERIOD).done:
+                yield None
+                continue
+            yield parameters, future.result()
+            ahead.popleft()
+            ahead.extend(itertools.islice(begun, 1))
+    except concurrent.futures.BrokenExecutor:
+        raise LostError('a process that did runs was killed') from None
+    except concurrent.futures.CancelledError:
+        raise LostError('the scheduler of the cluster is gone') from None
+    except WorldFileError as error:
+        raise LostError(f'{parameters["world"]} must be {error}') from None
+
+
+@contextlib.contextmanager
+def _on_this_machine(campaign, jobs):
+    """Yield an executor with a process for each job."""
+    processors = len(os.sched_getaffinity(0))
+    processes = min(jobs or processors, MOST_JOBS * processors, campaign.count)
+    # Forked, a process has imported everything.
+    with concurrent.futures.ProcessPoolExecutor(
+            processes, multiprocessing.get_context('fork'), _end_without_a_word) as executor:
         try:
-            yield from zip(campaign.runs(), results)
-        except concurrent.futures.BrokenExecutor:
-            raise LostError('a process that did runs was killed') from None
-        except concurrent.futures.CancelledError:
-            raise LostError('the scheduler of the cluster is gone') from None
+            yield executor
+        except BaseException:
+            for process in multiprocessing.active_children():
+                process.kill()  # a run may take minutes
+            raise
 
-    with _on_cluster(cluster) if cluster else contextlib.nullcontext():
-        yield run_all
+
+def _end_without_a_word():
+    """Undo in a forked process what the sweep itself does on signals."""
+    for signum in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(signum, signal.SIG_DFL)
 
 
 @contextlib.contextmanager
 def _on_cluster(address):
-    """Have joblib run on the cluster whose scheduler is at an address, tcp://HOST:PORT."""
+    """Yield an executor of the cluster whose scheduler is at an address, tcp://HOST:PORT."""
     import distributed
-    import joblib
     logging.disable()  # Dask's own messages; ours are exceptions
     try:
         client = distributed.Client(address, timeout=CONNECT_TIMEOUT)
     except (OSError, ValueError) as error:
         raise StartError(f'no scheduler answers at {address}: {error}') from None
-    with client, joblib.parallel_config(backend='dask'):
+    with client:
         _check_workers(client)
-        yield
+        yield client.get_executor()
 
 
 def _check_workers(client):

@@ -35,9 +35,12 @@ class Address(NamedTuple):
     names: set  # in lower case; with a port, a name is valid with that port only
 
 
-def read_address():
-    """Return the Address; raise ParameterError if it is impossible to listen there."""
-    parameters = PARAMETERS.read(host=os.environ.get(HOST_VARIABLE) or 'localhost')
+def read_address(source=None):
+    """Return the Address; raise ParameterError if it is impossible to listen there.
+
+    :param source: as for Parameters.read()
+    """
+    parameters = PARAMETERS.read(source, host=os.environ.get(HOST_VARIABLE) or 'localhost')
     host, port = parameters.host, parameters.port
     names = {*LOOPBACK, host.lower(), *_parse(parameters.allowed_hosts)}
     shown = host

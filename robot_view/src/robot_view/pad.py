@@ -3,13 +3,13 @@
 import threading
 import time
 
-from odometry_common.connections import has_subscriber_within
 from odometry_common.velocity import VelocityPublisher
 
 from robot_view import steering
 from robot_view.pad_layout import LAYOUT
 
-LONGEST_CONNECTING = 10.0  # s; a robot that takes longer does not listen
+LONGEST_CONNECTING = 10.0  # s; a robot that takes longer gets no zero
+SHORTEST_PERIOD = 0.01  # s, between two commands, however many pages send holds
 
 
 class Pad:
@@ -27,7 +27,8 @@ class Pad:
         self._chosen = chosen
         self._speeds = speeds
         self._steering = steering.Steering()
-        self._publishers = {}
+        self._publishers = {}  # by namespace; None until the master has answered
+        self._unheard = {}  # until when (s) a robot that is not connected yet is to get its zero
         self._lock = threading.Lock()
         self._changed = threading.Event()
         threading.Thread(target=self._drive, daemon=True).start()
@@ -48,22 +49,33 @@ class Pad:
 
     def _drive(self):
         while True:
-            self._changed.wait(steering.COMMAND_PERIOD if self._steering.is_driving else None)
+            is_idle = not (self._steering.is_driving or self._unheard)
+            self._changed.wait(None if is_idle else steering.COMMAND_PERIOD)
             self._changed.clear()
+            now = time.monotonic()
             with self._lock:
-                commands = self._steering.commands(time.monotonic())
-            for namespace, shares in commands.items():
-                self._command(namespace, *shares)
+                commands = self._steering.commands(now)
+            self._unheard = {robot: until for robot, until in self._unheard.items() if until > now}
+            unheard = dict.fromkeys(self._unheard.keys() - commands.keys(), steering.STANDSTILL)
+            for namespace, shares in {**commands, **unheard}.items():
+                self._command(namespace, shares, now)
+            time.sleep(SHORTEST_PERIOD)
 
-    def _command(self, namespace, forward, left):
+    def _command(self, namespace, shares, now):
+        """Publish, or keep a zero until the robot is connected, for which the others do not wait."""
         if namespace not in self._publishers:
-            self._publishers[namespace] = publisher = VelocityPublisher(f'{namespace}cmd_vel')
-            # Wait for the robot, or a first command to stop would be lost.
-            has_subscriber_within(publisher, LONGEST_CONNECTING)
-            if (forward, left) != steering.STANDSTILL:
-                return  # the button may have been released meanwhile
-        linear, angular = self._speeds()
-        self._publishers[namespace].publish(forward * linear, left * angular)
+            self._publishers[namespace] = None
+            threading.Thread(target=self._advertise, args=[namespace], daemon=True).start()
+        publisher = self._publishers[namespace]
+        if publisher and publisher.get_num_connections():
+            (forward, left), (linear, angular) = shares, self._speeds()
+            publisher.publish(forward * linear, left * angular)
+            self._unheard.pop(namespace, None)
+        elif shares == steering.STANDSTILL:
+            self._unheard.setdefault(namespace, now + LONGEST_CONNECTING)
+
+    def _advertise(self, namespace):
+        self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')
 
 
 def add_pad(gui, pad):

@@ -13,12 +13,14 @@ DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
 class Steering:
     """Decides what the held buttons command to which robot; times in seconds.
 
-    A robot gets commands while a button is held for it, then one zero and nothing more.
+    A robot gets commands while a button is held for it, then one zero and nothing more. A stop ends
+    every button that is held for the robot until it is released.
     """
 
     def __init__(self):
         """Start with no button held."""
-        self._held = {}  # robot and deadline by client and button
+        self._held = {}  # robot and deadline by client and button, until the release
+        self._stopped = set()  # clients and buttons
         self._driven = set()
 
     @property
@@ -27,23 +29,28 @@ class Steering:
         return bool(self._driven)
 
     def hold(self, client, button, robot, now):
-        """Note that a client holds a button for a robot."""
+        """Note that a client holds a button for a robot, or clicks stop."""
+        if button == STOP:
+            # Also those past their deadline: a page that was silent may go on without a release.
+            self._stopped.update(held for held, (held_for, _) in self._held.items()
+                                 if held_for == robot and held[1] != STOP)
         self._held[client, button] = robot, now + HOLD_TIMEOUT
 
     def release(self, client, button=None):
         """Note that a client has released a button, or all of them."""
         self._held = {held: until for held, until in self._held.items()
                       if held[0] != client or button not in (None, held[1])}
+        self._stopped &= set(self._held)
 
     def commands(self, now):
         """Return a dictionary of shares of speed, forwards and to the left, by robot.
 
         While a robot is driven, ask again every COMMAND_PERIOD.
         """
-        self._held = {held: until for held, until in self._held.items() if until[1] > now}
-        buttons = {robot: set() for robot, _ in self._held.values()}
-        for (_, button), (robot, _) in self._held.items():
-            buttons[robot].add(button)
+        buttons = {}
+        for held, (robot, until) in self._held.items():
+            if until > now and held not in self._stopped:
+                buttons.setdefault(robot, set()).add(held[1])
         # First those that stop: no robot starts before the other one has been told to stop.
         stopped = {robot: STANDSTILL for robot in self._driven - set(buttons)}
         self._driven = set(buttons)

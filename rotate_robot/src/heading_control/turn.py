@@ -3,6 +3,20 @@
 import math
 
 from odometry_common.geometry import wrap_to_pi
+from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
+
+PARAMETERS = Parameters(
+    Parameter('~target', 90.0, 'degrees', ANY, 'heading to turn to, in the odom frame'),
+    Parameter('~kp', 0.5, '1/s', above(0), 'gain'),
+    Parameter('~rate', 10.0, 'Hz', between(0.1, 1000), 'control rate'),
+    Parameter('~max_angular_speed', 3.14, 'rad/s', above(0), 'the command is clamped to this'),
+    Parameter('~tolerance', 0.0, 'degrees',
+              Range('from 0 to below 180', lambda value, _: 0 <= value < 180),
+              'exit once the heading stays this close and the robot is at rest; 0 controls for '
+              'ever'),
+    Parameter('~timeout', 1.0, 's', between(0, 3600),
+              'stop and warn after this long without odometry (ROS time, and at least 0.2 s of '
+              'wall time); continue when it returns; 0 turns it off'))
 
 
 class Turn:

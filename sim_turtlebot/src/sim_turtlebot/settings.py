@@ -45,6 +45,8 @@ PARAMETERS = Parameters(
               'ticks of /clock per simulated second, rounded up to a multiple of ~odom_rate; 0 is '
               '200, but at most about 1000 per second of wall time; 100 in lockstep; otherwise '
               '~odom_rate if unpaced'),
+    Parameter('~publish_tf', True, '', ANY,
+              'publish odom -> base_footprint on /tf; false where a filter publishes it'),
     Parameter('~odometry_source', 'world', '', one_of('world', 'encoder'),
               'world is the true pose, encoder counts wheel ticks'),
     Parameter('~gyro', True, '', ANY,
@@ -103,10 +105,13 @@ PARAMETERS = Parameters(
 USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
 
 
-def read_settings():
-    """Return all parameters by their names; raise ParameterError for the first unusable one."""
-    settings = PARAMETERS.read()
-    settings.use_sim_time = USE_SIM_TIME.read().use_sim_time
+def read_settings(source=None):
+    """Return all parameters by their names; raise ParameterError for the first unusable one.
+
+    :param source: as for Parameters.read()
+    """
+    settings = PARAMETERS.read(source)
+    settings.use_sim_time = USE_SIM_TIME.read(source).use_sim_time
     _check_wall_time(settings)
     settings.scan_rate = min(settings.scan_rate, settings.odom_rate)
     settings.clock_rate = settings.clock_rate or _default_clock_rate(settings)

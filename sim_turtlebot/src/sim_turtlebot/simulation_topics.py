@@ -27,6 +27,7 @@ class SimulationTopics:
         self._time = rospy.Time()
         self._clock_message = Clock()
         self._use_sim_time = settings.use_sim_time
+        self._publish_tf = settings.publish_tf
         if settings.real_time_factor == 0 or settings.lockstep:
             wait_for_subscribers(PATIENCE)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
@@ -56,7 +57,7 @@ class SimulationTopics:
         for topics in self._robots:
             topics.publish_scan(stamp, number)
         if self._tf.get_num_connections():
-            transforms = [frames.base(stamp) for frames in self._frames]
+            transforms = [frames.base(stamp) for frames in self._frames if self._publish_tf]
             for frames in self._frames:
                 transforms += frames.wheels(stamp)
             self._tf.publish(TFMessage(transforms))

@@ -4,7 +4,6 @@ import math
 from typing import NamedTuple
 
 from odometry_common.geometry import rotate
-from odometry_common.parameters import read_from
 from sim_turtlebot.odometry import true_motion
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation as SteppedRobots
@@ -19,8 +18,7 @@ class Record(NamedTuple):
 
 def settings_of(**parameters):
     """Return the simulator's settings with these parameters, and defaults for all others."""
-    with read_from(parameters):
-        return read_settings()
+    return read_settings(parameters)
 
 
 class Simulation(SteppedRobots):

@@ -6,7 +6,6 @@ import numpy
 
 # A Jupyter cell or an editor sets a backend for its own windows, which may not be installed here.
 os.environ['MPLBACKEND'] = 'agg'
-TWO_METRES = 2.0  # where the tutorial's robot stops
 # Of path and distance (m), speed (m/s) and heading (degrees); less would make noise look like motion.
 SMALLEST_SPANS = 0.5, 0.1, 0.05, 2.0
 FIGURE_SIZE = (11, 8)  # inches
@@ -22,7 +21,7 @@ def new_figure(width, height):
 def make_figure(run, distance_target=None, heading_target=None):
     """Return a figure of path, distance, speed and heading of a Run.
 
-    :param distance_target: m; None: two metres, if the run is about as long
+    :param distance_target: m; None: not known
     :param heading_target: degrees; None: not known
     """
     figure = new_figure(*FIGURE_SIZE)
@@ -36,16 +35,13 @@ def make_figure(run, distance_target=None, heading_target=None):
         _draw_track(figure.axes, run.ground_truth, '--', 'truth')
     path.plot(run.odometry.x[0], run.odometry.y[0], 'o', label='start')
     path.plot(run.odometry.x[-1], run.odometry.y[-1], 's', label='end')
-    if distance_target is None and TWO_METRES / 2 <= run.odometry.distance[-1] <= TWO_METRES * 2:
-        distance_target = TWO_METRES
     if distance_target is not None:
         _draw_target(distance, distance_target)
     if heading_target is not None:
         turns = round((numpy.degrees(run.odometry.yaw[-1]) - heading_target) / 360)
         _draw_target(heading, heading_target + 360 * turns)
     for axes, span in zip(figure.axes, SMALLEST_SPANS):
-        axes.set_ylim(_at_least(span, *axes.get_ylim()))
-    path.set_xlim(_at_least(SMALLEST_SPANS[0], *path.get_xlim()))
+        _show_at_least(span, axes)
     path.set_aspect('equal', adjustable='datalim')
     path.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
     distance.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
@@ -61,10 +57,12 @@ def _draw_target(axes, value):
     axes.axhline(value, color='grey', linestyle=':', label=f'target, {value:g}')
 
 
-def _at_least(span, low, high):
-    """Return limits with the same middle that are no closer together than a span."""
-    more = max(0.0, span - (high - low)) / 2
-    return low - more, high + more
+def _show_at_least(span, axes):
+    """Show a span of values, or more, about the middle of what is drawn."""
+    middle = sum(axes.get_ylim()) / 2
+    # Fixed limits would be in the way of the equal scales of the path.
+    axes.update_datalim([(0, middle - span / 2), (0, middle + span / 2)], updatex=False)
+    axes.autoscale_view()
 
 
 def _draw_track(all_axes, track, style, label):

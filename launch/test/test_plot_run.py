@@ -6,11 +6,12 @@ import numpy
 import pytest
 import rosbag
 import rospy
+from nav_msgs.msg import Odometry
+from odometry_launch.figure import make_figure
+from odometry_launch.recorded_run import BagError, read_run
 from odometry_tests.forms import number_after
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process
-from run_plot.figure import make_figure
-from run_plot.recorded_run import BagError, read_run
 from std_msgs.msg import Float64
 
 PNG = b'\x89PNG'
@@ -26,17 +27,23 @@ def metre():
     return messages
 
 
-def record(path, messages, topic='/odom'):
-    """Write a bag as a real robot's: without commands or the robot's true position."""
-    with rosbag.Bag(str(path), 'w') as bag:
+def record(path, messages, topic='/odom', mode='w'):
+    """Write a bag as a real robot's, without commands or the robot's true position, or append."""
+    with rosbag.Bag(str(path), mode) as bag:
         for number, message in enumerate(messages):
             bag.write(topic, message, rospy.Time.from_sec(START + PERIOD * number))
     return path
 
 
+def write_damaged(path):
+    """Write a bag whose only message is cut off."""
+    with rosbag.Bag(str(path), 'w') as bag:
+        bag.write('/odom', (Odometry._type, b'short', Odometry._md5sum, Odometry), raw=True)
+
+
 def plot(*arguments, **options):
-    """Run plot_run to its end."""
-    run = Process('rosrun', 'sim_turtlebot', 'plot_run.py', *arguments, **options)
+    """Run plot_run.py to its end."""
+    run = Process('rosrun', 'odometry_launch', 'plot_run.py', *arguments, **options)
     run.wait(30.0)
     return run
 
@@ -45,23 +52,23 @@ def test_it_draws_any_bag_with_odometry(tmp_path):
     """A real robot's bag has neither truth nor commands. Jupyter and editors set MPLBACKEND.
 
     A driver's NaN is no position, and no top speed. The only odometry in a bag is taken by any name.
+    The picture lies beside the bag.
     """
     messages = metre()
     messages[0].pose.pose.position.x = math.nan
     messages[40].twist.twist.linear.x = math.nan
     messages[50].pose.pose.orientation.w = math.nan
-    picture = tmp_path / 'real.png'
     messages.append(messages[60])  # late
     bag = record(tmp_path / 'real.bag', messages, '/robot_1/odom')
-    run = plot(bag, '-o', picture, env={'MPLBACKEND': 'nonsense'})
-    assert run.wait() == 0, run.output
+    run = plot(bag, env={'MPLBACKEND': 'nonsense'}, cwd='/')
+    assert run.wait() == 0 and run.stderr == '', run.output
     assert number_after('distance', run.stdout) == 0.99
     assert number_after('duration', run.stdout) == 9.9
     assert number_after('mean speed', run.stdout) == 0.1
     assert number_after('top speed', run.stdout) == 0.1
     assert 'odometry    /robot_1/odom\n' in run.stdout
     assert 'left out    4 messages ignored\n' in run.stdout
-    assert picture.read_bytes().startswith(PNG)
+    assert (tmp_path / 'real.png').read_bytes().startswith(PNG)
 
 
 def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path):
@@ -78,16 +85,35 @@ def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path
         20, 11, 22]
 
 
-@pytest.mark.parametrize('length, drawn', [(0.5, False), (2.005, True), (100, False)])
-def test_the_picture_names_the_bag_and_what_it_shows(tmp_path, length, drawn):
-    """The line at two metres would lie on the axis of a long run."""
-    messages = [odometry(x=length * step / 400, stamp=START + PERIOD * step) for step in range(401)]
+def test_the_picture_names_the_bag_and_what_it_shows(tmp_path):
+    """Nobody knows from a bag where its robot should have stopped."""
+    messages = [odometry(x=0.005 * step, stamp=START + PERIOD * step) for step in range(401)]
     figure = make_figure(read_run(record(tmp_path / 'kitchen.bag', messages)))
     assert figure.get_suptitle() == f'{tmp_path.name}/kitchen.bag'
     path, distance, *_ = ([text.get_text() for text in axes.get_legend().get_texts()]
                           for axes in figure.axes)
-    assert path == ['odometry', 'start', 'end']
-    assert ('target, 2' in distance) == drawn
+    assert path == ['odometry', 'start', 'end'] and distance == ['odometry']
+
+
+def test_an_empty_twist_is_no_speed_and_an_empty_orientation_no_rotation(tmp_path):
+    """Some drivers fill in the position only. "top speed 0" beside a mean speed would be wrong."""
+    messages = metre()
+    for message in messages:
+        message.twist.twist.linear.x = message.pose.pose.orientation.w = 0.0
+    run = read_run(record(tmp_path / 'bare.bag', messages))
+    assert 'mean speed  0.100 m/s\ntop speed   unknown: twist.linear.x is always 0' in run.summary()
+    speed = make_figure(run).axes[2]
+    assert numpy.isnan(speed.lines[0].get_ydata()).all() and not run.odometry.yaw.any()
+
+
+def test_the_summary_says_how_far_odometry_and_truth_end_apart(tmp_path):
+    """At the same moment: the truth is recorded more often, for longer, and in another frame."""
+    path = record(tmp_path / 'both.bag', metre())
+    truth = [odometry(x=5.0, y=0.00275 * step, yaw=math.pi / 2 + 1e-4 * step,
+                      stamp=START + step * PERIOD / 4) for step in range(500)]
+    record(path, truth, '/base_pose_ground_truth', 'a')
+    assert 'off truth   0.100 m, 2.29 degrees at the end\n' in f'{read_run(path).summary()}\n'
+    assert 'off truth   0.050 m, 1.15 degrees' in read_run(path, end=START + 5.0).summary()
 
 
 def test_noise_does_not_look_like_motion_and_a_target_is_where_the_robot_turns_to(tmp_path):
@@ -95,27 +121,32 @@ def test_noise_does_not_look_like_motion_and_a_target_is_where_the_robot_turns_t
     messages = [odometry(x=1e-4 * (step % 2), yaw=-step * math.pi / 200, stamp=START + PERIOD * step)
                 for step in range(101)]
     figure = make_figure(read_run(record(tmp_path / 'turn.bag', messages)), heading_target=270.0)
+    figure.draw_without_rendering()  # which gives the path equal scales
     path, *_, heading = figure.axes
     assert numpy.ptp(path.get_xlim()) >= 0.5 and numpy.ptp(path.get_ylim()) >= 0.5
     assert 'target, -90' in [text.get_text() for text in heading.get_legend().get_texts()]
 
 
-def test_a_file_without_a_run_is_refused(tmp_path):
-    """With status 2 and one line that names it."""
-    path = tmp_path / 'broken.bag'
-    path.write_bytes(b'no bag at all')
-    run = plot(path, '-o', tmp_path / 'no.png')
+@pytest.mark.parametrize('write, lines', [
+    (lambda path: path.write_bytes(b'no bag at all'), 'cannot be read'),
+    (lambda path: rosbag.Bag(str(path), 'w').flush(), "is not indexed: rosbag reindex '{}'"),
+    (write_damaged, 'is damaged: DeserializationError(')])
+def test_a_file_without_a_run_is_refused(tmp_path, write, lines):
+    """With status 2 and one line that names it, and the cure if there is one."""
+    path = tmp_path / 'broken off.bag'
+    write(path)
+    run = plot(path)
     assert run.wait() == 2
     assert len(run.stderr.splitlines()) == 1 and str(path) in run.stderr, run.stderr
+    assert lines.format(path) in run.stderr
 
 
 def test_of_several_odometries_the_user_has_to_choose(tmp_path):
-    """All are named, if there is no /odom among them."""
+    """All are named, if there is no /odom among them, and the option."""
     path = record(tmp_path / 'two.bag', metre(), '/b/odom')
-    with rosbag.Bag(str(path), 'a') as bag:
-        bag.write('/a/odom', odometry(stamp=START))
-    with pytest.raises(BagError, match='no messages on /odom; topics of type nav_msgs/Odometry: '
-                                       '/a/odom, /b/odom$'):
+    record(path, metre()[:1], '/a/odom', 'a')
+    with pytest.raises(BagError, match='no messages on /odom; choose its odometry: --topic /a/odom '
+                                       'or --topic /b/odom$'):
         read_run(path)
     assert read_run(path, '/b/odom').odometry.distance[-1] == pytest.approx(1.0)
 
@@ -125,10 +156,14 @@ def test_odometry_without_a_position_is_no_run(tmp_path):
         read_run(record(tmp_path / 'lost.bag', [odometry(x=math.nan, stamp=START)] * 3))
 
 
-def test_a_topic_of_another_type_is_refused(tmp_path):
-    """With its name and both types."""
+def test_only_the_odometry_needs_the_right_type(tmp_path):
+    """What else has another type is left out by name."""
     path = record(tmp_path / 'odd.bag', metre())
-    with rosbag.Bag(str(path), 'a') as bag:
-        bag.write('/cmd_vel', Float64())
-    with pytest.raises(BagError, match='odd.bag has std_msgs/Float64 on /cmd_vel, but must have '):
-        read_run(path)
+    for topic in ('/cmd_vel', '/base_pose_ground_truth'):
+        record(path, [Float64()], topic, 'a')
+    run = read_run(path)
+    assert run.ground_truth is None and not len(run.commands)
+    assert ('left out    /base_pose_ground_truth (std_msgs/Float64), /cmd_vel (std_msgs/Float64)'
+            in run.summary())
+    with pytest.raises(BagError, match='odd.bag has std_msgs/Float64 on /cmd_vel; choose'):
+        read_run(path, '/cmd_vel')

@@ -1,17 +1,18 @@
 """A recorded run, from a bag with odometry in it."""
 
 import math
+import shlex
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy
 import rosbag
-from geometry_msgs.msg import Quaternion
 from moved_distance.distance_counter import DistanceCounter
-from odometry_common.geometry import PlanarPose, yaw_from_orientation
+from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
 
-ODOMETRY, COMMAND = 'nav_msgs/Odometry', 'geometry_msgs/Twist'
-ODOMETRY_TOPIC = '/odom'
+ODOMETRY, ODOMETRY_TOPIC = 'nav_msgs/Odometry', '/odom'
+# What else is drawn, by topic.
+OTHERS = {'/base_pose_ground_truth': ODOMETRY, '/cmd_vel': 'geometry_msgs/Twist'}
 
 
 class BagError(ValueError):
@@ -25,21 +26,22 @@ class Track(NamedTuple):
     x: numpy.ndarray  # m
     y: numpy.ndarray  # m
     yaw: numpy.ndarray  # rad, without jumps
-    speed: numpy.ndarray  # m/s, forwards
+    speed: numpy.ndarray  # m/s, forwards; NaN where the driver does not say
     distance: numpy.ndarray  # m, as the detector counts it
     jumps: list  # indices of the messages whose step is not counted, since it is no movement
     ignored: int  # number of further messages, which are late or not finite
 
     def moved_onto(self, other):
-        """Return the same path, rotated and shifted so that it begins where another one does."""
-        frame = other.start.then(self.start.inverse())
+        """Return the same path in a frame in which both start at the same pose."""
+        start = max(self.time[0], other.time[0])
+        frame = other.at(start).then(self.at(start).inverse())
         x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
         return self._replace(x=x, y=y, yaw=yaw)
 
-    @property
-    def start(self):
-        """The PlanarPose where it begins."""
-        return PlanarPose(self.x[0], self.y[0], self.yaw[0])
+    def at(self, time):
+        """Return the PlanarPose in the message nearest to a time (s)."""
+        nearest = numpy.abs(self.time - time).argmin()
+        return PlanarPose(self.x[nearest], self.y[nearest], self.yaw[nearest])
 
 
 class Run(NamedTuple):
@@ -50,20 +52,32 @@ class Run(NamedTuple):
     odometry: Track
     ground_truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
+    odd_topics: list  # topics of OTHERS with another type, in words
 
     def summary(self):
-        """Return distance, duration and speeds in words, and what was left out."""
+        """Return distance, duration, speeds and errors in words, and what was left out."""
         track = self.odometry
         duration = track.time[-1] - track.time[0]
         mean = track.distance[-1] / duration if duration else 0.0
+        top = numpy.abs(track.speed).max()
         left_out = [f'{_in_words(number, thing)} {how}' for number, thing, how in (
             (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')) if number]
+        left_out += self.odd_topics
         return '\n'.join([f'odometry    {self.topic}',
                           f'distance    {track.distance[-1]:.3f} m',
                           f'duration    {duration:.1f} s',
                           f'mean speed  {mean:.3f} m/s',
-                          f'top speed   {numpy.abs(track.speed).max():.3f} m/s',
+                          'top speed   ' + ('unknown: twist.linear.x is always 0'
+                                            if math.isnan(top) else f'{top:.3f} m/s'),
+                          *(self._error() if self.ground_truth else []),
                           *([f'left out    {", ".join(left_out)}'] if left_out else [])])
+
+    def _error(self):
+        """Yield a line that says how far odometry and truth end apart."""
+        end = min(self.odometry.time[-1], self.ground_truth.time[-1])
+        error = self.ground_truth.at(end).inverse().then(self.odometry.at(end))
+        yield (f'off truth   {math.hypot(error.x, error.y):.3f} m, '
+               f'{abs(math.degrees(wrap_to_pi(error.yaw))):.2f} degrees at the end')
 
 
 def read_run(path, topic=None, end=math.inf):
@@ -71,48 +85,49 @@ def read_run(path, topic=None, end=math.inf):
 
     :param topic: the odometry; None: /odom or, in a bag without that, the only odometry
     :param end: of the run (s); what is later is left out
-    :raises BagError: if it is not a bag, has messages of another type on one of the topics, or no
-        odometry with finite numbers
+    :raises BagError: if it is not an indexed bag, or has no odometry with finite numbers
     """
     try:
         with rosbag.Bag(str(path)) as bag:
-            topic = topic or _odometry_topic(bag)
+            types = {name: topic.msg_type
+                     for name, topic in bag.get_type_and_topic_info().topics.items()}
+            topic = topic or _odometry_topic(types)
             odometry, ground_truth, commands = (
-                _messages(bag, name, kind, end) for name, kind in (
-                    (topic, ODOMETRY), ('/base_pose_ground_truth', ODOMETRY), ('/cmd_vel', COMMAND)))
-            others = ', '.join(_odometry_topics(bag))
+                [row for row in bag.read_messages(name) if _stamp(row) <= end]
+                if types.get(name) == kind else []
+                for name, kind in ((topic, ODOMETRY), *OTHERS.items()))
+    except rosbag.ROSBagUnindexedException:
+        raise BagError(f'{path} is not indexed: rosbag reindex {shlex.quote(str(path))}') from None
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
-    if not odometry:
-        raise BagError(f'{path} has no messages on {topic}; '
-                       f'topics of type {ODOMETRY}: {others or "none"}')
-    start = _stamp(odometry[0])
+    except Exception as error:  # noqa: BLE001
+        # rosbag raises KeyError, struct.error and others on wrong bytes.
+        raise BagError(f'{path} is damaged: {error!r}') from None
+    if types.get(topic) != ODOMETRY:
+        raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
+                       f'{_choice(types)}')
+    start = next(map(_stamp, odometry), 0.0)
     rows = [(_stamp(row) - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
     track, true_track = _track(odometry, start), _track(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no finite position on {topic}')
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
-               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
+               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3),
+               [f'{name} ({types[name]})' for name, kind in OTHERS.items()
+                if types.get(name, kind) != kind])
 
 
-def _odometry_topics(bag):
-    return sorted(name for name, topic in bag.get_type_and_topic_info().topics.items()
-                  if topic.msg_type == ODOMETRY)
-
-
-def _odometry_topic(bag):
+def _odometry_topic(types):
     """Return the topic that a user who names none means."""
-    topics = _odometry_topics(bag)
+    topics = [name for name, kind in types.items() if kind == ODOMETRY]
     return topics[0] if len(topics) == 1 else ODOMETRY_TOPIC
 
 
-def _messages(bag, topic, kind, end):
-    """Return the messages of a topic up to a time (s); their type has to be `kind`."""
-    found = bag.get_type_and_topic_info(topic).topics.get(topic)
-    if found and found.msg_type != kind:
-        raise BagError(f'{bag.filename} has {found.msg_type} on {topic}, but must have {kind}')
-    return [row for row in bag.read_messages(topic) if _stamp(row) <= end]
+def _choice(types):
+    """Return what else the user can do."""
+    options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == ODOMETRY]
+    return f'choose its odometry: {" or ".join(options)}' if options else f'it has no {ODOMETRY}'
 
 
 def _track(rows, start):
@@ -134,8 +149,11 @@ def _track(rows, start):
         kept.append((_stamp(row), x, y, yaw, speed, counter.distance))
     if not kept:
         return None
-    time, x, y, yaw, *others = numpy.array(kept).T
-    return Track(time - start, x, y, numpy.unwrap(yaw), *others, jumps, len(rows) - len(kept))
+    time, x, y, yaw, speed, distance = numpy.array(kept).T
+    if distance[-1] and not speed.any():
+        speed[:] = math.nan
+    return Track(time - start, x, y, numpy.unwrap(yaw), speed, distance, jumps,
+                 len(rows) - len(kept))
 
 
 def _in_words(number, thing):
@@ -144,7 +162,9 @@ def _in_words(number, thing):
 
 def _yaw(orientation):
     """Return the yaw (rad); 0 if the driver leaves the orientation empty."""
-    return 0.0 if orientation == Quaternion() else yaw_from_orientation(orientation)
+    # A bag has classes of its own, which equal no geometry_msgs/Quaternion.
+    numbers = orientation.x, orientation.y, orientation.z, orientation.w
+    return yaw_from_orientation(orientation) if any(numbers) else 0.0
 
 
 def _stamp(row):
