@@ -46,7 +46,8 @@ class Robot:
 
     def __init__(self):
         self.x, self.moved = 0.0, threading.Event()  # m, and whether that is new
-        self.seen = queue.Queue()
+        self.seen = queue.Queue()  # the same, one by one; None at shutdown
+        rospy.on_shutdown(lambda: self.seen.put(None))
         self._publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10)
         rospy.Subscriber('odom', Odometry, self._on_odometry)
 
@@ -173,15 +174,15 @@ def work(x):
 
 def program(robot):
     """Command by what another program computes."""
-    while True:
-        code = f'print({robot.seen.get()} + 0 * sum(range(200_000)))'
+    for x in iter(robot.seen.get, None):
+        code = f'print({x} + 0 * sum(range(200_000)))'
         done = subprocess.run([sys.executable, '-c', code], stdout=subprocess.PIPE, check=True)
         robot.drive(float(done.stdout))
 
 
 def fork(robot):
-    while True:
-        x, (reader, writer) = robot.seen.get(), os.pipe()
+    for x in iter(robot.seen.get, None):
+        reader, writer = os.pipe()
         if not os.fork():
             os.write(writer, str(work(x)).encode())
             os._exit(0)
@@ -193,14 +194,14 @@ def fork(robot):
 
 def processes(robot):
     pool = multiprocessing.Pool(2)
-    while True:
-        robot.drive(pool.apply(work, [robot.seen.get()]))
+    for x in iter(robot.seen.get, None):
+        robot.drive(pool.apply(work, [x]))
 
 
 def threads(robot):
     pool = ThreadPoolExecutor(2)
-    while True:
-        robot.drive(pool.submit(work, robot.seen.get()).result())
+    for x in iter(robot.seen.get, None):
+        robot.drive(pool.submit(work, x).result())
 
 
 def busy(_robot):
@@ -242,12 +243,13 @@ def wall(robot, seconds):
 
 
 def event(robot):
-    while not threading.Event().wait(0.1):
+    while not rospy.is_shutdown():
+        threading.Event().wait(0.1)
         robot.drive()
 
 
 def queue_timeout(robot):
-    while True:
+    while not rospy.is_shutdown():
         try:
             queue.Queue().get(timeout=0.1)
         except queue.Empty:
@@ -255,14 +257,14 @@ def queue_timeout(robot):
 
 
 def selecting(robot):
-    while True:
+    while not rospy.is_shutdown():
         select.select([], [], [], 0.1)
         robot.drive()
 
 
 def coroutine(robot):
     async def drive():
-        while True:
+        while not rospy.is_shutdown():
             robot.drive()
             await asyncio.sleep(0.1)
 
@@ -277,7 +279,7 @@ def wall_timer(robot):
 def alarm(robot):
     signal.signal(signal.SIGALRM, lambda *_: robot.drive())
     signal.setitimer(signal.ITIMER_REAL, 0.1, 0.1)
-    while True:
+    while not rospy.is_shutdown():
         signal.pause()
 
 

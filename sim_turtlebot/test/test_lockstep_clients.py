@@ -125,5 +125,5 @@ def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
 
 def test_a_command_before_time_zero_is_said_to_be_ignored(start_client):
     """Once: a node that sends only this one would wait for ever."""
-    with simulator_in_step() as simulation, start_client('early', 'client'):
+    with simulator_in_step('_paused:=true') as simulation, start_client('early', 'client'):
         simulation.wait_for_output('lockstep ignores commands before time zero: wait for the first /odom')
