@@ -30,7 +30,6 @@ class Readings:
     """A table of measured values."""
 
     def __init__(self, gui):
-        """Add it to viser's GUI."""
         self._html = gui.add_html('')
         self.show({})
 
@@ -46,7 +45,6 @@ class SimulationButtons:
     """A status line, and the buttons that call the simulator's services."""
 
     def __init__(self, gui):
-        """Add them."""
         self._status = gui.add_html('')
         self._buttons = gui.add_button_group('simulation', tuple(SERVICES), visible=False)
         self._buttons.on_click(self._call)
