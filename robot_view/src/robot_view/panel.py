@@ -8,7 +8,6 @@ import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from odometry_common.connections import has_subscriber_within
 from odometry_common.geometry import about_z
-from sim_turtlebot.poses import MAX_COORDINATE
 from std_srvs.srv import Empty
 
 NODE = 'sim_turtlebot'
@@ -75,8 +74,7 @@ def add_placing(gui, chosen):
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
-        x, y = (gui.add_number(f'{name} (m)', 0.0, min=-MAX_COORDINATE, max=MAX_COORDINATE, step=0.05)
-                for name in 'xy')
+        x, y = (gui.add_number(f'{name} (m)', 0.0, step=0.05) for name in 'xy')
         heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
         button = gui.add_button(PUT)
 
