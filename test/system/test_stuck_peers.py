@@ -13,9 +13,9 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from odometry_launch.process_guard import start_guarded
 from odometry_tests.links import ANSWER
 from odometry_tests.pausing import call
+from odometry_tests.process_guard import start_guarded
 from odometry_tests.processes import command_of, path_of
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
