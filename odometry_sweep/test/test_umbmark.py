@@ -31,7 +31,6 @@ class Square:
     longest = 100.0  # s
 
     def __init__(self, way, _values):
-        """Begin with the first side."""
         self._way = way
         self._corners = [(SIDE, 0.0), (SIDE, way * SIDE), (0.0, way * SIDE), (0.0, 0.0)]
         self._side, self._turns = 0, False
