@@ -3,7 +3,6 @@
 import contextlib
 import signal
 import socket
-import subprocess
 import xmlrpc.client
 from io import BytesIO
 from urllib.parse import urlparse
@@ -12,11 +11,8 @@ import pytest
 import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
-from nav_msgs.msg import Odometry
-from odometry_launch.process_guard import start_guarded
 from odometry_tests.links import ANSWER
 from odometry_tests.pausing import call
-from odometry_tests.processes import command_of, path_of
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from rosgraph.network import read_ros_handshake_header, write_ros_handshake_header
@@ -146,24 +142,3 @@ def test_a_node_whose_master_is_stuck_stops_the_robot_and_ends(master):
         finally:
             master.send(signal.SIGCONT)
     wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
-
-
-def test_rotate_commands_while_nobody_reads_what_it_prints(master):
-    """As behind `| less`, or after Ctrl-S in its terminal."""
-    commands = Recorder('cmd_vel', Twist)
-    node = start_guarded(path_of('rotate_robot', 'rotate.py'), '_rate:=1000',
-                         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    try:
-        with published('odom', Odometry) as odometry:
-            commands.wait_for_publisher()
-            message = Odometry()
-            message.pose.pose.orientation.z, message.pose.pose.orientation.w = 0.6, 0.8
-            for number in range(1, COUNT + 1):
-                message.header.stamp = rospy.Time(number / 1000)
-                odometry.publish(message)
-            commands.wait_for_count(COUNT)
-        command_of(node).send_signal(signal.SIGINT)
-        assert node.wait(TIMEOUT * PATIENCE) == 0
-        wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
-    finally:
-        node.terminate()
