@@ -3,8 +3,9 @@
 from types import SimpleNamespace
 
 import pytest
-from odometry_common import timing
 from odometry_common.timing import RestDetector, Watchdog
+
+from odometry_common import timing
 
 BAND, DURATION = 0.001, 0.5
 START, HOUR = 100.0, 3600.0  # s

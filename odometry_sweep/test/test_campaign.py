@@ -75,9 +75,6 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'set': {'kp': 1}},
      'parameter kp cannot be set in a sweep; move has cmd_vel_timeout, dist'),
     ({'tutorial': 'rotate', 'set': {'tolerance': 1}}, 'parameter tolerance cannot be set'),
-    ({'tutorial': 'rotate', 'set': {'rate': 15}},
-     'parameter ~rate is 15.0, but must be ~odom_rate, 20 Hz, divided by a whole number'),
-    ({'tutorial': 'rotate', 'set': {'rate': 60}}, 'parameter ~rate is 60.0, but must be'),
     ({'tutorial': 'move', 'set': {'world': '/no.urdf'}}, "parameter ~world is '/no.urdf'"),
     ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95; it is'),
     ({'tutorial': 'move', 'limits': {'moved_error_p95': -1}},
@@ -99,8 +96,3 @@ def test_a_million_combinations_are_checked_at_once(monkeypatch):
     campaign = Campaign('move', 1, {**grid, 'world': ['room.urdf']}, {})
     campaign.check()
     assert len(built) == 1 and next(campaign.runs())['yaw'] == HUNDRED[0]
-
-
-def test_a_controller_that_keeps_step_with_the_odometry_is_run():
-    """With every odometry, or with every third."""
-    Campaign('rotate', 1, {'rate': [2.1, 0.7], 'odom_rate': [2.1]}, {}).check()

@@ -38,7 +38,7 @@ def recorded(tmp_path):
 
 @pytest.mark.parametrize('tutorial, parameters, topics', [
     ('move', ['distance=0.5', 'speed=0.2,-0.3', 'yaw=1'], ['/moved_distance', '/cmd_vel']),
-    pytest.param('rotate', ['target=-100', 'kp=1,1.5', 'rate=10'], ['/cmd_vel'],
+    pytest.param('rotate', ['target=-100', 'kp=1,1.5', 'rate=7'], ['/cmd_vel'],
                  marks=pytest.mark.nightly)], ids=['move', 'rotate'])
 def test_a_row_and_its_replay_are_equal(tutorial, parameters, topics):
     """With noise from its own seed; the bag and the picture are those of the nodes."""

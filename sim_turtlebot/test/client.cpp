@@ -1,6 +1,8 @@
-// A robot client in C++: `client rate`, `client timer` or `client spinners` commands an angular
-// velocity that shows what it has seen.
+// A robot client in C++: `client rate`, `client timer`, `client spinners` or `client usleep` commands an
+// angular velocity that shows what it has seen.
 #include <string>
+
+#include <unistd.h>
 
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
@@ -24,6 +26,13 @@ int main(int argc, char** argv) {
 
   if (kind == "rate") {
     for (ros::Rate loop(10); ros::ok(); loop.sleep()) {
+      ros::spinOnce();
+      drive();
+    }
+    return 0;
+  }
+  if (kind == "usleep") {
+    for (; ros::ok(); usleep(100000)) {
       ros::spinOnce();
       drive();
     }

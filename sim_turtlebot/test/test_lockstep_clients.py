@@ -1,6 +1,7 @@
 """Lockstep waits for nodes as others write them, whatever they wait for themselves."""
 
 import contextlib
+import signal
 import sys
 from functools import partial
 
@@ -30,10 +31,11 @@ CLIENTS = {
     'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
     'service': ['service'], 'latched topic': ['latched', 'latching'],
     'actionlib': ['action', 'action_server'], 'dynamic_reconfigure': ['reconfigure', 'tuner'],
-    'rosbag record': ['rate 20', 'bag'],
+    'rosbag record': ['rate 20', 'bag'], 'subprocess': ['program'], 'os.fork': ['fork'],
+    'multiprocessing': ['processes'], 'ThreadPoolExecutor': ['threads'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
     'ros::MultiThreadedSpinner': ['C++ spinners']}
-BY_DAY = 'tf2_ros',
+BY_DAY = 'tf2_ros', 'os.fork'
 CLIENT_TIME = 3  # s of simulated time
 LEAST_COMMANDS = 5
 
@@ -89,15 +91,39 @@ def test_a_loop_keeps_its_rate(rate, start_client):
     assert abs(counts[1] - counts[0] - 5 * rate) <= 1 + rate / 10, counts
 
 
-@pytest.mark.parametrize('kind, reason', [
-    pytest.param('busy', 'it has not rested for 2 s', marks=pytest.mark.nightly),
-    ('wall', 'it sleeps by wall time')])
-def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, reason, start_client):
-    """With what to do."""
-    with simulator_in_step('_real_time_factor:=5') as simulation, \
-            start_client(kind, 'culprit'):
-        simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so that two runs may differ: {reason}',
-                                   60.0)
+BUSY, SLEEPS, STOPPED = 'it has not rested for 2 s', 'it acts by wall time', 'it has been stopped'
+# What lockstep says of nodes that it cannot wait for, at any pace.
+NAMED = {
+    'busy': BUSY, 'busy_after_one_command': BUSY, 'busy_thread': BUSY, 'flood': BUSY,
+    'wall 0.03': SLEEPS, 'wall 0.1': SLEEPS, 'wall 0.5': SLEEPS, 'wall 0.7': SLEEPS, 'wall 2': SLEEPS,
+    'event': SLEEPS, 'queue_timeout': SLEEPS, 'selecting': SLEEPS, 'coroutine': SLEEPS,
+    'wall_timer': SLEEPS, 'alarm': SLEEPS, 'C++ usleep': SLEEPS, 'stopped': STOPPED}
+NAMED_BY_DAY = 'wall 0.5', 'flood', 'stopped'
+
+
+@pytest.mark.parametrize('pace', [0, pytest.param(5, marks=pytest.mark.nightly)])
+@pytest.mark.parametrize('kind', [
+    pytest.param(kind, marks=[] if kind in NAMED_BY_DAY else pytest.mark.nightly) for kind in NAMED])
+def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, start_client):
+    """With what it does, and nobody else is named."""
+    with simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation, \
+            start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit:
+        simulation.wait_for_output(
+            f'{NOT_AWAITED} /culprit, so that two runs may differ: {NAMED[kind]}', RUN_TIME)
         truth = Truth()
         truth.wait_seconds(10.0)
-        assert simulation.output.count(f'{NOT_AWAITED} /culprit') == 1
+        assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
+        culprit.send(signal.SIGKILL)
+
+
+def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
+    """Each moment answers some calls; it is waited for, so that it is not named."""
+    with simulator_in_step(UNPACED) as simulation, start_client('flood_service', 'caller'):
+        Truth().wait_seconds(5.0)
+    assert NOT_AWAITED not in simulation.output
+
+
+def test_a_command_before_time_zero_is_said_to_be_ignored(start_client):
+    """Once: a node that sends only this one would wait for ever."""
+    with simulator_in_step('_paused:=true') as simulation, start_client('early', 'client'):
+        simulation.wait_for_output('lockstep ignores commands before time zero: wait for the first /odom')

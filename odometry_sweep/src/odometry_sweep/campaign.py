@@ -10,7 +10,7 @@ from sim_turtlebot.settings import PARAMETERS, read_settings
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.world_file import WorldFileError
 
-from odometry_sweep.closed_loop import TUTORIALS, run_parameters
+from odometry_sweep.closed_loop import TUTORIALS
 from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
 
 KEYS = ['tutorial', 'seeds', 'set', 'limits']
@@ -65,7 +65,6 @@ class Campaign(NamedTuple):
         _check_values(self.tutorial, self.values)
         if self.count > MOST_RUNS:
             raise StartError(f'there are {self.count} runs, but must be {MOST_RUNS} at most')
-        _check_rates(self.tutorial, self.values)
         _check_worlds(next(self.settings), self.values.get('world', []))
         _check_limits(self.tutorial, self.limits)
 
@@ -110,19 +109,6 @@ def _check_values(tutorial, values):
                              f'{", ".join(sorted(known))}')
         for value in several:
             known[name].check(value)
-
-
-def _check_rates(tutorial, values):
-    """At other rates the controller and a robot in lockstep would miss each other."""
-    if tutorial != 'rotate':
-        return
-    rates = {name: values[name] for name in ('rate', 'odom_rate') if name in values}
-    for setting in itertools.product(*rates.values()):
-        part, settings = run_parameters(tutorial, dict(zip(rates, setting)))
-        share = settings.odom_rate / part.rate
-        if abs(share - round(share)) > 1e-9:
-            raise ParameterError('~rate', part.rate, f'~odom_rate, {settings.odom_rate:g} Hz, '
-                                 'divided by a whole number, in lockstep')
 
 
 def _check_worlds(setting, worlds):

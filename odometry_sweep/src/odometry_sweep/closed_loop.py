@@ -9,12 +9,13 @@ from heading_control import turn
 from moved_distance import distance_counter
 from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi, yaw_from_orientation
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
-from odometry_common.timing import Metronome
 from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, stands
 from sim_turtlebot.physics import World
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
 from straight_drive import drive
+
+from odometry_sweep.rate import Rate
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
 # A run is late after so many times the time that a perfect robot takes, plus so many seconds.
@@ -73,8 +74,7 @@ class Rotate:
         parameters = turn.PARAMETERS.read(values)
         self._turn = turn.Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
         self.targets = {'heading_target': parameters.target}
-        self.rate = parameters.rate  # Hz
-        self._metronome = Metronome(1 / self.rate)
+        self._loop = Rate(parameters.rate)
         self._overshoot = 0.0
         self._direction = None
         # The robot turns at full speed, then slows down exponentially as it nears the target.
@@ -92,7 +92,7 @@ class Rotate:
         beyond = -self._direction * self._error
         if beyond < math.pi / 2:  # farther off, the error changes sign behind the robot
             self._overshoot = max(self._overshoot, beyond)
-        is_due = self._metronome.is_due(stamp)
+        is_due = self._loop.is_due(round(stamp * 1e9))
         command = (0.0, self._turn.speed_for(self._error)) if is_due else None
         return command, has_turned(self._error, ground_truth.angular[2])
 
@@ -124,6 +124,7 @@ def run(tutorial, parameters, build_world=None):
     """
     with _one_at_a_time:
         part, settings = run_parameters(tutorial, parameters)
+        settings.clock_rate = settings.odom_rate  # as for the nodes
         simulation = Simulation(settings, build_world=build_world or _world)
         return follow(part, _ticks(simulation), simulation.command)
 
