@@ -11,7 +11,7 @@ DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs pyt
     python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
     librostest-dev ros-environment rosbash rosout ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg
     ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev)
-TEST_PARTS=(catkin-lint chromium chromium-driver iproute2 python3-actionlib python3-dynamic-reconfigure
+TEST_PARTS=(catkin-lint chromium chromium-driver python3-actionlib python3-dynamic-reconfigure
     python3-message-filters x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(rviz)

@@ -11,6 +11,10 @@ from odometry_sweep.closed_loop import follow, run, run_parameters
 from sim_turtlebot.odometry import STILL, Motion
 
 SHORT = {'distance': 0.1, 'speed': 0.3}
+# The errors and the corrections of docs/calibration.md.
+ERRORS = {'odometry_source': 'encoder', 'gyro': False, 'wheel_diameter_ratio': 1.005, 'wheel_separation_ratio': 1.02}
+CORRECTED = {**ERRORS, 'left_wheel_radius_multiplier': 0.99752, 'right_wheel_radius_multiplier': 1.00248,
+             'wheel_separation_multiplier': 1.01995}
 UPRIGHT, LYING = about_z(0.0), (math.sin(math.pi / 4), 0.0, 0.0, math.cos(math.pi / 4))
 
 
@@ -47,6 +51,14 @@ def test_a_robot_turns_to_a_heading(target, heading):
     assert metrics['ended'] == 'arrived' and abs(off) < 0.11 and metrics['overshoot'] < 0.2
     assert metrics['true_error'] == pytest.approx(off, abs=1e-9)
     assert metrics['heading_error'] == pytest.approx(off, abs=1e-3)
+
+
+def test_the_corrections_of_the_driver_end_the_errors_of_the_robot():
+    """Of unequal wheels and of the distance between them."""
+    bent, straight = (run('move', robot)['sideways'] for robot in (ERRORS, CORRECTED))
+    assert bent == pytest.approx(0.0434, abs=0.001) and abs(straight) < 0.001
+    short, exact = (run('rotate', {**robot, 'kp': 1})['true_error'] for robot in (ERRORS, CORRECTED))
+    assert short - exact == pytest.approx(90 / 1.02 - 90, abs=0.05) and abs(exact) < 0.2
 
 
 def test_overshoot_is_beyond_the_target_but_not_behind_the_robot():

@@ -5,15 +5,13 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from statistics import median
 from typing import Callable, NamedTuple
 
-import rospy
+from answers import Answers
 from geometry_msgs.msg import Twist
 from graph import FINE_LOCKSTEP, LOCKSTEP, TIMEOUT, UNPACED, Graph, beside_ring
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_tests.messages import odometry
 from odometry_tests.processes import Process, hold_port, path_of
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
@@ -28,9 +26,6 @@ SCRIPTS = {'demo': 'launch/src/odometry_launch/following.py',
            'simulator': 'sim_turtlebot/script/sim_turtlebot_node.py',
            'detector': 'odom_movement_detector/src/odom_movement_detector.py',
            'mover': 'test_movement/src/test_movement.py'}
-PERIOD = 0.05  # s
-MESSAGES, WARM_UP = 60, 20
-STEP = 0.001  # m
 ROBOTS, DRIVES = 50, 1000
 PACE_WINDOW = 5.0  # s after each; the machine is not as fast in each second
 SWEEP_TIMEOUT = 300.0  # s
@@ -97,59 +92,14 @@ def demo(options):
     return in_turns(options, run_demo, run_bare)
 
 
-def relay(question, answer):
-    """Start a node of bare rospy that only passes odometry on."""
-    return Process(sys.executable, FOLDER / 'relay.py', question, answer)
-
-
 @figure('latency at 20 Hz, median', 'ms', '<=', 1.15)
 def latency(options):
-    """Compare the way from /odom to /moved_distance with a relay."""
+    """Compare the way from /odom to /moved_distance with a node of bare rospy that passes odometry on."""
     forget_parameters()
-    with detector(), relay('/relayed/odom', '/relayed/answer'), \
+    with detector(), Process(sys.executable, FOLDER / 'relay.py', '/relayed/odom', '/relayed/answer'), \
             contextlib.closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
             contextlib.closing(Answers('/relayed/odom', '/relayed/answer', Odometry)) as relayed:
         return in_turns(options, answers.latency, relayed.latency)
-
-
-class Answers:
-    """Odometry to a node, and the times at which it answers."""
-
-    def __init__(self, question, answer, answer_class):
-        self._arrivals = []
-        self._x = 0.0
-        self._publisher = advertise(question, Odometry)
-        self._subscriber = rospy.Subscriber(answer, answer_class, self._on_answer, tcp_nodelay=True)
-        wait_for_subscribers(self._publisher, timeout=TIMEOUT)
-        # The answers may be connected later than the questions.
-        wait_until(lambda: self._publisher.publish(odometry(stamp=rospy.get_time())) or self._arrivals,
-                   TIMEOUT, f'an answer on {answer}')
-
-    def close(self):
-        self._publisher.unregister()
-        self._subscriber.unregister()
-
-    def latency(self):
-        """Send messages at 20 Hz; return the median time until the answer (ms)."""
-        del self._arrivals[:]
-        start = time.perf_counter()
-        departures = [self._send_at(start + PERIOD * number) for number in range(WARM_UP + MESSAGES)]
-        wait_until(lambda: len(self._arrivals) == len(departures), TIMEOUT,
-                   lambda: f'{len(departures)} answers; there were {len(self._arrivals)}')
-        return median(1e3 * (arrival - departure) for departure, arrival
-                      in zip(departures[WARM_UP:], self._arrivals[WARM_UP:]))
-
-    def _send_at(self, moment):
-        """Send a message at a time, and return when it was really sent."""
-        self._x += STEP
-        message = odometry(self._x, stamp=rospy.get_time())
-        time.sleep(max(0.0, moment - time.perf_counter()))
-        departure = time.perf_counter()
-        self._publisher.publish(message)
-        return departure
-
-    def _on_answer(self, _):
-        self._arrivals.append(time.perf_counter())
 
 
 @figure('robot without ROS', 'simulated s/s', '>=', 0.85)

@@ -3,25 +3,23 @@
 
 import unittest
 
-import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import Distance, Truth, heading, speed
 from odometry_tests.waiting import Recorder
 
-STARTS = {1: {'/': 0.0}, 2: {'/robot_1/': 0.0, '/robot_2/': 1.0}}  # by namespace: m to the left
+STARTS = {'/robot_1/': 0.0, '/robot_2/': 1.0}  # by namespace: m to the left
 
 
 class TwoMetersTest(unittest.TestCase):
-    """Given ~robots (1 or 2), each with a detector and a mover, all move two metres."""
+    """Given two robots, each with a detector and a mover, both move two metres."""
 
     def test_each_moves_two_metres_and_stays_there(self):
         """Straight ahead, as its detector counts it; at rest for five seconds of their time."""
-        starts = STARTS[rospy.get_param('~robots', 1)]
-        distances = {name: Distance(name) for name in starts}
-        truths = {name: Truth(name) for name in starts}
-        commands = {name: Recorder(f'{name}cmd_vel', Twist) for name in starts}
-        for name, left in starts.items():
+        distances = {name: Distance(name) for name in STARTS}
+        truths = {name: Truth(name) for name in STARTS}
+        commands = {name: Recorder(f'{name}cmd_vel', Twist) for name in STARTS}
+        for name, left in STARTS.items():
             with self.subTest(name=name):
                 moved = distances[name].wait_until_arrived(2.0)
                 self.assertTrue(2.0 <= moved <= 2.01, moved)

@@ -53,21 +53,6 @@ def test_the_base_stops_when_the_mover_is_killed_and_a_new_one_goes_on(master):
     assert arrived == pytest.approx(truth.last.pose.pose.position.x, abs=1e-3)
 
 
-def test_the_mover_stops_when_the_detector_is_killed_and_goes_on_with_a_new_one(master):
-    """The mover's watchdog commands zero; a base that has none comes to rest, too."""
-    truth, commands = Truth(), Recorder('cmd_vel', Twist)
-    with simulator('_real_time_factor:=3', '_cmd_vel_timeout:=0'), \
-            mover(FAR) as driver:
-        with detector() as first:
-            truth.wait_until_moving()
-            kill(first)
-            driver.wait_for_output('stopping: no moved_distance arrives')
-            wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
-            truth.wait_until_resting()
-        with detector():
-            truth.wait_until_moving()
-
-
 def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
     """The jump of the odometry and of the time is not counted."""
     moved = Distance()

@@ -1,4 +1,4 @@
-"""Each package.xml names what the package uses, and the documents what is installed for that."""
+"""Each package.xml names what the package uses, and docs/workspace.md what is installed for that."""
 
 import ast
 import importlib.util
@@ -87,12 +87,6 @@ def test_the_requirements_name_what_rosdep_does_not_know():
     assert FROM_PYPI <= named, FROM_PYPI - named
 
 
-def test_everything_that_is_installed_is_named_where_it_is_removed():
-    removed = re.findall(r'^sudo apt-mark auto (.*)', (ROOT / 'docs' / 'install.md').read_text(),
-                         re.MULTILINE)
-    assert sorted(' '.join(removed).split()) == sorted(word for part in PARTS.values() for word in part)
-
-
 def debian_packages():
     """Return what Debian calls the dependencies of all packages here."""
     keys = {key for manifest in MANIFESTS for key in depends(manifest)} - {*map(name_of, MANIFESTS)}
@@ -102,8 +96,9 @@ def debian_packages():
 
 def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
     """docs/workspace.md: neither less nor more than ./ws installs, and what comes with that."""
-    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)',
-                       (ROOT / 'docs' / 'workspace.md').read_text())
+    page = (ROOT / 'docs' / 'workspace.md').read_text()
+    lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)', page)
     installed = {word for line in lines for word in line.split()}
     by_set_up = {word for name in ('DEBIAN', 'WINDOW', 'RVIZ') for word in PARTS[name]}
     assert installed == debian_packages() | by_set_up - {'rosout'} | {'git'}
+    assert re.search(r'pip install (\S+)', page)[1] in (ROOT / 'requirements.txt').read_text().split()

@@ -3,7 +3,6 @@
 import contextlib
 import functools
 import os
-import shutil
 import signal
 import socket
 import subprocess
@@ -17,8 +16,6 @@ import rosgraph
 from odometry_tests.process_guard import start_guarded
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
-
-EXIT_BAD_PARAMETER = 2
 
 started = deque(maxlen=20)  # the latest Processes of this test
 
@@ -147,7 +144,7 @@ class Master(Process):
         address = own_address()
         port = port or self._port.enter_context(hold_port(address))
         os.environ.update(ROS_MASTER_URI=f'http://{address}:{port}', ROS_HOSTNAME=address)
-        super().__init__(shutil.which('rosmaster'), '--core', '-p', port)
+        super().__init__('rosmaster', '--core', '-p', port)
         try:
             wait_until(rosgraph.is_master_online, 20.0, 'an answer from the ROS master')
         except BaseException:
@@ -191,7 +188,7 @@ def run_script(script, *arguments, env=None):
 
 def assert_refused(ended, *words):
     """Assert that a node has ended with status 2 and one line with all the words in it."""
-    assert ended.wait() == EXIT_BAD_PARAMETER, ended.output
+    assert ended.wait() == 2, ended.output
     line, = ended.stderr.splitlines()
     assert all(word in line for word in words), line
 

@@ -1,14 +1,10 @@
-"""A pytest plugin: how ./ws test spreads the files over workers, and the line that it closes with."""
+"""A pytest plugin: which files ./ws test runs, and on how many workers."""
 
 import os
 from pathlib import Path
 
-import pytest
-from xdist.scheduler import LoadFileScheduling
-
 WORKERS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
 BY_DAY = 'not nightly'  # of pytest.ini
-OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['skipped']}
 
 
 def pytest_configure(config):
@@ -43,31 +39,3 @@ def pytest_xdist_auto_num_workers(config):
     """Start so many workers for `-n auto`, and no more than there are files to run."""
     workers = WORKERS_PER_PROCESSOR * len(os.sched_getaffinity(0))
     return workers if has_folder(config) else min(workers, len(config.args))
-
-
-def pytest_xdist_make_scheduler(config, log):
-    """Keep the tests of a file in one worker."""
-    return Files(config, log)
-
-
-class Files(LoadFileScheduling):
-    """Files to workers, of which one may crash."""
-
-    def remove_node(self, node):
-        """Give what a crashed worker has left to others, but not the test in which it crashed."""
-        left = [(unit, nodeid) for unit in self.assigned_work[node].values()
-                for nodeid, completed in unit.items() if not completed]
-        for unit, nodeid in left[:1]:
-            unit[nodeid] = True
-        super().remove_node(node)
-        return left[0][1] if left else None
-
-
-@pytest.hookimpl(trylast=True)
-def pytest_unconfigure(config):
-    """Print the counts, alone on the last line."""
-    reporter = config.pluginmanager.get_plugin('terminalreporter')
-    if reporter and not hasattr(config, 'workerinput') and not config.option.collectonly:
-        counts = [f'{sum(len(reporter.stats.get(key, [])) for key in keys)} {word}'
-                  for word, keys in OUTCOMES.items()]
-        reporter.write_line(', '.join(counts))
