@@ -8,7 +8,7 @@ import math
 import pytest
 from odometry_common.geometry import about_z
 from odometry_sweep.closed_loop import follow, run, run_parameters
-from sim_turtlebot.odometry import STILL, Motion
+from sim_turtlebot.robot.odometry import STILL, Motion
 
 SHORT = {'distance': 0.1, 'speed': 0.3}
 # The errors and the corrections of docs/calibration.md.

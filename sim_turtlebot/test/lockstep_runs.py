@@ -8,7 +8,7 @@ from odometry_tests.pausing import call
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
-from sim_turtlebot.lockstep import Lockstep
+from sim_turtlebot.lockstep.lockstep import Lockstep
 
 CLIENTS_FOLDER = ROOT / 'sim_turtlebot' / 'test'
 RUN_TIME = 60.0  # s

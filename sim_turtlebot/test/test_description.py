@@ -4,7 +4,7 @@ import numpy
 import pytest
 from odometry_common.geometry import rotate
 from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
-from sim_turtlebot.description import URDF, read_joints, without_frames
+from sim_turtlebot.physics.description import URDF, read_joints, without_frames
 from tf import transformations
 
 JOINTS = {joint.child: joint for joint in read_joints(URDF.read_text())}

@@ -12,8 +12,8 @@ from odometry_common.geometry import about_z, yaw_of
 from odometry_tests.fuzzing import any_number
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import lean, settings_of
+from sim_turtlebot.robot.multiplexer import INPUTS
 from sim_turtlebot.simulation import Simulation
-from sim_turtlebot.velocity_mux import INPUTS
 
 from odometry_common import kobuki
 

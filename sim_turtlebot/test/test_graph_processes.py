@@ -10,8 +10,8 @@ import rosgraph
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector
 from odometry_tests.waiting import wait_until
-from sim_turtlebot.graph_processes import MASTER, GraphProcesses
-from sim_turtlebot.rest import Rest
+from sim_turtlebot.lockstep.graph import MASTER, GraphProcesses
+from sim_turtlebot.lockstep.rest import Rest
 
 # Listens at the same port of many other addresses.
 NEIGHBOURS = '''

@@ -3,8 +3,8 @@
 import os
 
 import pytest
-from sim_turtlebot.physics import World
-from sim_turtlebot.world_file import WorldFileError
+from sim_turtlebot.physics.world import World
+from sim_turtlebot.physics.world_file import WorldFileError
 
 STEP_RATE = 240  # Hz
 START = 0.0, 0.0, 0.0
@@ -40,7 +40,7 @@ def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(tmp_path, n
 def test_a_file_over_which_pybullet_ends_or_waits_for_ever_is_refused(
         tmp_path, monkeypatch, make, limit, reason):
     """A mesh that is a folder, or a pipe to which nobody writes."""
-    monkeypatch.setattr('sim_turtlebot.world_file.LONGEST_LOAD', limit)
+    monkeypatch.setattr('sim_turtlebot.physics.world_file.LONGEST_LOAD', limit)
     make(tmp_path / 'mesh.obj')
     (tmp_path / 'world.urdf').write_text(MESH)
     with pytest.raises(WorldFileError, match=reason):

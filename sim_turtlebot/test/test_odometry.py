@@ -10,7 +10,7 @@ from odometry_common.geometry import about_z, yaw_of
 from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.odometry import STILL, Motion
+from sim_turtlebot.robot.odometry import STILL, Motion
 
 RUNS = 400  # seeds, for a standard deviation within about a tenth
 

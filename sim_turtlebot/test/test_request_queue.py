@@ -5,9 +5,9 @@ import threading
 from functools import partial
 
 import pytest
-from sim_turtlebot.request_queue import RequestQueue
+from sim_turtlebot.requests import RequestQueue
 
-from sim_turtlebot import request_queue
+from sim_turtlebot import requests as request_queue
 
 PATIENCE = 60.0  # s
 COUNT = 200  # requests of each thread

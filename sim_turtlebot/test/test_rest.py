@@ -9,10 +9,9 @@ import time
 
 import pytest
 from odometry_tests.waiting import PATIENCE
-from sim_turtlebot.processes import Process
-from sim_turtlebot.rest import Rest
-
-from sim_turtlebot import rest
+from sim_turtlebot.lockstep import rest
+from sim_turtlebot.lockstep.processes import Process
+from sim_turtlebot.lockstep.rest import Rest
 
 ROUNDS = 100
 # Each reads a number, works, and answers with its successor.

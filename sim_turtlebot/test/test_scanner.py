@@ -7,7 +7,7 @@ import pytest
 from odometry_common.kobuki import DEPTH_CAMERA as CAMERA
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.scanner import Scanner, is_scan_due
+from sim_turtlebot.robot.scanner import Scanner, is_scan_due
 
 WORLDS = ROOT / 'sim_turtlebot' / 'worlds'
 ALL_ROUND = 2 * math.pi

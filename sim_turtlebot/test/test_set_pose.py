@@ -6,8 +6,8 @@ import pytest
 from odometry_common.geometry import about_z
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
-from sim_turtlebot.odometry import STILL
-from sim_turtlebot.poses import checked_pose
+from sim_turtlebot.robot.odometry import STILL
+from sim_turtlebot.robot.poses import checked_pose
 
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 LEVEL = about_z(0.0)

@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 from odometry_tests.simulation import Simulation
-from sim_turtlebot.velocity_mux import INPUTS, TIMEOUT, VelocityMux
+from sim_turtlebot.robot.multiplexer import INPUTS, TIMEOUT, VelocityMux
 
 TELEOP, NAVI = 'cmd_vel_mux/input/teleop', 'cmd_vel_mux/input/navi'
 SECOND = 10**9  # ns

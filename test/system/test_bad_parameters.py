@@ -4,8 +4,8 @@ import pytest
 from odometry_common.parameters import ANY, ParameterError
 from odometry_tests.processes import assert_refused, run_script
 from odometry_tests.scripts import ROOT, load_script
+from sim_turtlebot.physics.window import LIBRARIES, NoScreenError, screen
 from sim_turtlebot.settings import read_settings
-from sim_turtlebot.window import LIBRARIES, NoScreenError, screen
 
 NOT_NUMBERS = ['abc', '', [1, 2], {'a': 1}, True, float('nan'), 'nan', float('inf'), '2026-01-01']
 WRONG_TYPE = {float: NOT_NUMBERS, int: [*NOT_NUMBERS, 1.5], bool: ['abc', '', [True], 1, 0.5],
@@ -86,7 +86,7 @@ def test_a_window_without_a_screen_is_refused(master, display):
 def test_a_missing_library_is_named(monkeypatch, library):
     """It is not DISPLAY that has to be set then."""
     names = [f'no-{name}' if name == library else name for name in LIBRARIES]
-    monkeypatch.setattr('sim_turtlebot.window.LIBRARIES', names)
+    monkeypatch.setattr('sim_turtlebot.physics.window.LIBRARIES', names)
     with pytest.raises(NoScreenError, match=f'^no-{library} is not installed$'), \
             screen():
         pass

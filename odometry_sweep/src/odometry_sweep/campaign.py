@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import yaml
 from odometry_common.parameters import ParameterError, StartError
+from sim_turtlebot.physics.world_file import WorldFileError
 from sim_turtlebot.settings import PARAMETERS, read_settings
 from sim_turtlebot.simulation import Simulation
-from sim_turtlebot.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import TUTORIALS
 from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS

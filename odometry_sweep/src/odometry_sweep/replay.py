@@ -15,7 +15,7 @@ from odometry_launch.following import join, unpause
 from odometry_launch.launch import Launch
 from odometry_launch.output import DemoError
 from odometry_launch.recording import Recording, leave_picture
-from sim_turtlebot.odometry import Motion
+from sim_turtlebot.robot.odometry import Motion
 
 from odometry_sweep.campaign import read_campaign
 from odometry_sweep.closed_loop import follow, run_parameters

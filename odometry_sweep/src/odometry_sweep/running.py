@@ -10,7 +10,7 @@ import os
 import signal
 
 from odometry_common.parameters import StartError
-from sim_turtlebot.world_file import WorldFileError
+from sim_turtlebot.physics.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import run
 

@@ -7,7 +7,7 @@ class Falls:
     """Notices when a robot begins to lie on its side, and when it stands again."""
 
     def __init__(self, robots):
-        """Watch robots that stand, each a sim_turtlebot.robot.Robot."""
+        """Watch robots that stand, each a sim_turtlebot.robot.robot.Robot."""
         self._robots = {f'robot_{number}' if len(robots) > 1 else 'the robot': robot
                         for number, robot in enumerate(robots, 1)}
         self._lying = set()

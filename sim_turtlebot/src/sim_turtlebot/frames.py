@@ -2,7 +2,7 @@
 
 from geometry_msgs.msg import TransformStamped
 
-from sim_turtlebot.description import URDF, WHEEL_JOINTS, read_joints
+from sim_turtlebot.physics.description import URDF, WHEEL_JOINTS, read_joints
 
 
 class Frames:

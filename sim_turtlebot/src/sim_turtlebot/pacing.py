@@ -6,6 +6,7 @@ LARGEST_LAG = 0.25  # s; a simulation further behind than this does not rush to 
 SLIPS = 10  # in a row are more than a hiccup
 LONGEST_GAP = 3.0  # s between them: a machine that is slower than nine tenths
 RECOVERY = 30.0  # s without one
+BUSY_SHARE = 0.8  # of a processor; a simulation that gets less waits for others
 
 
 class Pacer:
@@ -55,3 +56,18 @@ class Pacer:
             then, wall_then, cpu_then = self._first_slip
             self._on_pace((now - then) / 1e9 / (wall - wall_then),
                           (time.process_time() - cpu_then) / (wall - wall_then))
+
+
+def describe_pace(reached, wanted, share):
+    """Return what to say of a pace, and what helps; '' if the simulation has caught up.
+
+    :param reached, share: as a Pacer reports them
+    :param wanted: real-time factor
+    """
+    if reached is None:
+        return f'the simulation keeps pace again: real-time factor {wanted:g}', ''
+    text = f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} instead of {wanted:g}'
+    help_text = ('fewer robots, no ~gui, a lower ~odom_rate or ~real_time_factor help' if share > BUSY_SHARE
+                 else 'perhaps other programs need the processors, such as windows that render without a '
+                 'graphics card')
+    return text, f'with {share:.0%} of a processor; {help_text}'

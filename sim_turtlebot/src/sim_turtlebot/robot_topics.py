@@ -9,9 +9,9 @@ from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu, JointState, LaserScan
 
-from sim_turtlebot.description import WHEEL_JOINTS
 from sim_turtlebot.frames import fill_pose
-from sim_turtlebot.scanner import is_scan_due
+from sim_turtlebot.physics.description import WHEEL_JOINTS
+from sim_turtlebot.robot.scanner import is_scan_due
 
 # About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the greatest
 # number where nothing is measured: kobuki_node/src/library/slot_callbacks.cpp.
@@ -55,7 +55,7 @@ class RobotTopics:
     def __init__(self, robot, namespace, scan_rate, odom_rate):
         """Advertise.
 
-        :param robot: sim_turtlebot.robot.Robot
+        :param robot: sim_turtlebot.robot.robot.Robot
         :param namespace: '' or one that ends in a slash; topics and frames begin with it
         :param scan_rate, odom_rate: Hz
         """

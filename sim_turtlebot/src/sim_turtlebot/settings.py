@@ -13,8 +13,8 @@ from odometry_common.parameters import (
     one_of,
 )
 
-from sim_turtlebot import scanner
-from sim_turtlebot.poses import MAX_COORDINATE
+from sim_turtlebot.robot import scanner
+from sim_turtlebot.robot.poses import MAX_COORDINATE
 
 LOCKSTEP_CLOCK_RATE = 100.0  # Hz; in lockstep a rospy.Rate of up to this keeps its rate
 CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that

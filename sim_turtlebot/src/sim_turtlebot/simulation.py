@@ -2,10 +2,10 @@
 
 import math
 
-from sim_turtlebot.physics import World
-from sim_turtlebot.robot import Robot
+from sim_turtlebot.physics.world import World
+from sim_turtlebot.robot.multiplexer import VelocityMux
+from sim_turtlebot.robot.robot import Robot
 from sim_turtlebot.timeline import Timeline
-from sim_turtlebot.velocity_mux import VelocityMux
 
 SPACING = 1.0  # m, from one robot's start to that of the next on its left
 

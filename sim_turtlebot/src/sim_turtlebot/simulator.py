@@ -8,29 +8,23 @@ in lockstep once every node of the graph rests, in the order of their senders' n
 """
 
 import math
-from functools import partial
 
 import rospy
-from geometry_msgs.msg import PoseStamped, Twist
 from odometry_common.node import LONGEST_WAIT
 from odometry_common.parameters import ParameterError
-from std_msgs.msg import Empty
-from std_srvs import srv
 
 from sim_turtlebot.falls import Falls
-from sim_turtlebot.lockstep import Lockstep
-from sim_turtlebot.pacing import Pacer
-from sim_turtlebot.poses import checked_pose
-from sim_turtlebot.request_queue import RequestQueue
+from sim_turtlebot.inputs import Inputs
+from sim_turtlebot.lockstep.lockstep import Lockstep
+from sim_turtlebot.pacing import Pacer, describe_pace
+from sim_turtlebot.physics.window import NoScreenError
+from sim_turtlebot.physics.world_file import WorldFileError
+from sim_turtlebot.requests import RequestQueue
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.simulation_topics import SimulationTopics
-from sim_turtlebot.velocity_mux import INPUTS
-from sim_turtlebot.window import NoScreenError
-from sim_turtlebot.world_file import WorldFileError
 
 SHORTEST_SLEEP = 0.001  # s; shorter sleeps take longer than asked
-BUSY_SHARE = 0.8  # of a processor; a simulation that gets less waits for others
 TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 MOST_ROUNDS = 10  # of answers to callers that ask again at once, in one moment of lockstep
 LOOK_PERIOD = 0.1  # s of wall time between two checks whether the graph has settled
@@ -67,7 +61,11 @@ class Simulator:
             f'robot_{number}/' for number in range(1, settings.robots + 1)]
         self._topics = SimulationTopics(simulation, settings, self._namespaces)
         self._falls = Falls(simulation.robots)
-        self._listen()
+        self._inputs = Inputs(simulation, self._namespaces, self._requests, self._topics.warn)
+        self._inputs.obeys = not self._lockstep
+        for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
+                             ('~reset_simulation', self._reset)):
+            self._inputs.serve(name, action)
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
@@ -84,6 +82,8 @@ class Simulator:
         if self._paused:
             self._requests.wait(LONGEST_WAIT)
             self._requests.serve_all()
+            if self._inputs.poses_are_set():
+                self._publish_robots()
         elif not self._begun:
             self._begin()
         else:
@@ -113,7 +113,7 @@ class Simulator:
         if self._lockstep and not self._lockstep.has_settled():
             self._requests.wait(LOOK_PERIOD)
             return
-        self._begun = True
+        self._begun = self._inputs.obeys = True
         self._publish()
         if self._lockstep:
             self._serve()
@@ -173,74 +173,14 @@ class Simulator:
         else:
             self._simulation.world.look_at(self._simulation.robots[0].body)
 
-    def _listen(self):
-        inputs = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
-                  **{name: name for name in INPUTS}}
-        for robot, namespace in enumerate(self._namespaces):
-            for topic, mux_input in inputs.items():
-                self._subscribe(f'{namespace}{topic}', Twist, self._command, robot, mux_input)
-            self._subscribe(f'{namespace}mobile_base/commands/reset_odometry', Empty,
-                            self._reset_odometry, robot)
-            self._subscribe(f'~{namespace}set_pose', PoseStamped, self._set_pose, robot)
-        for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
-                             ('~reset_simulation', self._reset)):
-            rospy.Service(name, srv.Empty, partial(self._answer, action))
-
-    def _subscribe(self, topic, message_class, action, *arguments):
-        """Have the main thread call action(message, *arguments) for each message."""
-        # Of what has arrived together rospy reads the latest only, so that a flood costs little.
-        rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
-            _sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
-
-    def _answer(self, action, request):
-        try:
-            self._requests.put_and_wait(_sender_of(request), action)
-        except TimeoutError as error:
-            raise rospy.ServiceException(error) from None
-        return srv.EmptyResponse()
-
-    def _command(self, twist, robot, mux_input):
-        if self._lockstep and not self._begun:
-            # Whether one arrives so early depends on when the connection is made.
-            rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
-            return
-        try:
-            self._simulation.command(twist.linear.x, twist.angular.z, robot, mux_input)
-        except ValueError as error:
-            rospy.logwarn_throttle(1.0, f'stopping: {error}')
-
-    def _reset_odometry(self, _message, robot):
-        self._simulation.robots[robot].reset_odometry()
-
-    def _set_pose(self, message, robot):
-        """Place a robot; while paused, publish its new pose."""
-        position, orientation = message.pose.position, message.pose.orientation
-        topic, refusal = f'~{self._namespaces[robot]}set_pose', ''
-        try:
-            self._simulation.robots[robot].set_pose(*checked_pose(
-                message.header.frame_id, (position.x, position.y, position.z),
-                (orientation.x, orientation.y, orientation.z, orientation.w)))
-        except ValueError as error:
-            refusal = f'{topic} refused: {error}'
-            rospy.logwarn_throttle(1.0, refusal)
-        self._topics.warn(topic, refusal)  # RViz and the page do not show the log
-        if self._paused and not refusal:
-            self._publish_robots()
-
     def _report_pace(self, reached, share):
-        """Warn, in the log and on ~warning, that the simulation is too slow, or has caught up."""
-        wanted = self._settings.real_time_factor
-        if reached is None:
-            text = ''
-            rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted:g}')
+        """Say, in the log and on ~warning, that the simulation is too slow, or has caught up."""
+        text, help_text = describe_pace(reached, self._settings.real_time_factor, share)
+        if help_text:
+            rospy.logwarn(f'{text}, {help_text}')
         else:
-            text = (f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} '
-                    f'instead of {wanted:g}')
-            help_text = ('fewer robots, no ~gui, a lower ~odom_rate or ~real_time_factor help'
-                         if share > BUSY_SHARE else 'perhaps other programs need the processors, '
-                         'such as windows that render without a graphics card')
-            rospy.logwarn(f'{text}, with {share:.0%} of a processor; {help_text}')
-        self._topics.warn('pace', text)
+            rospy.loginfo(text)
+        self._topics.warn('pace', text if help_text else '')
 
     def _pause(self):
         self._paused = True
@@ -258,9 +198,3 @@ class Simulator:
     def _stop(self):
         self._stopping = True
         self._requests.put(('', ''), lambda: None)
-
-
-def _sender_of(message):
-    """Return the sender of a message or request: the names of its node and of its topic or service."""
-    header = message._connection_header
-    return header['callerid'], header.get('topic') or header.get('service', '')

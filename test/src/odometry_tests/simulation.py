@@ -4,13 +4,13 @@ import math
 from typing import NamedTuple
 
 from odometry_common.geometry import rotate
-from sim_turtlebot.odometry import true_motion
+from sim_turtlebot.robot.odometry import true_motion
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation as SteppedRobots
 
 
 class Record(NamedTuple):
-    """What the first robot did during a run; lists of sim_turtlebot.odometry.Motion."""
+    """What the first robot did during a run; lists of sim_turtlebot.robot.odometry.Motion."""
 
     ground_truth: list  # after each step of time
     odometry: list  # of each odometry message

@@ -10,8 +10,8 @@ from pathlib import Path
 import rospy
 from odometry_common.parameters import ParameterError
 
-from sim_turtlebot.graph_processes import GraphProcesses
-from sim_turtlebot.rest import PATIENCE, Rest
+from sim_turtlebot.lockstep.graph import GraphProcesses
+from sim_turtlebot.lockstep.rest import PATIENCE, Rest
 
 NAP_PERIOD = 2.0  # s of wall time between two looks for nodes that sleep by it
 MOST_WATCHING = 2.8  # Hz; a thread that watches something sleeps by wall time to no harm

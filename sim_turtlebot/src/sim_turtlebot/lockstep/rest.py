@@ -14,15 +14,13 @@ import errno
 import os
 import time
 
-from sim_turtlebot.processes import Process
+from sim_turtlebot.lockstep.processes import Process
 
 LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
 PATIENCE = 2.0  # s of CPU time that a process may use before it rests
 BUSY_SHARE = 0.1  # of that, which a main thread uses that is to blame; rospy.spin() uses nothing
 STOP_PATIENCE = 2.0  # s of wall time for a process that a signal or a debugger has stopped
 STALL_TIMEOUT = 60.0  # s of wall time, for what neither computes nor sleeps
-SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
-POLL_RUNS = 20  # in that time, without work; ros::Rate and ros::Timer poll every millisecond
 SPIN_TIME = 0.001  # s of wall time
 LOOK_PERIOD = 2e-5  # s of wall time, after that
 
@@ -43,7 +41,6 @@ class Rest:
         self.rested = {}  # by Process: the usage of its threads that do not nap, when all rested last
         self._awaited = []
         self._stopped = set()  # Processes that are not awaited until they continue
-        self._surveyed = set()  # threads of which it is known whether they poll
 
     def add(self, name, pid, longest_poll=LONGEST_POLL, patience=PATIENCE):
         """Wait for one more process; parameters and errors are those of Process."""
@@ -57,10 +54,10 @@ class Rest:
             thread of each receives it, and who polls for messages need not look
         """
         begin, first_cpu_times, rested, polls = time.monotonic(), {}, None, {}
-        self._await_continued()
         while not self._is_over():
             look_begin = time.monotonic()
             try:
+                self._await_continued()
                 # Before the look: a thread that sleeps later may have been given work in between.
                 polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
                 restless = self._look()
@@ -139,29 +136,28 @@ class Rest:
 
         if passed > STOP_PATIENCE and process.is_stopped():
             self._stopped.add(process)
-            self._give_up(process)
+            self._awaited.remove(process)
+            self._on_restless(process)
             return True
         if sum(map(spent, process.threads.values())) <= process.patience and passed <= STALL_TIMEOUT:
             return False
         nodes = [node for node in self._awaited if node.longest_poll]
         busiest = max(nodes, key=spent_by_main, default=None)
+        culprit = process
         if busiest and spent_by_main(busiest) > BUSY_SHARE * process.patience:
-            self._give_up(busiest)
+            culprit = busiest
         elif process not in nodes or self._is_flooded(process):
             # It reads what a node sends without a pause, which is no fault of its own.
             max(process.threads.values(), key=spent).ignored = True
-        else:
-            self._give_up(process)
+            return True
+        self._awaited.remove(culprit)
+        self._on_restless(culprit)
         return True
 
-    def _give_up(self, process):
-        self._awaited.remove(process)
-        self._on_restless(process)
-
     def _await_continued(self):
-        for process in [process for process in self._stopped if not process.is_stopped()]:
-            self._stopped.remove(process)
-            self._awaited.append(process)
+        continued = {process for process in self._stopped if not process.is_stopped()}
+        self._stopped -= continued
+        self._awaited += continued
 
     def _split(self, look_begin, receivers):
         """Tell apart what works and what only polls.
@@ -171,10 +167,11 @@ class Rest:
         :returns: the usage of the threads that work, by Process; and, by thread that polls, how often
             it has slept when it has looked for work once more
         """
-        self._survey()
         rested, polling = {}, {}
         for process in self._awaited:
             limit, threads = process.longest_poll, process.threads.values()
+            for thread in threads if process.is_cpp else ():
+                thread.survey()
             rested[process] = {thread: thread.settled for thread in threads
                                if not (thread.naps or thread.polls or thread.ignored)}
             # ros::Rate and ros::Timer poll for the clock.
@@ -196,14 +193,6 @@ class Rest:
             process.longest_poll and process.pid != thread.pid and usages != before.get(process)
             for process, usages in rested.items())
 
-    def _survey(self):
-        """Find out which threads of C++ poll: those that run while all others rest."""
-        threads = {thread for process in self._awaited if process.is_cpp
-                   for thread in process.threads.values()}
-        for thread in threads - self._surveyed:
-            thread.polls = _idle_runs(thread) >= POLL_RUNS
-        self._surveyed = threads
-
     def _forget_ended(self):
         for pid, process in list(self.processes.items()):
             try:
@@ -212,14 +201,3 @@ class Rest:
                     process.cpu_time()
             except OSError:
                 self.remove(pid)
-
-
-def _idle_runs(thread):
-    """Return how often a thread runs in SURVEY_TIME while all others rest."""
-    begin, (_, waited, runs) = time.monotonic(), thread.usage
-    while True:
-        time.sleep(SURVEY_TIME)
-        _, waited_now, runs_now = thread.usage
-        if (runs_now - runs >= POLL_RUNS
-                or time.monotonic() - begin - (waited_now - waited) / 1e9 > SURVEY_TIME):
-            return runs_now - runs

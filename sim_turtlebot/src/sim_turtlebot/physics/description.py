@@ -9,8 +9,8 @@ from odometry_common.geometry import about, compose, from_rpy
 
 # In the source folder, or below the prefix of an installed package.
 URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
-            for folder in (Path(__file__).parents[2],
-                           Path(__file__).parents[4] / 'share/sim_turtlebot')
+            for folder in (Path(__file__).parents[3],
+                           Path(__file__).parents[5] / 'share/sim_turtlebot')
             if (folder / 'urdf').is_dir())
 WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
 BODY = 'inertial', 'collision', 'visual'

@@ -19,7 +19,7 @@ class Motion(NamedTuple):
 
 
 def true_motion(body):
-    """Return the Motion of a sim_turtlebot.turtlebot.TurtleBot in the world."""
+    """Return the Motion of a sim_turtlebot.physics.turtlebot.TurtleBot in the world."""
     position, orientation = body.pose()
     linear, angular = body.velocity()
     to_base = inverse(orientation)
@@ -68,9 +68,9 @@ class EncoderOdometry:
     """Dead reckoning from what the sensors measured last; methods as those of WorldOdometry."""
 
     def __init__(self, encoders, gyro, geometry, use_gyro):
-        """Read these sensors, Encoders and a Gyro of sim_turtlebot.sensors.
+        """Read these sensors, Encoders and a Gyro of sim_turtlebot.robot.sensors.
 
-        :param geometry: sim_turtlebot.drive_geometry.DriveGeometry
+        :param geometry: sim_turtlebot.robot.drive_geometry.DriveGeometry
         :param use_gyro: take the yaw from the gyro, as kobuki_node's use_imu_heading does by
             default; else from the wheels
         """

@@ -10,10 +10,10 @@ centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m radi
 
 import contextlib
 
-from sim_turtlebot.native_output import suppress_native_output
-from sim_turtlebot.turtlebot import LARGEST_OVERLAP, TurtleBot
-from sim_turtlebot.window import Window, screen
-from sim_turtlebot.world_file import WorldFileError, check_world_file, load
+from sim_turtlebot.physics.native_output import suppress_native_output
+from sim_turtlebot.physics.turtlebot import LARGEST_OVERLAP, TurtleBot
+from sim_turtlebot.physics.window import Window, screen
+from sim_turtlebot.physics.world_file import WorldFileError, check_world_file, load
 
 with suppress_native_output():
     import pybullet
@@ -35,7 +35,7 @@ class World:
         :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
         :raises NoScreenError: if there is no screen for the GUI
-        :raises sim_turtlebot.world_file.WorldFileError: if the file cannot be loaded, or leaves no
+        :raises sim_turtlebot.physics.world_file.WorldFileError: if the file cannot be loaded, or leaves no
             room for a robot at its start
         """
         self._step_rate = step_rate

@@ -1,8 +1,6 @@
-"""What /proc shows of a process and its threads."""
+"""What /proc shows of a thread."""
 
-import contextlib
 import os
-import threading
 import time
 
 # Functions of the kernel in which time.sleep() sleeps; Python to 3.10 selects, as servers do, too
@@ -11,9 +9,8 @@ SLEEPING, STOPPED, ENDED = b'S', b'tT', b'ZX'  # states in /proc/PID/task/TID/st
 NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
 LONGEST_LINE = 128  # bytes, of wchan and of schedstat
 SLEEPS = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
-CPP_LIBRARY = 'libroscpp.so'
-# Kinds of CPU clocks: CPUCLOCK_SCHED and CPUCLOCK_PERTHREAD_MASK in linux/posix-timers_types.h
-OF_PROCESS, OF_THREAD = 2, 6
+SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
+POLL_RUNS = 20  # in that time, without work; ros::Rate and ros::Timer poll every millisecond
 
 _waits = set()  # functions of the kernel in which threads have been seen asleep
 
@@ -27,7 +24,7 @@ class Thread:
         self._path, self._wait = f'/proc/{pid}/task/{tid}', None
         self._schedstat, self._wchan = self._open('schedstat'), self._open('wchan')
         self.ignored = False  # whether it need not rest
-        self.polls = False  # whether it looks for work all the time, as timers of roscpp do
+        self.polls = None  # whether it looks for work all the time, as timers of roscpp do
         self.is_asleep = False  # when it was looked at last
         self.settled = None  # its usage when it had fallen asleep
         self.naps_seen = 0
@@ -107,6 +104,18 @@ class Thread:
         """How often it has begun to sleep."""
         return int(self._read('status').partition(SLEEPS)[2].split(maxsplit=1)[0])
 
+    def survey(self):
+        """Find out, once and while all others rest, whether it polls."""
+        if self.polls is not None:
+            return
+        begin, (_, waited, runs), passed, runs_now = time.monotonic(), self.usage, 0.0, 0
+        while runs_now < POLL_RUNS and passed <= SURVEY_TIME:
+            time.sleep(SURVEY_TIME)
+            _, waited_now, runs_in_all = self.usage
+            runs_now = runs_in_all - runs
+            passed = time.monotonic() - begin - (waited_now - waited) / 1e9
+        self.polls = runs_now >= POLL_RUNS
+
     def naps_longer_than(self, limit, runs, asleep_at):
         """Return whether its nap takes longer than `limit` (s).
 
@@ -128,78 +137,3 @@ class Thread:
     def _read(self, name):
         with open(self._open(name), 'rb') as file:
             return file.read()
-
-
-class Process:
-    """A process, without the thread that looks if it is this one.
-
-    Whatever asks for its state raises OSError if it, or a thread of it, has ended.
-    """
-
-    def __init__(self, name, pid, longest_poll, patience):
-        """Open its folder; OSError: it has ended, or may not be seen.
-
-        :param name: for the user
-        :param longest_poll: how long the naps are (s) after which its threads may find work; 0: none
-        :param patience: how much CPU time it may use before it rests (s)
-        """
-        self.name, self.pid = name, pid
-        self.longest_poll, self.patience = longest_poll, patience
-        self._looker = threading.get_native_id() if pid == os.getpid() else None
-        with open(f'/proc/{pid}/maps', encoding='utf-8', errors='replace') as maps:
-            self.is_cpp = any(CPP_LIBRARY in line for line in maps)
-        self._folder = os.open(f'/proc/{pid}/task', os.O_RDONLY)
-        self.threads = {}  # by id
-        self._settled_at = None  # CPU time
-
-    def close(self):
-        """Close its files."""
-        for thread in self.threads.values():
-            thread.close()
-        os.close(self._folder)
-
-    def cpu_time(self):
-        """Return its CPU time (ns)."""
-        if self._looker:
-            return sum(time.clock_gettime_ns(~tid << 3 | OF_THREAD) for tid in self.threads)
-        return time.clock_gettime_ns(~self.pid << 3 | OF_PROCESS)
-
-    def settle(self):
-        """Return whether each thread has settled; those that poll need not."""
-        cpu_time = self.cpu_time()
-        if cpu_time != self._settled_at:
-            self._settled_at = cpu_time if all(
-                thread.is_free or thread.settle() for thread in self.threads.values()) else None
-        return self._settled_at is not None
-
-    def is_asleep(self):
-        """Return whether no thread is awake."""
-        return not self.awake_thread()
-
-    def is_settled(self):
-        """Return whether no thread has run since settle(); those that poll may have."""
-        if not all(thread.is_free or thread.is_settled() for thread in self.threads.values()):
-            self._settled_at = None
-        return self._settled_at is not None
-
-    def awake_thread(self):
-        """Return a thread that does not sleep, or None; those that poll may be awake."""
-        links = os.fstat(self._folder).st_nlink  # two more than there are threads
-        if links - 2 != len(self.threads) + bool(self._looker):
-            self.list_threads()
-        return next((thread for thread in self.threads.values()
-                     if not thread.look() and not thread.is_free), None)
-
-    def is_stopped(self):
-        """Return whether a signal or a debugger has stopped it."""
-        thread = self.awake_thread()
-        return thread is not None and thread.state in STOPPED
-
-    def list_threads(self):
-        """Take the threads that have begun, and forget those that have ended."""
-        tids = {int(tid) for tid in os.listdir(self._folder)} - {self._looker}
-        for tid in self.threads.keys() - tids:
-            self.threads.pop(tid).close()
-        for tid in tids - self.threads.keys():
-            with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # it has ended
-                self.threads[tid] = Thread(self.pid, tid)

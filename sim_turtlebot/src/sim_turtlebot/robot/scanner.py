@@ -23,7 +23,7 @@ class Scanner:
                  range_max=RANGE_MAX, noise=0.0, seed=(0,)):
         """Choose the beams, which are evenly spread over the field of view (rad).
 
-        :param body: sim_turtlebot.turtlebot.TurtleBot
+        :param body: sim_turtlebot.physics.turtlebot.TurtleBot
         :param range_min, range_max: m
         :param noise: standard deviation of a range (m)
         :param seed: of the noise: whole numbers from 0 to 2**32 - 1, in a tuple

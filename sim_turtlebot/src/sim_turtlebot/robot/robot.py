@@ -6,10 +6,10 @@ import random
 from odometry_common.geometry import height_of_z
 
 from odometry_common import kobuki
-from sim_turtlebot.drive_geometry import DriveGeometry
-from sim_turtlebot.odometry import STILL, EncoderOdometry, WorldOdometry, true_motion
-from sim_turtlebot.scanner import Scanner
-from sim_turtlebot.sensors import Encoders, Gyro
+from sim_turtlebot.robot.drive_geometry import DriveGeometry
+from sim_turtlebot.robot.odometry import STILL, EncoderOdometry, WorldOdometry, true_motion
+from sim_turtlebot.robot.scanner import Scanner
+from sim_turtlebot.robot.sensors import Encoders, Gyro
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep with idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
@@ -29,7 +29,7 @@ class Robot:
     def __init__(self, body, step_rate, settings, index=0):
         """Take over a body.
 
-        :param body: sim_turtlebot.turtlebot.TurtleBot, settled
+        :param body: sim_turtlebot.physics.turtlebot.TurtleBot, settled
         :param step_rate: physics steps per second (Hz)
         :param settings: of sim_turtlebot.settings.read_settings()
         :param index: of the robot; each has its own random numbers

@@ -12,7 +12,7 @@ from odometry_common.connections import node_at
 from rosgraph.names import ns_join
 from rosgraph.network import is_local_address
 
-from sim_turtlebot.rest import LONGEST_POLL, PATIENCE
+from sim_turtlebot.lockstep.rest import LONGEST_POLL, PATIENCE
 
 PUBLISHERS = 0  # where the master's state has them
 MOST_GENERATIONS = 10  # of children, in one wait: others on this machine may start some all the time
@@ -25,7 +25,7 @@ STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emula
 
 
 class GraphProcesses:
-    """Has a sim_turtlebot.rest.Rest wait for the master and for all nodes that it knows."""
+    """Has a sim_turtlebot.lockstep.rest.Rest wait for the master and for all nodes that it knows."""
 
     def __init__(self, rest, own_name, on_unseen):
         """Take the master.

@@ -6,8 +6,8 @@ from functools import partial
 
 from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
 
-from sim_turtlebot.description import URDF, WHEEL_JOINTS, without_frames
-from sim_turtlebot.native_output import suppress_native_output
+from sim_turtlebot.physics.description import URDF, WHEEL_JOINTS, without_frames
+from sim_turtlebot.physics.native_output import suppress_native_output
 
 with suppress_native_output():
     import pybullet

@@ -1,0 +1,89 @@
+"""What the simulator receives: commands, poses and calls, as requests for its main thread."""
+
+from functools import partial
+
+import rospy
+from geometry_msgs.msg import PoseStamped, Twist
+from std_msgs.msg import Empty
+from std_srvs import srv
+
+from sim_turtlebot.robot.multiplexer import INPUTS
+from sim_turtlebot.robot.poses import checked_pose
+
+
+class Inputs:
+    """Turns messages and calls into requests for robots."""
+
+    def __init__(self, simulation, namespaces, requests, warn):
+        """Subscribe.
+
+        :param namespaces: of the robots, each '' or one that ends in a slash
+        :param requests: sim_turtlebot.requests.RequestQueue
+        :param warn: function of a topic and the reason for which a pose on it is refused, or ''
+        """
+        self._simulation, self._namespaces = simulation, namespaces
+        self._requests, self._warn = requests, warn
+        self.obeys = True  # lockstep does not before time zero
+        self._pose_is_set = False
+        topics = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
+                  **{name: name for name in INPUTS}}
+        for robot, namespace in enumerate(namespaces):
+            for topic, mux_input in topics.items():
+                self._subscribe(f'{namespace}{topic}', Twist, self._command, robot, mux_input)
+            self._subscribe(f'{namespace}mobile_base/commands/reset_odometry', Empty,
+                            self._reset_odometry, robot)
+            self._subscribe(f'~{namespace}set_pose', PoseStamped, self._set_pose, robot)
+
+    def serve(self, name, action):
+        """Offer a std_srvs/Empty service that calls a function without arguments."""
+        rospy.Service(name, srv.Empty, partial(self._answer, action))
+
+    def poses_are_set(self):
+        """Return whether a robot has been placed since the last call."""
+        was_set, self._pose_is_set = self._pose_is_set, False
+        return was_set
+
+    def _subscribe(self, topic, message_class, action, *arguments):
+        """Have the main thread call action(message, *arguments) for each message."""
+        # Of what has arrived together rospy reads the latest only, so that a flood costs little.
+        rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
+            _sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
+
+    def _answer(self, action, request):
+        try:
+            self._requests.put_and_wait(_sender_of(request), action)
+        except TimeoutError as error:
+            raise rospy.ServiceException(error) from None
+        return srv.EmptyResponse()
+
+    def _command(self, twist, robot, mux_input):
+        if not self.obeys:
+            # Whether one arrives so early depends on when the connection is made.
+            rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
+            return
+        try:
+            self._simulation.command(twist.linear.x, twist.angular.z, robot, mux_input)
+        except ValueError as error:
+            rospy.logwarn_throttle(1.0, f'stopping: {error}')
+
+    def _reset_odometry(self, _message, robot):
+        self._simulation.robots[robot].reset_odometry()
+
+    def _set_pose(self, message, robot):
+        position, orientation = message.pose.position, message.pose.orientation
+        topic, refusal = f'~{self._namespaces[robot]}set_pose', ''
+        try:
+            self._simulation.robots[robot].set_pose(*checked_pose(
+                message.header.frame_id, (position.x, position.y, position.z),
+                (orientation.x, orientation.y, orientation.z, orientation.w)))
+            self._pose_is_set = True
+        except ValueError as error:
+            refusal = f'{topic} refused: {error}'
+            rospy.logwarn_throttle(1.0, refusal)
+        self._warn(topic, refusal)  # RViz and the page do not show the log
+
+
+def _sender_of(message):
+    """Return the sender of a message or request: the names of its node and of its topic or service."""
+    header = message._connection_header
+    return header['callerid'], header.get('topic') or header.get('service', '')

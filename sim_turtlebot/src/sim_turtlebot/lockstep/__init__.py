@@ -1,0 +1,1 @@
+"""When time goes on: once every process of the graph is idle."""

@@ -1,0 +1,1 @@
+"""PyBullet: the world and what stands in it. No ROS."""
