@@ -5,17 +5,9 @@ usage: clients.py KIND
 All but the last command the robot, with an angular velocity that shows what they have seen.
 """
 
-import asyncio
-import multiprocessing
-import os
 import queue
-import select
-import signal
-import subprocess
 import sys
 import threading
-import time
-from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 
 import actionlib
@@ -29,7 +21,7 @@ from actionlib.msg import TestAction, TestGoal, TestResult
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
-from std_srvs.srv import Empty, Trigger, TriggerResponse
+from std_srvs.srv import Trigger, TriggerResponse
 
 LATEST = rospy.Time()
 # What dynamic_reconfigure generates from a .cfg file, for one parameter.
@@ -166,138 +158,6 @@ def reconfigure(robot):
         loop.sleep()
 
 
-def work(x):
-    """Compute for some milliseconds."""
-    sum(range(200_000))
-    return x
-
-
-def program(robot):
-    """Command by what another program computes."""
-    for x in iter(robot.seen.get, None):
-        code = f'print({x} + 0 * sum(range(200_000)))'
-        done = subprocess.run([sys.executable, '-c', code], stdout=subprocess.PIPE, check=True)
-        robot.drive(float(done.stdout))
-
-
-def fork(robot):
-    for x in iter(robot.seen.get, None):
-        reader, writer = os.pipe()
-        if not os.fork():
-            os.write(writer, str(work(x)).encode())
-            os._exit(0)
-        os.wait()
-        robot.drive(float(os.read(reader, 99)))
-        os.close(reader)
-        os.close(writer)
-
-
-def processes(robot):
-    pool = multiprocessing.Pool(2)
-    for x in iter(robot.seen.get, None):
-        robot.drive(pool.apply(work, [x]))
-
-
-def threads(robot):
-    pool = ThreadPoolExecutor(2)
-    for x in iter(robot.seen.get, None):
-        robot.drive(pool.submit(work, x).result())
-
-
-def busy(_robot):
-    while not rospy.is_shutdown():
-        pass
-
-
-def busy_after_one_command(robot):
-    robot.drive(robot.seen.get())
-    while robot.x < 1.0:
-        pass
-
-
-def busy_thread(robot):
-    threading.Thread(target=busy, args=[robot], daemon=True).start()
-    rate(robot)
-
-
-def flood(robot):
-    """Command without a pause; nothing is queued here."""
-    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=None)
-    robot.seen.get()
-    while not rospy.is_shutdown():
-        publisher.publish(Twist())
-
-
-def flood_service(_robot):
-    """Ask to be answered without a pause."""
-    ask = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
-    while not rospy.is_shutdown():
-        ask()
-
-
-def wall(robot, seconds):
-    while not rospy.is_shutdown():
-        robot.drive()
-        rospy.loginfo('commanded')
-        time.sleep(float(seconds))
-
-
-def event(robot):
-    while not rospy.is_shutdown():
-        threading.Event().wait(0.1)
-        robot.drive()
-
-
-def queue_timeout(robot):
-    while not rospy.is_shutdown():
-        try:
-            queue.Queue().get(timeout=0.1)
-        except queue.Empty:
-            robot.drive()
-
-
-def selecting(robot):
-    while not rospy.is_shutdown():
-        select.select([], [], [], 0.1)
-        robot.drive()
-
-
-def coroutine(robot):
-    async def drive():
-        while not rospy.is_shutdown():
-            robot.drive()
-            await asyncio.sleep(0.1)
-
-    asyncio.run(drive())
-
-
-def wall_timer(robot):
-    robot.drive()
-    threading.Timer(0.1, wall_timer, [robot]).start()
-
-
-def alarm(robot):
-    signal.signal(signal.SIGALRM, lambda *_: robot.drive())
-    signal.setitimer(signal.ITIMER_REAL, 0.1, 0.1)
-    while not rospy.is_shutdown():
-        signal.pause()
-
-
-def early(robot):
-    """Command once, as soon as there is somebody who listens."""
-    while not robot.is_heard:
-        time.sleep(0.01)
-    robot.drive(0.0)
-    rospy.spin()
-
-
-def stopped(robot):
-    """Stop as in a debugger, some time later."""
-    for _ in range(20):
-        robot.seen.get()
-    os.kill(os.getpid(), signal.SIGSTOP)
-
-
 def action_server(_robot):
     """Take 0.1 s for each unit of a goal."""
     def execute(goal):
@@ -325,10 +185,15 @@ def tuner(_robot):
         loop.sleep()
 
 
-if __name__ == '__main__':
+def main(functions):
+    """Run the client whose name and parameters the command line has."""
     kind, *parameters = sys.argv[1].split()
     rospy.init_node('client')
     try:
-        globals()[kind](Robot(), *parameters)
+        functions[kind](Robot(), *parameters)
     except rospy.ROSException:  # shutdown
         pass
+
+
+if __name__ == '__main__':
+    main(globals())

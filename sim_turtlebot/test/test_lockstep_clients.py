@@ -31,11 +31,12 @@ CLIENTS = {
     'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
     'service': ['service'], 'latched topic': ['latched', 'latching'],
     'actionlib': ['action', 'action_server'], 'dynamic_reconfigure': ['reconfigure', 'tuner'],
-    'rosbag record': ['rate 20', 'bag'], 'subprocess': ['program'], 'os.fork': ['fork'],
-    'multiprocessing': ['processes'], 'ThreadPoolExecutor': ['threads'],
+    'rosbag record': ['rate 20', 'bag'], 'subprocess': ['computing program'], 'os.fork': ['computing fork'],
+    'multiprocessing': ['computing processes'], 'ThreadPoolExecutor': ['computing threads'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
     'ros::MultiThreadedSpinner': ['C++ spinners']}
 BY_DAY = 'tf2_ros', 'os.fork'
+FAMILIES = 'computing', 'odd'  # of clients, each in a file
 CLIENT_TIME = 3  # s of simulated time
 LEAST_COMMANDS = 5
 
@@ -48,11 +49,13 @@ def start_client(tmp_path_factory):
     folder = tmp_path_factory.mktemp('clients')
 
     def start(kind, name):
-        language, _, argument = kind.partition(' ')
+        family, _, argument = kind.partition(' ')
         if kind == 'bag':
             command = 'rosbag', 'record', '-O', folder / 'run', '/odom'
-        elif language == 'C++':
+        elif family == 'C++':
             command = compile_client(folder / 'client'), argument
+        elif family in FAMILIES:
+            command = sys.executable, CLIENTS_FOLDER / f'{family}_clients.py', argument
         else:
             command = sys.executable, CLIENTS_FOLDER / 'clients.py', kind
         return Process(*command, f'__name:={name}')
@@ -94,11 +97,12 @@ def test_a_loop_keeps_its_rate(rate, start_client):
 BUSY, SLEEPS, STOPPED = 'it has not rested for 2 s', 'it acts by wall time', 'it has been stopped'
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
-    'busy': BUSY, 'busy_after_one_command': BUSY, 'busy_thread': BUSY, 'flood': BUSY,
-    'wall 0.03': SLEEPS, 'wall 0.1': SLEEPS, 'wall 0.5': SLEEPS, 'wall 0.7': SLEEPS, 'wall 2': SLEEPS,
-    'event': SLEEPS, 'queue_timeout': SLEEPS, 'selecting': SLEEPS, 'coroutine': SLEEPS,
-    'wall_timer': SLEEPS, 'alarm': SLEEPS, 'C++ usleep': SLEEPS, 'stopped': STOPPED}
-NAMED_BY_DAY = 'wall 0.5', 'flood', 'stopped'
+    'odd busy': BUSY, 'odd busy_after_one_command': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
+    'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 0.7': SLEEPS,
+    'odd wall 2': SLEEPS, 'odd event': SLEEPS, 'odd queue_timeout': SLEEPS, 'odd selecting': SLEEPS,
+    'odd coroutine': SLEEPS, 'odd wall_timer': SLEEPS, 'odd alarm': SLEEPS, 'C++ usleep': SLEEPS,
+    'odd stopped': STOPPED}
+NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
 
 
 @pytest.mark.parametrize('pace', [0, pytest.param(5, marks=pytest.mark.nightly)])
@@ -106,8 +110,8 @@ NAMED_BY_DAY = 'wall 0.5', 'flood', 'stopped'
     pytest.param(kind, marks=[] if kind in NAMED_BY_DAY else pytest.mark.nightly) for kind in NAMED])
 def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, start_client):
     """With what it does, and nobody else is named."""
-    with simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation, \
-            start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit:
+    with start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit, \
+            simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation:
         simulation.wait_for_output(
             f'{NOT_AWAITED} /culprit, so that two runs may differ: {NAMED[kind]}', RUN_TIME)
         truth = Truth()
@@ -118,12 +122,12 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, sta
 
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
     """Each moment answers some calls; it is waited for, so that it is not named."""
-    with simulator_in_step(UNPACED) as simulation, start_client('flood_service', 'caller'):
+    with simulator_in_step(UNPACED) as simulation, start_client('odd flood_service', 'caller'):
         Truth().wait_seconds(5.0)
     assert NOT_AWAITED not in simulation.output
 
 
 def test_a_command_before_time_zero_is_said_to_be_ignored(start_client):
     """Once: a node that sends only this one would wait for ever."""
-    with simulator_in_step('_paused:=true') as simulation, start_client('early', 'client'):
+    with simulator_in_step('_paused:=true') as simulation, start_client('odd early', 'client'):
         simulation.wait_for_output('lockstep ignores commands before time zero: wait for the first /odom')

@@ -1,0 +1,54 @@
+"""Robot clients that let other processes and threads work for them.
+
+usage: computing_clients.py KIND
+"""
+
+import multiprocessing
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+from clients import main
+
+
+def work(x):
+    """Compute for some milliseconds."""
+    sum(range(200_000))
+    return x
+
+
+def program(robot):
+    """Command by what another program computes."""
+    for x in iter(robot.seen.get, None):
+        code = f'print({x} + 0 * sum(range(200_000)))'
+        done = subprocess.run([sys.executable, '-c', code], stdout=subprocess.PIPE, check=True)
+        robot.drive(float(done.stdout))
+
+
+def fork(robot):
+    for x in iter(robot.seen.get, None):
+        reader, writer = os.pipe()
+        if not os.fork():
+            os.write(writer, str(work(x)).encode())
+            os._exit(0)
+        os.wait()
+        robot.drive(float(os.read(reader, 99)))
+        os.close(reader)
+        os.close(writer)
+
+
+def processes(robot):
+    pool = multiprocessing.Pool(2)
+    for x in iter(robot.seen.get, None):
+        robot.drive(pool.apply(work, [x]))
+
+
+def threads(robot):
+    pool = ThreadPoolExecutor(2)
+    for x in iter(robot.seen.get, None):
+        robot.drive(pool.submit(work, x).result())
+
+
+if __name__ == '__main__':
+    main(globals())

@@ -1,0 +1,115 @@
+"""Robot clients that lockstep cannot wait for, or that command too early.
+
+usage: odd_clients.py KIND
+"""
+
+import asyncio
+import os
+import queue
+import select
+import signal
+import threading
+import time
+
+import rospy
+from clients import main, rate
+from geometry_msgs.msg import Twist
+from std_srvs.srv import Empty
+
+
+def busy(_robot):
+    while not rospy.is_shutdown():
+        pass
+
+
+def busy_after_one_command(robot):
+    robot.drive(robot.seen.get())
+    while robot.x < 1.0:
+        pass
+
+
+def busy_thread(robot):
+    threading.Thread(target=busy, args=[robot], daemon=True).start()
+    rate(robot)
+
+
+def flood(robot):
+    """Command without a pause; nothing is queued here."""
+    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=None)
+    robot.seen.get()
+    while not rospy.is_shutdown():
+        publisher.publish(Twist())
+
+
+def flood_service(_robot):
+    """Ask to be answered without a pause."""
+    ask = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
+    while not rospy.is_shutdown():
+        ask()
+
+
+def wall(robot, seconds):
+    while not rospy.is_shutdown():
+        robot.drive()
+        rospy.loginfo('commanded')
+        time.sleep(float(seconds))
+
+
+def event(robot):
+    while not rospy.is_shutdown():
+        threading.Event().wait(0.1)
+        robot.drive()
+
+
+def queue_timeout(robot):
+    while not rospy.is_shutdown():
+        try:
+            queue.Queue().get(timeout=0.1)
+        except queue.Empty:
+            robot.drive()
+
+
+def selecting(robot):
+    while not rospy.is_shutdown():
+        select.select([], [], [], 0.1)
+        robot.drive()
+
+
+def coroutine(robot):
+    async def drive():
+        while not rospy.is_shutdown():
+            robot.drive()
+            await asyncio.sleep(0.1)
+
+    asyncio.run(drive())
+
+
+def wall_timer(robot):
+    robot.drive()
+    threading.Timer(0.1, wall_timer, [robot]).start()
+
+
+def alarm(robot):
+    signal.signal(signal.SIGALRM, lambda *_: robot.drive())
+    signal.setitimer(signal.ITIMER_REAL, 0.1, 0.1)
+    while not rospy.is_shutdown():
+        signal.pause()
+
+
+def early(robot):
+    """Command once, as soon as there is somebody who listens."""
+    while not robot.is_heard:
+        time.sleep(0.01)
+    robot.drive(0.0)
+    rospy.spin()
+
+
+def stopped(robot):
+    """Stop as in a debugger, some time later."""
+    for _ in range(20):
+        robot.seen.get()
+    os.kill(os.getpid(), signal.SIGSTOP)
+
+
+if __name__ == '__main__':
+    main(globals())
