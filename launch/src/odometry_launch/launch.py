@@ -15,7 +15,7 @@ import roslaunch.launch
 import roslib
 from roslaunch.config import load_config_default
 from roslaunch.parent import ROSLaunchParent
-from roslaunch.pmon import ProcessListener
+from roslaunch.pmon import ProcessListener, start_process_monitor
 from roslaunch.rlutil import resolve_launch_arguments
 
 from odometry_launch.node_output import NodeOutput
@@ -55,9 +55,12 @@ class Launch(ProcessListener):
         for signum in ENDING:
             signal.signal(signum, self._stop)
         roslaunch.core.print = lambda *_, **__: None  # it reports each process, started or ended
+        roslaunch.core.add_printerrlog_handler(self._output.add)
         roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
-        self._parent = ROSLaunchParent(str(uuid.uuid1()), [], process_listeners=[self],
-                                       show_summary=False, sigint_timeout=END_TIMEOUT)
+        self._parent = ROSLaunchParent(
+            str(uuid.uuid1()), [], show_summary=False, sigint_timeout=END_TIMEOUT)
+        self._parent.pm = start_process_monitor()
+        self._parent.pm.add_process_listener(self)  # the parent would not notice who ends early
         # On a thread: the main thread imports rospy meanwhile.
         self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
         return self
@@ -90,10 +93,8 @@ class Launch(ProcessListener):
     def wait_until_started(self):
         """Return once the parameters are set and the nodes have been started."""
         self.wait_for(self._started.done, 'the nodes have not been started')
-        try:
-            self._started.result()
-        except roslaunch.core.RLException as error:
-            raise DemoError(error) from None
+        if error := self._started.exception():
+            raise DemoError(f'the nodes have not been started: {error}')
 
     def check(self):
         """Raise DemoError if a node has ended that should still run, KeyboardInterrupt after a signal."""
