@@ -21,8 +21,6 @@ from odometry_launch.ports import next_port
 
 def main():
     """Exit 0 only if the robot did its task and has stopped."""
-    # ./ws ends its child by SIGTERM, whatever signal it gets itself.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
     options = parse(sys.argv[1:])
     try:
         status = 0 if _run(options) else 1
@@ -49,7 +47,7 @@ def _run(options):
         # roslaunch starts the nodes while this imports rospy, and matplotlib on a thread: that may take
         # long to read its fonts, and the robot does not wait for it.
         from odometry_launch.figure import new_figure
-        threading.Thread(target=new_figure, args=[1, 1]).start()
+        threading.Thread(target=new_figure, args=[1, 1], daemon=True).start()
         from odometry_launch.following import follow
         return not follow(options, launch, page_port)
 

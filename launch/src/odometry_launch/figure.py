@@ -67,7 +67,7 @@ def _show_at_least(span, axes):
 
 def _draw_track(all_axes, track, style, label):
     path, distance, speed, heading = all_axes
-    # Nobody knows the way of a jump: the line has a gap there.
+    # Leave a gap at jumps; the path between is unknown.
     path.plot(*(numpy.insert(values, track.jumps, numpy.nan) for values in (track.x, track.y)), style,
               label=label)
     distance.plot(track.time, track.distance, style, label=label)

@@ -15,7 +15,7 @@ import roslaunch.launch
 import roslib
 from roslaunch.config import load_config_default
 from roslaunch.parent import ROSLaunchParent
-from roslaunch.pmon import ProcessListener
+from roslaunch.pmon import ProcessListener, start_process_monitor
 from roslaunch.rlutil import resolve_launch_arguments
 
 from odometry_launch.node_output import NodeOutput
@@ -23,6 +23,8 @@ from odometry_launch.output import DemoError
 from odometry_launch.ports import next_port, usual_master_port
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
+ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
+END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by SIGKILL
 LOOK_PERIOD = 0.02  # s
 
 
@@ -38,6 +40,7 @@ class Launch(ProcessListener):
         self._arguments = [f'{name}:={value}' for name, value in arguments.items()]
         self._may_end = may_end
         self._ended = {}  # exit codes of nodes by name
+        self._is_stopped = False
         self._output = NodeOutput()
 
     def __enter__(self):
@@ -48,10 +51,16 @@ class Launch(ProcessListener):
         if self._port.number != usual:
             print(f'rostopic in another terminal: export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}',
                   flush=True)
-        roslib.set_interactive(True)  # roslaunch leaves the signals to this process
+        roslib.set_interactive(True)  # roslaunch sets no signal handlers
+        for signum in ENDING:
+            signal.signal(signum, self._stop)
         roslaunch.core.print = lambda *_, **__: None  # it reports each process, started or ended
+        roslaunch.core.add_printerrlog_handler(self._output.add)
         roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
-        self._parent = ROSLaunchParent(str(uuid.uuid1()), [], process_listeners=[self], show_summary=False)
+        self._parent = ROSLaunchParent(
+            str(uuid.uuid1()), [], show_summary=False, sigint_timeout=END_TIMEOUT)
+        self._parent.pm = start_process_monitor()
+        self._parent.pm.add_process_listener(self)  # the parent would not notice who ends early
         # On a thread: the main thread imports rospy meanwhile.
         self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
         return self
@@ -65,8 +74,6 @@ class Launch(ProcessListener):
 
     def __exit__(self, *_):
         """Wait until everything has ended; nodes may write logs until then."""
-        for signum in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(signum, signal.SIG_IGN)
         concurrent.futures.wait([self._started])
         self._parent.shutdown()
         self._port.close()
@@ -75,20 +82,24 @@ class Launch(ProcessListener):
         """Start to end everything, and return at once."""
         self._parent.pm.shutdown()
 
+    def _stop(self, *_):
+        self._is_stopped = True  # not an exception: an import would print a traceback, or swallow it
+
     def process_died(self, process_name, exit_code):
         """Note it, on roslaunch's thread."""
-        self._ended[process_name.rpartition('-')[0]] = exit_code
+        name, _, _ = process_name.partition('-')  # roslaunch numbers all but the master
+        self._ended[name] = exit_code
 
     def wait_until_started(self):
         """Return once the parameters are set and the nodes have been started."""
         self.wait_for(self._started.done, 'the nodes have not been started')
-        try:
-            self._started.result()
-        except roslaunch.core.RLException as error:
-            raise DemoError(error) from None
+        if error := self._started.exception():
+            raise DemoError(f'the nodes have not been started: {error}')
 
     def check(self):
-        """Raise DemoError if a node has ended that should still run."""
+        """Raise DemoError if a node has ended that should still run, KeyboardInterrupt after a signal."""
+        if self._is_stopped:
+            raise KeyboardInterrupt
         for name, status in list(self._ended.items()):
             if status or name not in self._may_end:
                 raise DemoError(self._output.complaint_of(name) or f'{name} has ended{_how(status)}')

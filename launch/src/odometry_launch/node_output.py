@@ -26,6 +26,10 @@ class NodeOutput:
                 os.dup2(copy, descriptor)
                 os.close(copy)
 
+    def add(self, line):
+        """Add a line of this process."""
+        os.write(self._file, f'{line}\n'.encode())
+
     def lines(self):
         """Return all lines but empty ones."""
         text = os.pread(self._file, os.fstat(self._file).st_size, 0).decode(errors='replace')

@@ -29,7 +29,7 @@ LOOK_PERIOD = 0.1  # s, for orphans; SIGCHLD reports children
 LIFELINE = 0  # standard input
 STATUS_LEFT = 1 << 8  # as os.wait() would have it
 STATUS_NO_COMMAND = 127
-# A terminal sends the first three to its foreground processes. Ignored, the command would inherit that.
+# A terminal sends the first three to its foreground processes. An ignored signal would be inherited.
 ENDING = signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM
 STANDARD_FILES = range(3)
 STANDARD_OUTPUT = 1

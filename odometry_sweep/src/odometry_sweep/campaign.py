@@ -38,7 +38,7 @@ class Campaign(NamedTuple):
 
     @property
     def names(self):
-        """What tells each setting from the others, for the user."""
+        """A label for each setting: the parameters that vary."""
         varied = [name for name, values in self.values.items() if len(values) > 1]
         return [', '.join(f'{name} {setting[name]}' for name in varied) or 'all runs'
                 for setting in self.settings]

@@ -11,7 +11,7 @@ from odometry_sweep.closed_loop import ARRIVED
 FILE = 'runs.csv'
 CAMPAIGN_FILE = 'campaign.yaml'
 NOT_ARRIVED = 'not_arrived'
-# Units of each run's metrics; an error is what is, minus what should be.
+# Units of each run's metrics; error = actual - target.
 METRICS = {
     'move': {'moved': 'm', 'moved_error': 'm', 'true_distance': 'm', 'true_error': 'm',
              'sideways': 'm', 'heading': 'degrees', 'time': 's'},

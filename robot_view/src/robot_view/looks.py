@@ -11,8 +11,6 @@ from xml.etree import ElementTree
 import rospkg
 from odometry_common.geometry import from_rpy
 
-GREY = (128, 128, 128)
-
 
 class Shape(NamedTuple):
     """A box or a cylinder."""
@@ -53,10 +51,10 @@ def load_links():
 
 
 def _shape(visual, colours):
-    geometry, material = visual.find('geometry')[0], visual.find('material')
+    geometry = visual.find('geometry')[0]
     attributes = ['size'] if geometry.tag == 'box' else ['radius', 'length']
     return Shape(_numbers(' '.join(geometry.get(name) for name in attributes)), *_origin(visual),
-                 GREY if material is None else colours[material.get('name')])
+                 colours[visual.find('material').get('name')])
 
 
 def _origin(element):
