@@ -1,9 +1,5 @@
 #!/usr/bin/env python3
-"""Run a tutorial with a simulated TurtleBot 2 and show how it goes.
-
-Ctrl-C reaches the process guard, which sends this process SIGTERM: Python's default ends it at once
-without a message, and the nodes end with it.
-"""
+"""Run a tutorial with a simulated TurtleBot 2 and show how it goes."""
 
 import os
 import signal
@@ -17,20 +13,24 @@ import sys
 import threading
 
 from odometry_launch.folders import use_writable_logs
-from odometry_launch.launch import DemoError, Launch
+from odometry_launch.launch import Launch
 from odometry_launch.options import PAGE_PORT, launch_arguments, nodes_that_end, parse
-from odometry_launch.output import complain, forget_output
+from odometry_launch.output import DemoError, complain, forget_output
 from odometry_launch.ports import next_port
 
 
 def main():
     """Exit 0 only if the robot did its task and has stopped."""
+    # ./ws ends its child by SIGTERM, whatever signal it gets itself.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     options = parse(sys.argv[1:])
     try:
         status = 0 if _run(options) else 1
         sys.stdout.flush()
     except BrokenPipeError:
         status = 128 + signal.SIGPIPE
+    except KeyboardInterrupt:
+        status = 128 + signal.SIGINT
     except (DemoError, OSError) as error:
         status = 1
         complain(error)
@@ -46,10 +46,7 @@ def _run(options):
     launch_file, arguments = launch_arguments(options, page_port and page_port.number)
     use_writable_logs()
     with Launch(launch_file, arguments, nodes_that_end(options)) as launch:
-        if not launch.is_at_usual_port:
-            print(f'rostopic in another terminal: export ROS_MASTER_URI={launch.master_uri}',
-                  flush=True)
-        # roslaunch reads its files while this imports rospy, and matplotlib on a thread: that may take
+        # roslaunch starts the nodes while this imports rospy, and matplotlib on a thread: that may take
         # long to read its fonts, and the robot does not wait for it.
         from odometry_launch.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1]).start()

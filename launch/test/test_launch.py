@@ -1,15 +1,17 @@
-"""The demo's command line; what a demo waits for, what it reads from roslaunch, where it records; its ports."""
+"""The demo's command line; what a demo waits for, what its nodes print, where it records; its ports."""
 
 import socket
+import subprocess
 import threading
 import time
 
 import pytest
 import yaml
 from odometry_launch.folders import new_folder
-from odometry_launch.launch import DemoError, Launch
-from odometry_launch.launch_log import LaunchLog
+from odometry_launch.launch import Launch
+from odometry_launch.node_output import NodeOutput
 from odometry_launch.options import launch_arguments, parse
+from odometry_launch.output import DemoError
 from odometry_launch.ports import HeldPort, next_port, usual_master_port
 from odometry_tests.processes import Process
 
@@ -30,21 +32,18 @@ def test_an_unexpected_error_ends_a_wait_at_once(launch):
 
 def test_a_master_that_is_suspended_ends_a_wait(launch, monkeypatch):
     monkeypatch.setattr('odometry_launch.launch.START_TIMEOUT', 0.1)
-    monkeypatch.setattr(launch, '_log', LaunchLog(), raising=False)
     with pytest.raises(DemoError, match='^no answer within 0.1 s; '):
         launch.wait_for(threading.Event().wait, 'no answer')
 
 
-def test_the_log_tells_how_nodes_ended():
-    """Lines may come in pieces, and in colour."""
-    log = LaunchLog()
-    for piece in ('\x1b[31m[view-4] process has died [pid 7, exit code -9, cmd x]', '\n',
-                  '[rotate_robot-3] process has finished cleanly\nrotate_robot: bad ~kp\n'):
-        log.file.write(piece.encode())
-        log.file.flush()
-        log.read()
-    assert log.ended == {'view': ' by SIGKILL', 'rotate_robot': ''}
-    assert log.reason() == 'rotate_robot: bad ~kp'
+def test_the_complaint_of_a_node_is_its_last_line_that_begins_with_its_name(capfd):
+    output = NodeOutput()
+    with output.capture():
+        subprocess.run(['printf', 'view: one\n\nview: two\nother: three\nview\n'], check=True)
+    subprocess.run(['echo', 'view: four'], check=True)
+    assert (output.complaint_of('view'), output.complaint_of('rotate_robot')) == ('view: two', None)
+    assert output.last_lines().endswith('\nother: three\nview')
+    assert capfd.readouterr().out == 'view: four\n'
 
 
 def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):

@@ -8,7 +8,7 @@ import pytest
 import rosbag
 import rospy
 from odometry_common.parameters import StartError
-from odometry_launch.launch import DemoError
+from odometry_launch.output import DemoError
 from odometry_sweep.replay import metrics_of, replay
 from odometry_tests.messages import odometry
 from odometry_tests.processes import Process

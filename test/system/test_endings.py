@@ -79,13 +79,11 @@ def test_a_line_that_nobody_reads_any_more_ends_the_node_quietly(ns):
     distances = rospy.Publisher(f'{ns}moved_distance', Float64, queue_size=100)
     pipeline = 'rosrun test_movement test_movement.py | true; echo "status ${PIPESTATUS[0]}"'
     with Process('bash', '-c', pipeline) as shell:
-        # At the goal the mover commands zero and says nothing: everybody is connected then.
-        wait_until(lambda: distances.publish(3.0) or commands.last, 20.0, 'a command')
-        distances.publish(0.0)
+        wait_until(lambda: distances.get_num_connections(), TIMEOUT, 'a mover')
+        wait_until(lambda: distances.publish(0.0) or not shell.running, TIMEOUT, 'its end')
         assert shell.wait() == 0, shell.output
     assert shell.output.split('\n') == ['status 0', '']
-    wait_until(lambda: [m.linear.x for m in commands.messages][-2:] == [0.1, 0.0], 20.0,
-               lambda: f'zero after 0.1 m/s; the last commands are\n{commands.messages[-2:]}')
+    assert commands.last in (None, Twist()), 'the first command may come before the connection is made'
 
 
 @pytest.fixture(scope='module')

@@ -16,12 +16,12 @@ MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml'
 FROM_PYPI = {'distributed', 'hypothesis', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}
 UNDER_OTHER_NAMES = {'markdown_it', 'pybullet_utils', 'xdist'}  # of markdown-it-py, pybullet, pytest-xdist
-OPTIONAL = {'robot_view'}
+OPTIONAL = {'robot_view', 'rviz'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
 # Where Debian's name is not python3- and the key.
 DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
-          'rostest': ['python3-rostest', 'librostest-dev'], 'rviz': ['rviz']}
+          'rostest': ['python3-rostest', 'librostest-dev']}
 # The lists in the set-up, by name.
 PARTS = {name: words.split() for name, words in re.findall(
     r'^(\w+)_PARTS=\(([^)]*)\)', (ROOT / 'setup' / 'set_up.bash').read_text(), re.MULTILINE)}

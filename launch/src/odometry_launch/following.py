@@ -1,6 +1,6 @@
 """Follow the robot of a demo from its start to its end."""
 
-import signal
+import contextlib
 import socket
 import sys
 import time
@@ -55,13 +55,13 @@ def follow(options, launch, page_port):
 
 
 def join(launch, name):
-    """Make this process a node, with a name, of a Launch that has read its file."""
+    """Make this process a node, with a name, of a Launch."""
     def start():
         fix_rospy()
         rospy.init_node(name, anonymous=True, disable_signals=True)
         return True
 
-    launch.wait_until_read()
+    launch.wait_until_started()
     launch.wait_for(start, f'the {name} does not become a node')
 
 
@@ -94,12 +94,11 @@ def _listens(port):
 
 def _keep_page(launch):
     """Keep the page open until Ctrl-C, which is no failure then."""
-    received = []
-    signal.signal(signal.SIGTERM, lambda *_: received.append(True))  # it may come twice
     print('The page stays, and its pad drives the robot, until Ctrl-C.', flush=True)
-    while not received:
-        launch.check()
-        time.sleep(LOOK_PERIOD)
+    with contextlib.suppress(KeyboardInterrupt):
+        while True:
+            launch.check()
+            time.sleep(LOOK_PERIOD)
 
 
 def _watch(monitor, launch, silence):

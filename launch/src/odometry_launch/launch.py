@@ -1,34 +1,32 @@
 """Run a launch file with its own ROS master, and notice when a node ends."""
 
+import concurrent.futures
 import contextlib
 import os
 import queue
-import subprocess
+import signal
 import threading
 import time
 import uuid
 
 import rosgraph
-import rospkg
+import roslaunch.core
+import roslaunch.launch
+import roslib
+from roslaunch.config import load_config_default
+from roslaunch.parent import ROSLaunchParent
+from roslaunch.pmon import ProcessListener
+from roslaunch.rlutil import resolve_launch_arguments
 
-from odometry_launch.launch_log import LaunchLog
+from odometry_launch.node_output import NodeOutput
+from odometry_launch.output import DemoError
 from odometry_launch.ports import next_port, usual_master_port
-from odometry_launch.process_guard import start_guarded
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
 LOOK_PERIOD = 0.02  # s
-RESPAWNED = 'rosout'  # roslaunch starts it again
-# roslaunch waits only 10 s for a master that it starts itself, too short on a busy machine. This
-# master is a child of roslaunch, so that it ends after the nodes.
-COMMAND = ('rosmaster --core -p "$0" __log:="$1/$2/master.log" & '
-           'exec roslaunch --wait --run_id "${@:2}"')
 
 
-class DemoError(RuntimeError):
-    """The demo cannot continue; the message is one line for the user."""
-
-
-class Launch:
+class Launch(ProcessListener):
     """A context in which a master and the nodes of a launch file run."""
 
     def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch'):
@@ -36,50 +34,64 @@ class Launch:
 
         :param may_end: names of nodes that end once they have done their task
         """
-        self._command = [package, launch_file]
-        self._command += [f'{name}:={value}' for name, value in arguments.items()]
+        self._file = package, launch_file
+        self._arguments = [f'{name}:={value}' for name, value in arguments.items()]
         self._may_end = may_end
+        self._ended = {}  # exit codes of nodes by name
+        self._output = NodeOutput()
 
     def __enter__(self):
         """Start everything, and return at once; raise OSError if no port is free."""
         usual = usual_master_port()
         self._port = next_port(usual)
-        self.is_at_usual_port = self._port.number == usual
-        self.master_uri = f'http://localhost:{self._port.number}'
-        os.environ['ROS_MASTER_URI'] = self.master_uri
-        self._log = LaunchLog()
-        self._roslaunch = start_guarded(
-            'bash', '-c', COMMAND, self._port.number, rospkg.get_log_dir(), uuid.uuid1(),
-            *self._command, stdout=self._log.file, stderr=subprocess.STDOUT,
-            env={**os.environ, 'PYTHONUNBUFFERED': '1'})
+        os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
+        if self._port.number != usual:
+            print(f'rostopic in another terminal: export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}',
+                  flush=True)
+        roslib.set_interactive(True)  # roslaunch leaves the signals to this process
+        roslaunch.core.print = lambda *_, **__: None  # it reports each process, started or ended
+        roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
+        self._parent = ROSLaunchParent(str(uuid.uuid1()), [], process_listeners=[self], show_summary=False)
+        # On a thread: the main thread imports rospy meanwhile.
+        self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
         return self
+
+    def _start(self):
+        path, = resolve_launch_arguments(self._file)
+        self._parent.config = load_config_default([(path, self._arguments)], self._port.number)
+        self._parent.config.nodes_core.clear()  # nobody reads rosout's log
+        with self._output.capture():
+            self._parent.start()
 
     def __exit__(self, *_):
         """Wait until everything has ended; nodes may write logs until then."""
-        self.terminate()
-        self._roslaunch.wait()
+        for signum in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(signum, signal.SIG_IGN)
+        concurrent.futures.wait([self._started])
+        self._parent.shutdown()
         self._port.close()
 
     def terminate(self):
         """Start to end everything, and return at once."""
-        self._roslaunch.terminate()
+        self._parent.pm.shutdown()
 
-    def wait_until_read(self):
-        """Return once the launch file has been read."""
-        self.wait_for(rosgraph.is_master_online, 'the ROS master does not answer')
-        # It answers before roslaunch has set the parameters.
-        self.wait_for(lambda: rosgraph.Master('/demo').hasParam('/use_sim_time'),
-                      'the launch file has not been read')
+    def process_died(self, process_name, exit_code):
+        """Note it, on roslaunch's thread."""
+        self._ended[process_name.rpartition('-')[0]] = exit_code
+
+    def wait_until_started(self):
+        """Return once the parameters are set and the nodes have been started."""
+        self.wait_for(self._started.done, 'the nodes have not been started')
+        try:
+            self._started.result()
+        except roslaunch.core.RLException as error:
+            raise DemoError(error) from None
 
     def check(self):
-        """Raise DemoError if roslaunch or a node has ended that should still run."""
-        is_over = self._roslaunch.poll() is not None
-        self._log.read()
-        for name, how in self._log.ended.items():
-            if name != RESPAWNED and (how or name not in self._may_end):
-                raise DemoError(self._log.complaint or f'{name} has ended{how}')
-        if is_over:
-            raise DemoError(f'the nodes have ended: {self._log.reason()}')
+        """Raise DemoError if a node has ended that should still run."""
+        for name, status in list(self._ended.items()):
+            if status or name not in self._may_end:
+                raise DemoError(self._output.complaint_of(name) or f'{name} has ended{_how(status)}')
 
     def wait_for(self, condition, complaint):
         """Return once the condition holds; raise DemoError if it fails, or takes too long."""
@@ -96,7 +108,7 @@ class Launch:
                 raise DemoError(f'{complaint}: {type(error).__name__}: {error}') from error
             return
         raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
-                        f'{self._log.reason()}')
+                        f'{self._output.last_lines()}')
 
 
 def _wait(condition, outcome):
@@ -110,3 +122,10 @@ def _wait(condition, outcome):
         outcome.put(None)
     except Exception as error:  # noqa: BLE001
         outcome.put(error)
+
+
+def _how(status):
+    """Describe how a process has ended."""
+    if status < 0:
+        return f' by {signal.Signals(-status).name}'
+    return f' with status {status}' if status else ''

@@ -23,7 +23,6 @@ class ProgressMonitor:
     """
 
     def __init__(self):
-        """Begin without a message."""
         self.ground_truth = None
         self.start = None
         self.end = None

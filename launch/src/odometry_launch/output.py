@@ -8,6 +8,10 @@ REWRITE = '\r\033[K'  # moves to the start of a terminal's line and clears it
 BAR_WIDTH = 30
 
 
+class DemoError(RuntimeError):
+    """The demo cannot continue; the message is one line for the user."""
+
+
 class Line:
     """A line that is rewritten on a terminal; elsewhere a new line in each period."""
 

@@ -8,8 +8,7 @@ from datetime import timedelta
 
 from odometry_common.parameters import StartError
 from odometry_launch.folders import new_folder, path_in_errors
-from odometry_launch.launch import DemoError
-from odometry_launch.output import Line, bar, complain, forget_output
+from odometry_launch.output import DemoError, Line, bar, complain, forget_output
 
 from odometry_sweep.options import parse
 from odometry_sweep.results import FILE, Setting, read_rows, table, write_results

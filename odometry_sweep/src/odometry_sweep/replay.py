@@ -12,7 +12,8 @@ import yaml
 from odometry_common.parameters import StartError
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.following import join, unpause
-from odometry_launch.launch import DemoError, Launch
+from odometry_launch.launch import Launch
+from odometry_launch.output import DemoError
 from odometry_launch.recording import Recording, leave_picture
 from sim_turtlebot.odometry import Motion
 

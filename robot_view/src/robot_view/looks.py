@@ -4,10 +4,12 @@ yourdfpy reads all of URDF, but installs 350 MB with a second numpy, and the pag
 later.
 """
 
+from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from sim_turtlebot.description import URDF, Joint, numbers_in, origin_of, read_joints
+import rospkg
+from odometry_common.geometry import from_rpy
 
 GREY = (128, 128, 128)
 
@@ -22,35 +24,50 @@ class Shape(NamedTuple):
 
 
 class Link(NamedTuple):
-    """A link with its shapes."""
+    """A link with its shapes, in its parent."""
 
     path: str  # names of the links from the root down to this one
-    joint: Joint  # that holds it; None for the root
+    joint: str  # that holds it; '' for the root
+    position: tuple  # x, y, z (m)
+    rotation: tuple  # quaternion x, y, z, w; of a joint at zero
+    axis: tuple  # about which the joint turns; None if it is fixed
     shapes: list
 
 
 def load_links():
     """Return the root and the visible Links of the URDF, in which parents come first."""
-    urdf = URDF.read_text()
-    root = ElementTree.fromstring(urdf)
-    joints = {joint.child: joint for joint in read_joints(urdf)}
-    colours = {material.get('name'): _colour(material) for material in root.iterfind('material')}
+    package = rospkg.RosPack().get_path('sim_turtlebot')
+    urdf = ElementTree.parse(Path(package, 'urdf', 'turtlebot2.urdf'))
+    joints = {joint.find('child').get('link'): joint for joint in urdf.iterfind('joint')}
+    colours = {material.get('name'): _colour(material) for material in urdf.iterfind('material')}
     links = {}
-    for element in root.iterfind('link'):
+    for element in urdf.iterfind('link'):
         name = element.get('name')
-        joint = joints.get(name)
-        parent = links[joint.parent].path if joint else ''
-        shapes = [_shape(visual, colours) for visual in element.iterfind('visual')]
-        links[name] = Link(f'{parent}/{name}', joint, shapes)
+        joint = joints.get(name, ElementTree.Element('joint', name=''))
+        parent, axis = joint.find('parent'), joint.find('axis')
+        links[name] = Link(
+            f'{"" if parent is None else links[parent.get("link")].path}/{name}', joint.get('name'),
+            *_origin(joint), None if axis is None else _numbers(axis.get('xyz')),
+            [_shape(visual, colours) for visual in element.iterfind('visual')])
     return [link for link in links.values() if link.shapes or not link.joint]
 
 
 def _shape(visual, colours):
     geometry, material = visual.find('geometry')[0], visual.find('material')
     attributes = ['size'] if geometry.tag == 'box' else ['radius', 'length']
-    return Shape(numbers_in(' '.join(geometry.get(name) for name in attributes)), *origin_of(visual),
+    return Shape(_numbers(' '.join(geometry.get(name) for name in attributes)), *_origin(visual),
                  GREY if material is None else colours[material.get('name')])
 
 
+def _origin(element):
+    origin = element.find('origin')
+    attributes = {} if origin is None else origin.attrib
+    return (_numbers(attributes.get('xyz', '0 0 0')), from_rpy(*_numbers(attributes.get('rpy', '0 0 0'))))
+
+
+def _numbers(text):
+    return tuple(map(float, text.split()))
+
+
 def _colour(material):
-    return tuple(round(255 * value) for value in numbers_in(material.find('color').get('rgba'))[:3])
+    return tuple(round(255 * value) for value in _numbers(material.find('color').get('rgba'))[:3])

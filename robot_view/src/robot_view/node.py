@@ -6,7 +6,6 @@ import time
 
 import rosgraph
 import rospy
-from odometry_common.timing import Metronome
 from std_msgs.msg import String
 
 from robot_view.browser_page import BrowserPage
@@ -25,7 +24,7 @@ class Viewer:
     def __init__(self, address):
         """Serve the page at an Address until the process ends."""
         self._page = BrowserPage(address)
-        self._searching, self._drawing = Metronome(SEARCH_PERIOD), Metronome(DRAWING_PERIOD)
+        self._searched = self._drawn = 0.0  # when it last did (s)
         self._warning = ''
         self._warnings = rospy.Subscriber(f'{NODE}/warning', String, self._on_warning)
 
@@ -42,10 +41,12 @@ class Viewer:
 
     def _view(self):
         now = time.monotonic()
-        if self._searching.is_due(now):
+        if now - self._searched >= SEARCH_PERIOD:
+            self._searched = now
             self._search()
         self._page.move()
-        if self._drawing.is_due(now):
+        if now - self._drawn >= DRAWING_PERIOD:
+            self._drawn = now
             self._page.draw()
 
     def _search(self):

@@ -8,7 +8,6 @@ import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from odometry_common.connections import has_subscriber_within
 from odometry_common.geometry import about_z
-from sim_turtlebot.poses import MAX_COORDINATE
 from std_srvs.srv import Empty
 
 NODE = 'sim_turtlebot'
@@ -30,7 +29,6 @@ class Readings:
     """A table of measured values."""
 
     def __init__(self, gui):
-        """Add it to viser's GUI."""
         self._html = gui.add_html('')
         self.show({})
 
@@ -46,7 +44,6 @@ class SimulationButtons:
     """A status line, and the buttons that call the simulator's services."""
 
     def __init__(self, gui):
-        """Add them."""
         self._status = gui.add_html('')
         self._buttons = gui.add_button_group('simulation', tuple(SERVICES), visible=False)
         self._buttons.on_click(self._call)
@@ -77,8 +74,7 @@ def add_placing(gui, chosen):
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
-        x, y = (gui.add_number(f'{name} (m)', 0.0, min=-MAX_COORDINATE, max=MAX_COORDINATE, step=0.05)
-                for name in 'xy')
+        x, y = (gui.add_number(f'{name} (m)', 0.0, step=0.05) for name in 'xy')
         heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
         button = gui.add_button(PUT)
 

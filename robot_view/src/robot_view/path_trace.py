@@ -42,7 +42,6 @@ class PathTrace:
     """The path of one robot, by its ground truth if it has one, else by its odometry."""
 
     def __init__(self):
-        """Begin before the first pose."""
         self._restart()
 
     def _restart(self):

@@ -15,7 +15,6 @@ class Plots:
     """Moved and true distance, heading and target of one robot, over time."""
 
     def __init__(self, gui, place):
-        """Take viser's GUI and the part of it for the plots."""
         self._distance = _Plot(gui, place, 'distance (m)', (0.0, TWO_METRES), [
             _series('moved', BLUE), _series('true', ORANGE, DASHES),
             _series('two metres', RED, DOTS)], order=1)

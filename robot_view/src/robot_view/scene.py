@@ -1,7 +1,7 @@
 """The 3-D scene: a metric grid and robots on it."""
 
 import numpy
-from odometry_common.geometry import about_z, compose
+from odometry_common.geometry import about, about_z, compose
 
 TWO_METRES = 2.0  # m, what the tutorial's robot drives
 GHOST_DISTANCE = 0.005  # m between odometry and ground truth from which on both are drawn
@@ -53,7 +53,7 @@ class RobotModel:
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
-        self._wheels = []  # joints and frames
+        self._wheels = []  # links and frames
         for link in links:
             self._add_link(link)
         if labelled:
@@ -81,9 +81,9 @@ class RobotModel:
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
             self._ghost.position, self._ghost.wxyz = robot.odometry_pose
-        for joint, frame in self._wheels:
-            if joint.name in robot.wheels:
-                frame.wxyz = _wxyz(joint.rotation_at(robot.wheels[joint.name]))
+        for link, frame in self._wheels:
+            if link.joint in robot.wheels:
+                frame.wxyz = _wxyz(compose(link.rotation, about(link.axis, robot.wheels[link.joint])))
 
     def draw_path(self, robot):
         """Draw where it has been, and its latest scan."""
@@ -105,14 +105,13 @@ class RobotModel:
         for number, shape in enumerate(link.shapes):
             self._add_shape(f'{body.name}/{number}', shape, shape.colour)
             self._add_shape(f'{ghost.name}/{number}', shape, GHOST_COLOUR, GHOST_OPACITY)
-        if link.joint and link.joint.axis:
-            self._wheels.append((link.joint, body))
+        if link.axis:
+            self._wheels.append((link, body))
             self._add_spokes(body, link.shapes[0])
 
     def _add_frame(self, parent, link):
         frame = self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False)
-        if link.joint:
-            frame.position, frame.wxyz = link.joint.position, _wxyz(link.joint.rotation)
+        frame.position, frame.wxyz = link.position, _wxyz(link.rotation)
         return frame
 
     def _add_shape(self, name, shape, colour, opacity=None):

@@ -18,7 +18,6 @@ class Steering:
     """
 
     def __init__(self):
-        """Start with no button held."""
         self._held = {}  # robot and deadline by client and button, until the release
         self._stopped = set()  # clients and buttons
         self._driven = set()

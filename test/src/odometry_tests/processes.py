@@ -12,8 +12,8 @@ from collections import deque
 
 import psutil
 import rosgraph
-from odometry_launch.process_guard import start_guarded
 
+from odometry_tests.process_guard import start_guarded
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 

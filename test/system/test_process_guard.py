@@ -8,8 +8,8 @@ import subprocess
 import sys
 
 import pytest
-from odometry_launch.process_guard import REAPER, start_guarded
 from odometry_tests.linux import marked
+from odometry_tests.process_guard import REAPER, start_guarded
 from odometry_tests.processes import command_of
 from odometry_tests.waiting import PATIENCE, wait_until
 

@@ -2,9 +2,10 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
-REAPER = Path(__file__).with_name('reaper.py')
+from odometry_tests.scripts import ROOT
+
+REAPER = ROOT / 'launch' / 'src' / 'odometry_launch' / 'reaper.py'
 
 
 def start_guarded(*command, **popen_options):

@@ -1,0 +1,40 @@
+"""What the nodes of a launch file print."""
+
+import contextlib
+import os
+
+STANDARD_OUTPUTS = 1, 2
+LAST_LINES = 5
+
+
+class NodeOutput:
+    """The output of child processes, in memory because the disk may be full."""
+
+    def __init__(self):
+        self._file = os.memfd_create('nodes', os.MFD_CLOEXEC)
+
+    @contextlib.contextmanager
+    def capture(self):
+        """Take what this process and those that it starts meanwhile print."""
+        own = [os.dup(descriptor) for descriptor in STANDARD_OUTPUTS]
+        for descriptor in STANDARD_OUTPUTS:
+            os.dup2(self._file, descriptor)
+        try:
+            yield
+        finally:
+            for copy, descriptor in zip(own, STANDARD_OUTPUTS):
+                os.dup2(copy, descriptor)
+                os.close(copy)
+
+    def lines(self):
+        """Return all lines but empty ones."""
+        text = os.pread(self._file, os.fstat(self._file).st_size, 0).decode(errors='replace')
+        return [line for line in map(str.strip, text.splitlines()) if line]
+
+    def complaint_of(self, node):
+        """Return the last line that begins with a node's name, as complaints do, or None."""
+        return next((line for line in reversed(self.lines()) if line.startswith(f'{node}: ')), None)
+
+    def last_lines(self):
+        """Return the last lines, each on a line of its own."""
+        return '\n'.join(['', *self.lines()[-LAST_LINES:]])
