@@ -101,16 +101,6 @@ def test_strange_odometry_is_ignored_and_the_sum_stays_finite_and_never_falls(no
     assert distances[-1] < 0.191
 
 
-@pytest.mark.parametrize('step, period, count', [
-    (0.001, 1, 3000), (0.001, 0.001, 3000), (0.005, 0.05, 200)],
-    ids=['slow', 'fast', 'in a burst'])
-def test_no_distance_is_lost_at_slow_and_at_fast_odometry(talk, node, step, period, count):
-    """Once or a thousand times a second; and ten seconds of it, held up on the way, at once."""
-    path = [FIRST + step * number for number in range(1, count + 1)]
-    assert talk.walk(*path, period=period) == pytest.approx(path, abs=1e-9)
-    assert 'not counted' not in node.output
-
-
 def test_it_says_each_second_that_it_waits(ns):
     """On the log, until the first odometry; its name is anonymous."""
     log = Recorder('/rosout', Log)

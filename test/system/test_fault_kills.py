@@ -6,8 +6,6 @@ from urllib.parse import urlparse
 
 import pytest
 import rosgraph
-import rospy
-from geometry_msgs.msg import Twist
 from odometry_tests.links import pid_of
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Master, Process
@@ -16,13 +14,11 @@ from odometry_tests.tutorial import (
     Distance,
     Truth,
     detector,
-    heading,
     mover,
-    rotator,
     simulator,
     simulator_in_step,
 )
-from odometry_tests.waiting import PATIENCE, Recorder, wait_until
+from odometry_tests.waiting import PATIENCE, wait_until
 
 BASE_TIMEOUT = 0.6  # s, a Kobuki's own watchdog
 BRAKING = 0.1  # s
@@ -66,26 +62,6 @@ def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
             assert counter.running and driver.running
     assert max(moved.steps) < LONGEST_STEP, 'a jump was counted'
     assert min(moved.steps) >= 0, 'distance was lost'
-
-
-def test_rotate_stops_a_base_without_watchdog_when_the_odometry_ceases(master):
-    """The simulator is frozen, not dead; the last command before it wakes is zero."""
-    with simulator('_real_time_factor:=3', '_cmd_vel_timeout:=0') as robot:
-        truth, commands = Truth(), Recorder('cmd_vel', Twist)
-        truth.wait_for()
-        # Wall time: a simulated clock would stand still with its simulator.
-        rospy.set_param('/use_sim_time', False)
-        with rotator() as controller:
-            truth.wait_until_moving()
-            robot.send(signal.SIGSTOP)
-            try:
-                controller.wait_for_output('stopping: no odometry arrives')
-                wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
-                commands.clear()
-            finally:
-                robot.send(signal.SIGCONT)
-            commands.wait_for(lambda m: m.angular.z != 0, what='a turn that goes on')
-            truth.wait_for(lambda m: heading(m) > 80, what='80 degrees')
 
 
 def test_roslaunch_stops_the_robot_when_it_is_interrupted(master):
