@@ -134,24 +134,21 @@ class Rest:
         def spent_by_main(process):
             return sum(spent(thread) for thread in process.threads.values() if thread.tid == process.pid)
 
-        if passed > STOP_PATIENCE and process.is_stopped():
-            self._stopped.add(process)
-            self._awaited.remove(process)
-            self._on_restless(process)
-            return True
-        if sum(map(spent, process.threads.values())) <= process.patience and passed <= STALL_TIMEOUT:
+        is_stopped = passed > STOP_PATIENCE and process.is_stopped()
+        if not is_stopped and (sum(map(spent, process.threads.values())) <= process.patience
+                               and passed <= STALL_TIMEOUT):
             return False
-        nodes = [node for node in self._awaited if node.longest_poll]
-        busiest = max(nodes, key=spent_by_main, default=None)
-        culprit = process
-        if busiest and spent_by_main(busiest) > BUSY_SHARE * process.patience:
-            culprit = busiest
-        elif process not in nodes or self._is_flooded(process):
+        busiest = max((node for node in self._awaited if node.longest_poll), key=spent_by_main, default=None)
+        if is_stopped:
+            self._stopped.add(process)
+        elif busiest and spent_by_main(busiest) > BUSY_SHARE * process.patience:
+            process = busiest
+        elif not process.longest_poll or self._is_flooded(process):
             # It reads what a node sends without a pause, which is no fault of its own.
             max(process.threads.values(), key=spent).ignored = True
             return True
-        self._awaited.remove(culprit)
-        self._on_restless(culprit)
+        self._awaited.remove(process)
+        self._on_restless(process)
         return True
 
     def _await_continued(self):
