@@ -90,6 +90,8 @@ class GraphProcesses:
     def _was_asked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
         master = self._rest.processes.get(self._pids[MASTER])
+        if master in self._rest.stopped:
+            return False
         before, self._usage = self._usage, self._rest.rested.get(master)
         return self._usage != before or master is None
 

@@ -40,7 +40,7 @@ class Rest:
         self.processes = {}  # by id
         self.rested = {}  # by Process: the usage of its threads that do not nap, when all rested last
         self._awaited = []
-        self._stopped = set()  # Processes that are not awaited until they continue
+        self.stopped = set()  # Processes that are not awaited until they continue
 
     def add(self, name, pid, longest_poll=LONGEST_POLL, patience=PATIENCE):
         """Wait for one more process; parameters and errors are those of Process."""
@@ -101,7 +101,7 @@ class Rest:
         """Do not wait for a process any more."""
         process = self.processes.pop(pid)
         process.close()
-        self._stopped.discard(process)
+        self.stopped.discard(process)
         if process in self._awaited:
             self._awaited.remove(process)
 
@@ -140,7 +140,7 @@ class Rest:
             return False
         busiest = max((node for node in self._awaited if node.longest_poll), key=spent_by_main, default=None)
         if is_stopped:
-            self._stopped.add(process)
+            self.stopped.add(process)
         elif busiest and spent_by_main(busiest) > BUSY_SHARE * process.patience:
             process = busiest
         elif not process.longest_poll or self._is_flooded(process):
@@ -152,8 +152,8 @@ class Rest:
         return True
 
     def _await_continued(self):
-        continued = {process for process in self._stopped if not process.is_stopped()}
-        self._stopped -= continued
+        continued = {process for process in self.stopped if not process.is_stopped()}
+        self.stopped -= continued
         self._awaited += continued
 
     def _split(self, look_begin, receivers):
