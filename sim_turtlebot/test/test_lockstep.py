@@ -58,4 +58,5 @@ def test_a_mover_that_is_killed_does_not_stop_the_time():
         odometry.wait_for(lambda m: m.header.stamp.to_sec() > silent_from + 10, 20.0,
                           'ten seconds more')
         assert odometry.last.twist.twist.linear.x == 0.0
+        assert 'the base stops: no command on /cmd_vel for 0.6 s' in simulation.output
     assert NOT_AWAITED not in simulation.output

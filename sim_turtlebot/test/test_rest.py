@@ -48,6 +48,15 @@ while True:
     answer()
 '''
 BUSY = 'while True: pass'
+COMPUTES = '''
+import sys, time
+def compute(seconds):
+    end = time.process_time() + seconds
+    while time.process_time() < end: pass
+compute({})
+print('ready', flush=True)
+for line in sys.stdin: compute({})
+'''
 SLOW_POLLER = 'import time\nwhile True: time.sleep(0.1)'
 MANY_THREADS = '''
 import sys, threading
@@ -131,6 +140,17 @@ def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start,
     resting.wait()
     assert time.monotonic() - begin < rest.PATIENCE
     assert len(restless) == 1
+
+
+def test_what_a_process_has_computed_before_is_not_held_against_it(resting, start, restless):
+    """Also if its threads are seen for the first time after others have been waited for."""
+    first, veteran = start(COMPUTES.format(0.0, 0.3)), start(COMPUTES.format(2.5, 0.8))
+    for process in first, veteran:
+        assert process.stdout.readline() == 'ready\n'
+    for process in first, veteran:
+        process.stdin.write('go\n')
+    resting.wait()
+    assert not restless
 
 
 def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting, start):

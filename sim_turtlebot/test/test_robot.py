@@ -46,8 +46,10 @@ def test_it_stops_when_commands_cease(velocity):
         assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
     simulation.run(0.1)
     assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
+    assert not simulation.robot.timed_out
     simulation.run(0.3)
     assert speeds(simulation) == pytest.approx((0.0, 0.0), abs=1e-3)
+    assert simulation.robot.timed_out
     simulation.drive(*velocity, 0.5)
     assert speeds(simulation) == pytest.approx(velocity, abs=0.01)
 

@@ -71,6 +71,7 @@ def test_a_node_that_waits_ends_quietly(ns, package, program):
     with rosrun(package, program, '__name:=waiting') as node:
         wait_until(lambda: f'{ns}waiting' in rosnode.get_node_names(), 20.0, 'a node', period=0.1)
         assert node.end() == 0, node.output
+    assert 'counting' not in node.output, 'nothing has come'
 
 
 def test_a_line_that_nobody_reads_any_more_ends_the_node_quietly(ns):

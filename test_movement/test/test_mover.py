@@ -132,3 +132,11 @@ def test_two_publishers_of_the_distance_are_warned_of_once_by_name(talk, node, n
         node.wait_for_output(f'{ns}moved_distance is published by ')
     line, = [line for line in node.output.splitlines() if 'is published by' in line]
     assert '/system_test' in line and f'{ns}movement_detector_node_' in line
+
+
+def test_a_mover_that_has_nothing_to_drive_says_so_once(talk, node):
+    """As in a second run, while the detector still says two metres."""
+    talk.say_until(lambda: Float64(2.005), lambda m: m == Twist(), 'a zero')
+    node.wait_for_output('moved_distance is 2.005 m already: nothing to drive. Reset it')
+    talk.tell(2.005, 0.0, 2.005)
+    assert node.output.count('nothing to drive') == 1

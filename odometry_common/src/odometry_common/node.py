@@ -20,6 +20,7 @@ from odometry_common.rospy_fixes import fix_rospy
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
+REPLACED = 'new node registered with same name'  # the master's reason for a shutdown
 # s of the main thread: Python handles a signal that arrives just before a wait only after it
 LONGEST_WAIT = 0.5
 MASTER_RETRY_PERIOD = 0.5  # s
@@ -47,7 +48,7 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     """
     threading.excepthook = _report_thread
     _open_output()
-    rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
+    rospy.core.add_preshutdown_hook(lambda reason: _exit_soon(name, reason))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         node_help.show_help_if_asked(documentation, parameters)
@@ -89,8 +90,10 @@ def end_node(error):
     _shut_down(str(error))
 
 
-def _exit_soon(name):
+def _exit_soon(name, reason):
     """Exit even if main() does not return; rospy calls this after the hooks of the node."""
+    if REPLACED in reason:
+        _failures.append((0, 'ends, since another node has started with its name\n'))
     _hooks_have_run.set()
     threading.Thread(target=_exit, args=[name], daemon=True).start()
 

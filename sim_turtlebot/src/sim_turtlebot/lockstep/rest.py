@@ -50,8 +50,7 @@ class Rest:
     def wait(self, only_clock=False):
         """Return when all rest at once, but for those that have been waited for long enough.
 
-        :param only_clock: whether a tick of the clock is all that the processes received; one
-            thread of each receives it, and who polls for messages need not look
+        :param only_clock: whether the processes received only a tick of the clock, each on one thread
         """
         begin, first_cpu_times, rested, polls = time.monotonic(), {}, None, {}
         while not self._is_over():
@@ -125,11 +124,12 @@ class Rest:
         """If one takes too long, stop waiting for what keeps the graph awake; return whether it does.
 
         :param process: does not rest
-        :param first_cpu_times: CPU time (ns) by Thread, when all began to wait
+        :param first_cpu_times: CPU time (ns) by Thread, when all began to wait; new ones are added
         :param passed: s of wall time since then
         """
         def spent(thread):
-            return (thread.usage[0] - first_cpu_times.get(thread, 0)) / 1e9
+            now = thread.usage[0]
+            return (now - first_cpu_times.setdefault(thread, now)) / 1e9
 
         def spent_by_main(process):
             return sum(spent(thread) for thread in process.threads.values() if thread.tid == process.pid)
