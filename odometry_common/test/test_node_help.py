@@ -1,7 +1,6 @@
 """Help with what can be typed, and warnings about mistakes: names, and several publishers."""
 
 import pytest
-import rosnode
 import rospy
 from odometry_common.parameters import Parameters
 from odometry_tests.processes import run_script
@@ -47,7 +46,7 @@ def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_it
 def test_a_node_that_ends_for_another_one_says_so(ns):
     """With exit status 0; a demo shows that line, where its robot ends."""
     with mover() as old:
-        wait_until(lambda: f'{ns}test_movement' in rosnode.get_node_names(), TIMEOUT, 'a node')
+        wait_until(lambda: rospy.get_published_topics(ns), TIMEOUT, 'a node')
         with mover():
             assert old.wait() == 0
     assert 'test_movement: ends, since another node has started with its name' in old.stderr
