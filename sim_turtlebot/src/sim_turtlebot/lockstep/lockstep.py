@@ -54,7 +54,7 @@ class Lockstep:
             self._master_answers = True
         except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
             if self._master_answers:
-                rospy.logwarn(f'lockstep does not wait for new nodes: the master does not answer ({error})')
+                rospy.logwarn(f'lockstep does not wait for new nodes: the master gave no list of nodes ({error})')
             self._master_answers = False
         if time.monotonic() > self._next_naps:
             self._next_naps = time.monotonic() + NAP_PERIOD
