@@ -11,16 +11,15 @@ from odometry_common.geometry import (
     about,
     about_z,
     compose,
-    euler_from_orientation,
     from_rpy,
     height_of_z,
     inverse,
     is_upright,
     mean_twist,
     rotate,
-    yaw_from_orientation,
     yaw_of,
 )
+from odometry_common.orientation import euler_from_orientation, yaw_from_orientation
 from tf import transformations as tf
 
 angles = st.floats(-math.pi, math.pi)

@@ -10,8 +10,8 @@ computed back from roll, pitch and yaw.
 
 import rospy
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import euler_from_orientation
 from odometry_common.node import run_node
+from odometry_common.orientation import euler_from_orientation
 from odometry_common.subscribing import Subscriber
 from tf.transformations import quaternion_from_euler
 

@@ -16,8 +16,8 @@ import math
 import rospy
 from heading_control.turn import PARAMETERS, Turn
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import yaw_from_orientation
 from odometry_common.node import run_node
+from odometry_common.orientation import yaw_from_orientation
 from odometry_common.publisher_conflicts import warn_of_conflicts
 from odometry_common.subscribing import Subscriber
 from odometry_common.timing import RestDetector, Watchdog

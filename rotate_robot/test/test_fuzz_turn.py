@@ -7,7 +7,7 @@ from geometry_msgs.msg import Quaternion
 from heading_control.turn import Turn
 from hypothesis import example, given
 from hypothesis import strategies as st
-from odometry_common.geometry import yaw_from_orientation
+from odometry_common.orientation import yaw_from_orientation
 from odometry_tests.fuzzing import any_number
 
 finite = any_number.filter(math.isfinite)

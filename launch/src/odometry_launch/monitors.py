@@ -7,7 +7,8 @@ from functools import partial
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_common.connections import is_connected
-from odometry_common.geometry import wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import wrap_to_pi
+from odometry_common.orientation import yaw_from_orientation
 from std_msgs.msg import Float64
 
 from odometry_launch.arrival import HEADING_TOLERANCE, REST_STEP, has_turned, stands

@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy
 import rosbag
 from moved_distance.distance_counter import DistanceCounter
-from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import PlanarPose, wrap_to_pi
+from odometry_common.orientation import yaw_from_orientation
 
 ODOMETRY, ODOMETRY_TOPIC = 'nav_msgs/Odometry', '/odom'
 # What else is drawn, by topic.

@@ -7,12 +7,7 @@ makes a robot far from the origin tremble by a millimetre; tf's need rospy.
 import math
 from typing import NamedTuple
 
-import numpy
-
 UPRIGHT = 0.5  # cosine of 60 degrees; a TurtleBot that leans more has fallen, or will
-# A quaternion of such a length need not be normalised first, which would change the last digits.
-SHORT, LONG = 1e-3, 1e3
-GIMBAL_LOCK = 4 * numpy.finfo(float).eps  # cosine of the pitch, in tf
 
 
 class PlanarPose(NamedTuple):
@@ -32,35 +27,6 @@ class PlanarPose(NamedTuple):
     def inverse(self):
         """Return where the origin is, seen from this pose."""
         return PlanarPose(0.0, 0.0, -self.yaw).then(PlanarPose(-self.x, -self.y, 0.0))
-
-
-def yaw_from_orientation(orientation):
-    """Return the yaw (rad, from -pi to pi); the rest is as in euler_from_orientation()."""
-    return euler_from_orientation(orientation)[2]
-
-
-def euler_from_orientation(orientation):
-    """Return (roll, pitch, yaw) in radians of a geometry_msgs/Quaternion of any length.
-
-    The tutorial takes them from tf.transformations.euler_from_quaternion; these are the same to
-    the last bit.
-
-    :raises ValueError: if it is not finite or has no length, and so is not a rotation
-    """
-    x, y, z, w = orientation.x, orientation.y, orientation.z, orientation.w
-    length = math.hypot(x, y, z, w)
-    if not math.isfinite(length) or length == 0:
-        raise ValueError(f'the quaternion [{x} {y} {z} {w}] is no rotation')
-    if not SHORT < length < LONG:
-        x, y, z, w = x / length, y / length, z / length, w / length
-    scale = math.sqrt(2.0 / numpy.dot((x, y, z, w), (x, y, z, w)))
-    x, y, z, w = x * scale, y * scale, z * scale, w * scale
-    forwards, left, up = 1.0 - y * y - z * z, x * y + z * w, x * z - y * w  # where x points to
-    cosine = math.sqrt(forwards * forwards + left * left)
-    pitch = math.atan2(-up, cosine)
-    if cosine <= GIMBAL_LOCK:
-        return math.atan2(-(y * z - x * w), 1.0 - x * x - z * z), pitch, 0.0
-    return math.atan2(y * z + x * w, 1.0 - x * x - y * y), pitch, math.atan2(left, forwards)
 
 
 def wrap_to_pi(angle):

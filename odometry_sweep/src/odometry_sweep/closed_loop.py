@@ -7,8 +7,9 @@ import threading
 from geometry_msgs.msg import Quaternion
 from heading_control import turn
 from moved_distance import distance_counter
-from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
+from odometry_common.orientation import yaw_from_orientation
 from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, stands
 from sim_turtlebot.physics.world import World
 from sim_turtlebot.settings import read_settings

@@ -8,8 +8,9 @@ from collections import deque
 import numpy
 import rospy
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import PlanarPose, wrap_to_pi, yaw_from_orientation
+from odometry_common.geometry import PlanarPose, wrap_to_pi
 from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
+from odometry_common.orientation import yaw_from_orientation
 from odometry_common.parameters import as_number
 from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Float64
