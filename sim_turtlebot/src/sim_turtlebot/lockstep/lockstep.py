@@ -11,7 +11,7 @@ import rospy
 from odometry_common.parameters import ParameterError
 
 from sim_turtlebot.lockstep.graph import GraphProcesses
-from sim_turtlebot.lockstep.rest import PATIENCE, Rest
+from sim_turtlebot.lockstep.rest import LONGEST_POLL, PATIENCE, Rest
 
 NAP_PERIOD = 2.0  # s of wall time between two looks for nodes that sleep by it
 MOST_WATCHING = 2.8  # Hz; a thread that watches something sleeps by wall time to no harm
@@ -130,12 +130,16 @@ class Lockstep:
 
 
 def _follow_wall_time(times):
-    """Return whether pairs of wall and simulated time (s) are equally far apart by wall time only."""
+    """Return whether pairs of wall and simulated time (s) are equally far apart by wall time only.
+
+    Not if they are so near that Rest waits for naps between them.
+    """
     if len(times) <= LEAST_INTERVALS:
         return False
-    wall, simulated = (_spread([after - before for before, after in zip(column, column[1:])])
+    wall, simulated = ([after - before for before, after in zip(column, column[1:])]
                        for column in zip(*times))
-    return wall < WALL_SPREAD and simulated > SPREAD
+    return (min(wall) > LONGEST_POLL and _spread(wall) < WALL_SPREAD
+            and _spread(simulated) > SPREAD)
 
 
 def _spread(intervals):
