@@ -10,22 +10,23 @@ TICK = 0.01  # s of simulated time
 RATES = 1.0, 2.0, 10.0, 30.0, 50.0  # Hz
 
 
-def runs(wall, simulated):
-    """Return each row of messages that lockstep would look at, by intervals (s)."""
+def named(wall, simulated):
+    """Return how often lockstep would name the node, by the intervals (s) between its messages."""
     times = list(zip(itertools.accumulate(wall), itertools.accumulate(simulated)))
-    return [times[end - LEAST_INTERVALS - 1:end] for end in range(LEAST_INTERVALS + 1, len(times))]
+    return sum(_follow_wall_time(times[end - LEAST_INTERVALS - 1:end], TICK)
+               for end in range(LEAST_INTERVALS + 1, len(times)))
 
 
 @pytest.mark.parametrize('pace', [1.0, 20.0])
 @pytest.mark.parametrize('rate', RATES)
 def test_a_loop_in_simulated_time_is_never_one(rate, pace):
-    """Whose ticks take half as long again now and then, whatever share of them its period has."""
+    """On a machine on which a tick takes up to ten times as long as another one."""
     rng = random.Random(rate)
-    ends = [round(number / rate / TICK) for number in range(5000)]
+    ends = [round(number / rate / TICK) for number in range(20_000)]
     simulated = [TICK * (end - begin) for begin, end in zip(ends, ends[1:])]
-    wall = [sum(TICK / pace * rng.uniform(1.0, 1.5) for _ in range(round(interval / TICK)))
+    wall = [sum(TICK / pace * rng.uniform(0.2, 2.0) for _ in range(round(interval / TICK)))
             for interval in simulated]
-    assert not any(map(_follow_wall_time, runs(wall, simulated)))
+    assert not named(wall, simulated)
 
 
 @pytest.mark.parametrize('nap', [0.03, 0.1, 0.5, 2.0])
@@ -34,4 +35,4 @@ def test_a_loop_with_time_sleep_is_soon_one(nap):
     rng = random.Random(nap)
     wall = [nap + rng.uniform(0.0, 0.001) for _ in range(50)]
     simulated = [TICK * round(nap * rng.uniform(10, 20) / TICK) for _ in wall]
-    assert any(map(_follow_wall_time, runs(wall, simulated)))
+    assert named(wall, simulated)

@@ -56,7 +56,7 @@ class Simulator:
         self._stopping = False
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
-        self._lockstep = Lockstep(lambda: self._stopping) if settings.lockstep else None
+        self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate) if settings.lockstep else None
         self._namespaces = [''] if settings.robots == 1 else [
             f'robot_{number}/' for number in range(1, settings.robots + 1)]
         self._topics = SimulationTopics(simulation, settings, self._namespaces)

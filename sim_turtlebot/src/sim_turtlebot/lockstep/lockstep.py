@@ -27,10 +27,11 @@ DIFFER = 'two runs may differ'
 class Lockstep:
     """Waits for all nodes on this machine, and names once each that it cannot wait for."""
 
-    def __init__(self, is_over):
+    def __init__(self, is_over, tick=0.0):
         """Begin with the master.
 
         :param is_over: function that tells whether to wait no longer
+        :param tick: of the clock (s of simulated time)
         :raises ParameterError: if /proc does not show what others do
         """
         _check_proc()
@@ -38,6 +39,7 @@ class Lockstep:
         self._graph = GraphProcesses(self._rest, rospy.get_name(), self._report_unseen)
         self._changed = self._next_naps = 0.0
         self._naps = {}  # of threads in long naps: when, and how often they had napped
+        self._tick = tick
         self._unasked = Counter()  # messages while all rested, by name
         self._times = {}  # of the last messages (s): wall time and simulated time, by name
         self._known = set()
@@ -87,7 +89,7 @@ class Lockstep:
             self._unasked[name] += unasked
             times = self._times.setdefault(name, deque(maxlen=LEAST_INTERVALS + 1))
             times.append((time.monotonic(), now))
-            if self._unasked[name] >= MOST_UNASKED or _follow_wall_time(times):
+            if self._unasked[name] >= MOST_UNASKED or _follow_wall_time(times, self._tick):
                 self._report(name, SLEEPS)
 
     def _look_for_naps(self, now):
@@ -129,22 +131,22 @@ class Lockstep:
             rospy.logwarn(f'lockstep does not wait for {name}, so that {DIFFER}: it {reason}')
 
 
-def _follow_wall_time(times):
+def _follow_wall_time(times, tick):
     """Return whether pairs of wall and simulated time (s) are equally far apart by wall time only.
 
-    Not if they are so near that Rest waits for naps between them.
+    Simulated times may differ by a tick (s). Rest waits for naps that are as short as LONGEST_POLL.
     """
     if len(times) <= LEAST_INTERVALS:
         return False
     wall, simulated = ([after - before for before, after in zip(column, column[1:])]
                        for column in zip(*times))
-    return (min(wall) > LONGEST_POLL and _spread(wall) < WALL_SPREAD
-            and _spread(simulated) > SPREAD)
+    return (min(wall) > LONGEST_POLL and _spread(wall, 0.0) < WALL_SPREAD
+            and _spread(simulated, 1.01 * tick) > SPREAD)
 
 
-def _spread(intervals):
-    """Return how much the longest is longer than the shortest, as a share of the mean."""
-    return (max(intervals) - min(intervals)) * len(intervals) / max(sum(intervals), TINY)
+def _spread(intervals, slack):
+    """Return how much more than `slack` the longest is longer than the shortest, as a share of the mean."""
+    return (max(intervals) - min(intervals) - slack) * len(intervals) / max(sum(intervals), TINY)
 
 
 def _check_proc():
