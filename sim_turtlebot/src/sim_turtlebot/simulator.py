@@ -111,7 +111,8 @@ class Simulator:
     def _begin(self):
         """Publish time zero; in lockstep, once the graph has settled."""
         if self._lockstep and not self._lockstep.has_settled():
-            self._requests.wait(LOOK_PERIOD)
+            if self._requests.wait(LOOK_PERIOD):
+                self._requests.serve_all()
             return
         self._begun = self._inputs.obeys = True
         self._publish()

@@ -2,25 +2,23 @@
 
 import contextlib
 import os
-import socket
 from pathlib import Path
-from urllib.parse import urlparse
 
 import psutil
 import rosgraph
 from odometry_common.connections import node_at
 from rosgraph.names import ns_join
-from rosgraph.network import is_local_address
 
+from sim_turtlebot.lockstep.listeners import pids_at
 from sim_turtlebot.lockstep.rest import LONGEST_POLL, PATIENCE
 
 PUBLISHERS = 0  # where the master's state has them
 MOST_GENERATIONS = 10  # of children, in one wait: others on this machine may start some all the time
 ANSWER = 2  # where an answer of the master has what it was asked for
 MASTER = 'the master'
-ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
 LOG = '/rosout'  # a node, and its topic; it only writes down what others say
 ROSLAUNCHED = '__name:='  # is in the command line of a node that roslaunch has started
+CHILD_PATIENCE = 10.0  # s of CPU time until a child rests; it may be a node that starts
 STARTING_PATIENCE = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
 
@@ -39,6 +37,7 @@ class GraphProcesses:
         self._addresses, self._pids = {}, {}  # by name
         self._state = [], [], []  # what the master said last: publishers, subscribers, services
         self._newest = _newest_pid()
+        self._children = {}  # id of the parent, by id
         self._usage = None  # of the master's threads, when it was asked last
         self._find({MASTER: self._master_uri})
 
@@ -82,6 +81,7 @@ class GraphProcesses:
             before, self._newest = self._newest, _newest_pid()
             if self._newest == before:
                 return
+            self._forget_independent()
             for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
                 with contextlib.suppress(psutil.NoSuchProcess):
                     self._add_child(self._rest.processes.get(psutil.Process(pid).ppid()), pid)
@@ -126,9 +126,9 @@ class GraphProcesses:
         if not addresses:
             return
         self._addresses.update(addresses)
-        before, pids = None, _pids_at(addresses)
+        before, pids = None, pids_at(addresses)
         while pids != before:  # a list that others change meanwhile may lack one, or name its child
-            before, pids = pids, _pids_at(addresses)
+            before, pids = pids, pids_at(addresses)
         self._pids.update(pids)
         for name, pid in pids.items():
             if pid is None:
@@ -152,34 +152,30 @@ class GraphProcesses:
 
     def _add_child(self, parent, pid):
         """Take a process that works for a node: not one that has been given a process group of its own."""
-        if parent and parent.longest_poll and pid not in self._rest.processes:
-            with contextlib.suppress(ProcessLookupError):
-                if os.getpgid(pid) == os.getpgid(parent.pid):
-                    self._add(parent.name, pid, PATIENCE)
+        if (parent and parent.longest_poll and pid not in self._rest.processes
+                and _are_one_group(pid, parent.pid)):
+            self._children[pid] = parent.pid
+            self._add(parent.name, pid, CHILD_PATIENCE)
+
+    def _forget_independent(self):
+        """Forget the children that have ended, or have been given a group of their own since."""
+        for pid, parent in list(self._children.items()):
+            if not _are_one_group(pid, parent):
+                del self._children[pid]
+                if pid in self._rest.processes and pid not in self._pids.values():
+                    self._rest.remove(pid)
+
+
+def _are_one_group(*pids):
+    try:
+        return len({os.getpgid(pid) for pid in pids}) == 1
+    except ProcessLookupError:
+        return False
 
 
 def _newest_pid():
     """Return the id of the process or thread that has begun last on this machine."""
     return int(Path('/proc/loadavg').read_text(encoding='ascii').split()[-1])
-
-
-def _pids_at(addresses):
-    """Return the process that serves each address, by name.
-
-    It is None where it cannot be seen, on another machine or of another user, and 0 where nobody serves it,
-    as of a node that was killed.
-    """
-    listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
-                 if connection.status == psutil.CONN_LISTEN}
-    return {name: _pid_at(urlparse(address), listening) for name, address in addresses.items()}
-
-
-def _pid_at(address, listening):
-    if not is_local_address(address.hostname):
-        return None
-    ips = {ip for *_, (ip, *_) in socket.getaddrinfo(address.hostname, None)}
-    return next((listening[ip, address.port] for ip in (*ips, *ANY_IP)
-                 if (ip, address.port) in listening), 0)
 
 
 def _names(*states):

@@ -1,0 +1,28 @@
+"""Which processes serve the XML-RPC addresses of nodes."""
+
+import socket
+from urllib.parse import urlparse
+
+import psutil
+from rosgraph.network import is_local_address
+
+ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
+
+
+def pids_at(addresses):
+    """Return the process that serves each address, by name.
+
+    It is None where it cannot be seen, on another machine or of another user, and 0 where nobody serves it,
+    as of a node that was killed.
+    """
+    listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
+                 if connection.status == psutil.CONN_LISTEN}
+    return {name: _pid_at(urlparse(address), listening) for name, address in addresses.items()}
+
+
+def _pid_at(address, listening):
+    if not is_local_address(address.hostname):
+        return None
+    ips = {ip for *_, (ip, *_) in socket.getaddrinfo(address.hostname, None)}
+    return next((listening[ip, address.port] for ip in (*ips, *ANY_IP)
+                 if (ip, address.port) in listening), 0)
