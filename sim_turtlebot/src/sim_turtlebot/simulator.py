@@ -3,8 +3,7 @@
 The way of /odom: advance() steps the Simulation to the next tick, in which each Robot updates its
 sensors and its odometry; then SimulationTopics publishes them.
 
-rospy's threads leave requests, which the main thread serves between two advances of the simulation;
-in lockstep once every node of the graph rests, in the order of their senders' names.
+The main thread serves the requests of rospy's threads between two advances of the simulation.
 """
 
 import math
