@@ -47,7 +47,8 @@ class RotateRobot:
 
     def run(self):
         """Ten times a second: take the error, multiply by the gain, publish."""
-        self._odometry.wait()
+        if not self._odometry.wait():
+            return
         rate = rospy.Rate(self._hertz, reset=True)
         while not rospy.is_shutdown():
             if self._watchdog.expired(rospy.get_time()):
