@@ -18,11 +18,12 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws test              run the tests, with -m nightly the long ones
   ./ws bench             measure speed and delay, each as a ratio to its limit
   ./ws sweep             run a tutorial many times without ROS
+  ./ws check             judge your own node for a tutorial
   ./ws shell             open a shell in the workspace
   ./ws --set-up COMMAND  only install what that command needs
   ./ws COMMAND...        run any command in the workspace, for example ./ws rostopic echo /odom -n1
 
-demo, test, bench and sweep tell more with --help. The first use installs what is missing. ROS listens on
+demo, test, bench, sweep and check tell more with --help. The first use installs what is missing. ROS listens on
 this machine only; --host ADDRESS lets other machines in, at this address of this machine. ROS 1 has no
 passwords: everybody there can drive the robot.
 TEXT
@@ -60,7 +61,7 @@ while [[ ${1:-} == -* ]]; do
 done
 $only_set_up || [ $# != 0 ] || { usage; exit 1; }
 # These have a ROS master of their own on this machine, and need no address.
-[[ ! ${1:-} =~ ^(demo|test|bench|sweep)$ ]] || unset ROS_HOSTNAME ROS_IP
+[[ ! ${1:-} =~ ^(demo|test|bench|sweep|check)$ ]] || unset ROS_HOSTNAME ROS_IP
 [ -z "$host" ] || { unset ROS_HOSTNAME; export ROS_IP=$host; }
 CALLED_FROM=$PWD
 set_up "$@"
@@ -71,6 +72,7 @@ case $1 in
     demo) exec_guarded "$ROOT/launch/script/demo.py" "${@:2}" ;;
     bench) exec_guarded "$ROOT/test/benchmarks/run_bench.py" "${@:2}" ;;
     sweep) exec_guarded "$ROOT/odometry_sweep/script/sweep.py" "${@:2}" ;;
+    check) exec_guarded "$ROOT/odometry_check/script/check.py" "${@:2}" ;;
 esac
 enter
 case $1 in

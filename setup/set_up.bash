@@ -51,7 +51,7 @@ add_extras() {
         'rosrun rviz '* | 'rviz '* | 'roslaunch '*' rviz:='[1Tt]*) PARTS+=("${RVIZ_PARTS[@]}") ;;&
         'rosrun sim_turtlebot '*' _gui:='[1Tt]* | 'demo '*'--gui '* | 'roslaunch '*' gui:='[1Tt]*)
             PARTS+=("${WINDOW_PARTS[@]}") ;;&
-        'rosrun robot_view view.py '* | 'demo '*'--view '* | 'roslaunch '*' view:='[1Tt]*)
+        'rosrun robot_view view.py '* | 'demo '*'--view '* | 'check '*'--view '* | 'roslaunch '*' view:='[1Tt]*)
             REQUIREMENTS+=($view) ;;
     esac
 }

@@ -18,6 +18,7 @@ class DriveGeometry(NamedTuple):
     left: float  # believed radius of the left wheel, as a share of the true one
     right: float
     separation: float  # believed distance between the wheels (m)
+    speed_ratio: float  # share of the commanded speed that the motors reach; the encoders show it
 
     @classmethod
     def from_settings(cls, settings):
@@ -30,11 +31,11 @@ class DriveGeometry(NamedTuple):
         return cls(settings.left_wheel_radius_multiplier * (diameters + 1) / 2,
                    settings.right_wheel_radius_multiplier * (1 / diameters + 1) / 2,
                    settings.wheel_separation_multiplier * WHEEL_SEPARATION
-                   / settings.wheel_separation_ratio)
+                   / settings.wheel_separation_ratio, settings.speed_ratio)
 
     def wheel_speeds(self, linear, angular):
         """Return the true speeds (m/s) of the left and right rim for a command (m/s, rad/s)."""
-        difference = angular * self.separation / 2
+        linear, difference = self.speed_ratio * linear, self.speed_ratio * angular * self.separation / 2
         return (linear - difference) / self.left, (linear + difference) / self.right
 
     def motion(self, left, right):

@@ -1,0 +1,170 @@
+"""A master, the simulator and this process as a node, in which scenarios can be repeated."""
+
+import math
+import threading
+from functools import partial
+from typing import NamedTuple
+
+import rosgraph
+import rospy
+from geometry_msgs.msg import PoseStamped, Twist
+from nav_msgs.msg import Odometry
+from odometry_common.connections import is_connected
+from odometry_common.geometry import about_z
+from odometry_common.publishing import advertise
+from odometry_launch.following import join
+from odometry_launch.launch import Launch
+from odometry_launch.output import DemoError
+from roslib.packages import find_node
+from rosgraph_msgs.msg import Log
+from std_msgs.msg import Float64
+from std_srvs.srv import Empty
+
+from odometry_check.processes import Started
+
+COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleop',
+            'cmd_vel_mux/input/navi')
+KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
+         **dict.fromkeys(COMMANDS, Twist)}
+FLOOD = 20  # commands that arrive together; of more, the latest
+ANSWER_TIMEOUT = 30.0  # s of wall time
+NEAR = 0.01  # m
+SERVICES = 'pause_physics', 'unpause_physics', 'reset_simulation'
+
+
+class Pace(NamedTuple):
+    """How simulated time goes on."""
+
+    lockstep: bool = True
+    real_time_factor: float = 0.0  # 0: as fast as the machine can
+
+
+class Bench:
+    """A context with a simulator that is always paused, but for what its user does."""
+
+    def __init__(self, drives):
+        """Say whether the check commands the robot itself."""
+        self._launch = Launch('check.launch', {}, package='odometry_check')
+        self._drives = drives
+        self._simulator = self._settings = None
+        self._moved = threading.Condition()
+        self._position = None
+        self.run = None  # which takes the messages
+
+    def __enter__(self):
+        """Start the master, and become a node."""
+        self._launch.__enter__()
+        try:
+            join(self._launch, 'check')
+        except BaseException:
+            self._launch.__exit__()
+            raise
+        self.master = rosgraph.Master(rospy.get_name())
+        self._subscribers = {topic: rospy.Subscriber(
+            topic, kind, partial(self._receive, topic), tcp_nodelay=True,
+            queue_size=FLOOD if kind is Twist else None) for topic, kind in KINDS.items()}
+        rospy.Subscriber('/rosout', Log, self._read_log, tcp_nodelay=True)
+        self._placing = advertise('sim_turtlebot/set_pose', PoseStamped)
+        self._driving = advertise('cmd_vel', Twist) if self._drives else None
+        return self
+
+    def __exit__(self, *_):
+        """End everything."""
+        if self._simulator:
+            self._simulator.end()
+        self._launch.__exit__()
+
+    def prepare(self, scenario, pace):
+        """Put the robot where a Scenario begins, at a Pace, with time standing still."""
+        settings = {'odom_rate': scenario.odom_rate, 'speed_ratio': scenario.speed_ratio, **pace._asdict()}
+        if settings != self._settings:
+            self._simulate(settings)
+        self.call('reset_simulation')
+        self._place(*scenario.place, scenario.yaw)
+
+    def call(self, service):
+        """Have the simulator pause, unpause or reset."""
+        try:
+            self._services[service]()
+        except rospy.ServiceException as error:
+            self.check()
+            raise DemoError(f'the simulator does not answer: {error}') from None
+
+    def drive(self, linear, angular):
+        """Command a velocity (m/s, rad/s)."""
+        command = Twist()
+        command.linear.x, command.angular.z = linear, angular
+        self._driving.publish(command)
+
+    def check(self):
+        """Raise DemoError if the simulator has ended, KeyboardInterrupt after a signal."""
+        self._launch.check()
+        if self._simulator and self._simulator.status is not None:
+            last = self._simulator.output.strip().splitlines()[-1:] or ['without a word']
+            raise DemoError(f'the simulator has ended: {last[0]}')
+
+    def wait_for(self, condition, complaint):
+        """Return once a condition holds, which is looked at again and again."""
+        self._launch.wait_for(condition, complaint)
+
+    def received(self, *topics):
+        """Return how many bytes have come on these topics, from publishers that are still there."""
+        return sum(connection.stat_bytes for topic in topics
+                   for connection in self._subscribers[topic].impl.connections)
+
+    def has_spectator(self):
+        """Return whether a browser shows the page."""
+        _, subscribers, _ = self.master.getSystemState()
+        return any(topic == '/odom' and '/view' in names for topic, names in subscribers)
+
+    def is_refused(self, topic):
+        """Return whether nobody sends on a topic that this subscribes to."""
+        subscriber = self._subscribers.get(topic.lstrip('/'))
+        return subscriber is not None and not is_connected(subscriber)
+
+    def _simulate(self, settings):
+        """Start a simulator, and its time, which then stands still."""
+        if self._simulator:
+            self._simulator.end()
+        path = find_node('sim_turtlebot', 'sim_turtlebot_node.py')[0]
+        self._settings, self._position = settings, None
+        self._simulator = Started([path, '_paused:=true', *(
+            f'_{name}:={str(value).lower()}' for name, value in settings.items())])
+        self.wait_for(self._is_ready, 'the simulator does not start')
+        self._services = {name: rospy.ServiceProxy(f'sim_turtlebot/{name}', Empty, persistent=True)
+                          for name in SERVICES}
+        self.call('unpause_physics')
+        self._await_position(lambda: self._position is not None)
+        self.call('pause_physics')
+
+    def _is_ready(self):
+        self.check()
+        for name in SERVICES:
+            self.master.lookupService(f'/sim_turtlebot/{name}')
+        return (self._placing.get_num_connections() and is_connected(self._subscribers['odom'])
+                and (not self._drives or self._driving.get_num_connections()))
+
+    def _place(self, x, y, yaw):
+        pose = PoseStamped()
+        pose.pose.position.x, pose.pose.position.y = x, y
+        orientation = pose.pose.orientation
+        orientation.x, orientation.y, orientation.z, orientation.w = about_z(math.radians(yaw))
+        self._placing.publish(pose)
+        self._await_position(lambda: math.dist(self._position, (x, y)) < NEAR)
+
+    def _await_position(self, condition):
+        with self._moved:
+            if not self._moved.wait_for(condition, ANSWER_TIMEOUT):
+                raise DemoError('no odometry comes from the simulator')
+
+    def _receive(self, topic, message):
+        if topic == 'odom':
+            with self._moved:
+                self._position = message.pose.pose.position.x, message.pose.pose.position.y
+                self._moved.notify_all()
+        if self.run:
+            self.run.add(topic, message)
+
+    def _read_log(self, message):
+        if self.run and message.name == '/sim_turtlebot':
+            self.run.note_log(message)

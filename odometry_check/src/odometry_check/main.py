@@ -1,0 +1,109 @@
+"""Judge a node, or each of a folder, and report."""
+
+import contextlib
+import os
+import signal
+import socket
+import sys
+import time
+
+import rospkg
+from odometry_common.parameters import StartError
+from odometry_launch.folders import use_writable_logs
+from odometry_launch.output import DemoError, complain, forget_output
+from odometry_launch.ports import HOST, next_port
+from roslib.packages import find_node
+
+from odometry_check.options import command_of, parse
+from odometry_check.scenarios import EXERCISES
+
+PROGRAM = 'check'
+EXIT_FAILED, EXIT_NOT_RUN = 1, 2
+PAGE_PORT = 8080
+PAGE_PATIENCE = 60.0  # s of wall time, for a browser
+
+
+def main():
+    """Exit 0 if all passed, 1 if some failed, 2 if the check could not run."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        status = _run(parse(sys.argv[1:]))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        status = 128 + signal.SIGPIPE
+    except KeyboardInterrupt:
+        status = 128 + signal.SIGINT
+    except (StartError, DemoError, OSError) as error:
+        status = EXIT_NOT_RUN
+        complain(error, PROGRAM)
+    forget_output()
+    sys.exit(status)
+
+
+def _run(options):
+    """Judge what the options name; return the exit status."""
+    from odometry_check import report
+    if options.is_class:
+        from odometry_check.classroom import judge_all
+        rows = judge_all(options)
+    else:
+        verdicts = _judge(options, command_of(options.node))
+        rows = report.rows_of(' '.join(options.node), options.exercise, verdicts)
+    for path, write in (options.csv, report.write_csv), (options.junit, report.write_junit):
+        if path:
+            write(path, rows)
+    return EXIT_FAILED if any(row['verdict'] != report.PASSED for row in rows) else 0
+
+
+def _judge(options, command):
+    """Run a node in its scenarios; print and return the Verdicts."""
+    from odometry_check import report
+    from odometry_check.bench import Bench
+    from odometry_check.judging import PASSED, judge
+    from odometry_check.runner import Runner
+    use_writable_logs()
+    exercise, verdicts = EXERCISES[options.exercise], []
+    print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
+    with Bench(bool(exercise.route)) as bench, _page(options.view, bench):
+        runner = Runner(bench, exercise, command, float(options.view))
+        for scenario in options.scenarios:
+            run = runner.run(scenario)
+            verdict = judge(run, options.exercise, exercise)
+            folder = None if verdict.rule == PASSED else report.keep(run, exercise.target)
+            report.show(verdict, folder)
+            verdicts.append(verdict)
+            if not run.nodes:
+                break  # in no scenario it would start
+    report.show_notes(verdicts)
+    failed = [verdict.scenario for verdict in verdicts if verdict.rule != PASSED]
+    example = (f' See one: ./ws check {options.exercise} {" ".join(options.node)} --scenario {failed[0]} --view'
+               if failed and run.nodes and not options.view else '')
+    print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
+    return verdicts
+
+
+@contextlib.contextmanager
+def _page(is_wanted, bench):
+    """Show the robot on a page while the context lasts, which begins when a browser is there."""
+    if not is_wanted:
+        yield
+        return
+    from odometry_check.processes import Started
+    try:
+        path = find_node('robot_view', 'view.py')[0]
+    except rospkg.ResourceNotFound:
+        raise StartError('--view needs the package robot_view') from None
+    port = next_port(PAGE_PORT)
+    viewer = Started([path, f'_port:={port.number}'])
+    try:
+        bench.wait_for(lambda: socket.create_connection((HOST, port.number)).close() or True,
+                       'the page does not answer')
+        print(f'open http://{HOST}:{port.number}: it begins when the page is there', flush=True)
+        end = time.monotonic() + PAGE_PATIENCE
+        while not bench.has_spectator() and time.monotonic() < end:
+            bench.check()
+            time.sleep(0.1)
+        yield
+    finally:
+        viewer.end()
+        port.close()

@@ -1,0 +1,141 @@
+"""Runs one node in scenarios, unmodified and in a process of its own."""
+
+import contextlib
+import io
+import statistics
+import time
+
+import rosnode
+import rospy
+from roslib.packages import find_node
+
+from odometry_check.bench import COMMANDS, Pace
+from odometry_check.endings import Drive, Route
+from odometry_check.processes import Started
+from odometry_check.run import Run
+
+OURS = {'/sim_turtlebot', '/view', '/check_detector'}
+TWIST_SIZE = 52  # bytes on the wire
+SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
+LOOK_PERIOD = 0.05  # s of wall time, while time stands still
+REGISTRATION_TIMEOUT, QUIET, BUSY = 20.0, 0.3, 2.0  # s of wall time
+HOOK_PATIENCE, INTERRUPT_PATIENCE = 1.0, 5.0  # s of wall time after Ctrl-C
+ARRIVAL = 0.1  # s of wall time, for the last commands of a node that has ended
+NAP_SHARE = 0.25  # s of simulated time that may go by while a node sleeps by wall time
+FASTEST = 5.0  # times real time at which a loop without a sleep copes
+
+
+class Runner:
+    """Runs a node on a Bench."""
+
+    def __init__(self, bench, exercise, command, real_time_factor=0.0):
+        """Take an Exercise, the command (a list) of the node, and a factor for spectators."""
+        self._bench, self._exercise, self._command = bench, exercise, command
+        self.pace = Pace(True, real_time_factor)
+        self._unawaited = None
+
+    def run(self, scenario):
+        """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
+        run = self._run(scenario)
+        if run.unawaited and self.pace.lockstep:
+            naps = [run.walls[i + 1] - run.walls[i] for i in range(len(run.walls) - 1)] or [0.0]
+            fastest = self.pace.real_time_factor or FASTEST
+            factor = NAP_SHARE / max(statistics.median(naps), NAP_SHARE / fastest)
+            self.pace = Pace(False, max(1.0, round(factor, 1)))
+            self._unawaited = run.unawaited
+            run = self._run(scenario)
+        run.unawaited = self._unawaited
+        return run
+
+    def _run(self, scenario):
+        self._bench.prepare(scenario, self.pace)
+        ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
+        self._bench.run = run = Run(scenario, ending.is_over)
+        detector = None
+        if self._exercise.needs_detector:
+            path = find_node('odom_movement_detector', 'odom_movement_detector.py')[0]
+            detector = Started([path, '__name:=check_detector'])
+        node = Started(self._command, lambda status: run.note(status=status))
+        try:
+            if detector:
+                self._bench.wait_for(lambda: '/check_detector' in self._graph(1),
+                                     'the detector does not start')
+            self._await_ready(node, run)
+            if run.nodes:
+                self._begin(run, node)
+            run.finish(output=node.output)
+            self._look_at_graph(run)
+            run.refused = {topic for topic in run.publishes if self._bench.is_refused(topic)}
+        finally:
+            status = run.status  # before Ctrl-C
+            run.ends = node.end() and run.ends
+            if detector:
+                detector.end()
+            self._forget(run.nodes)
+        run.finish(status=status, pace=self.pace)
+        return run
+
+    def _begin(self, run, node):
+        """Let time go on until the run is over; then press Ctrl-C, if the scenario says so."""
+        run.begin = time.monotonic()
+        before = self._bench.received(*COMMANDS)
+        self._bench.call('unpause_physics')
+        with run.changed:
+            while not run.over:
+                run.changed.wait(SIGNAL_PERIOD)
+                self._bench.check()
+        self._bench.call('pause_physics')
+        run.sent = (self._bench.received(*COMMANDS) - before) // TWIST_SIZE
+        if run.scenario.interrupt and not run.unawaited and run.commands and run.commands[-1].moves:
+            self._interrupt(run, node)
+
+    def _interrupt(self, run, node):
+        run.note(interrupted=len(run.commands), over=False)
+        node.interrupt()
+        if not node.wait(HOOK_PATIENCE):  # it may sleep by simulated time before it ends
+            self._bench.call('unpause_physics')
+            run.ends = node.wait(INTERRUPT_PATIENCE)
+            self._bench.call('pause_physics')
+        time.sleep(ARRIVAL)
+
+    def _await_ready(self, node, run):
+        """Return once the node has registered and rests, computes without a rest, or has ended."""
+        begin = changed = time.monotonic()
+        state = registered = None
+        while node.status is None or node.family():
+            self._bench.check()
+            self._look_at_graph(run)
+            now, before = time.monotonic(), state
+            state = node.cpu_time(), len(run.nodes), len(run.publishes), len(run.subscribes)
+            if state != before:
+                changed = now
+            if run.nodes and registered is None:
+                registered = now
+            if registered and (now - changed > QUIET or now - registered > BUSY) or (
+                    now - begin > REGISTRATION_TIMEOUT):
+                return
+            time.sleep(LOOK_PERIOD)
+
+    def _graph(self, kind=None):
+        """Return publishers, subscribers and services as the master has them, or the nodes of one kind."""
+        state = self._bench.master.getSystemState()
+        return state if kind is None else {name for _, names in state[kind] for name in names}
+
+    def _look_at_graph(self, run):
+        """Add what the node has announced to the Run."""
+        others = OURS | {rospy.get_name()}
+        publishers, subscribers, services = self._graph()
+        for topics, found in (publishers, run.publishes), (subscribers, run.subscribes), (services, set()):
+            for topic, names in topics:
+                if {*names} - others:
+                    found.add(topic)
+                    run.nodes |= {*names} - others
+        run.types.update(self._bench.master.getTopicTypes())
+        run.published |= {topic for topic, names in publishers if names}
+
+    def _forget(self, names):
+        """Have the master forget nodes that were killed."""
+        left = names & set().union(*map(self._graph, range(3)))
+        if left:
+            with contextlib.redirect_stdout(io.StringIO()):
+                rosnode.cleanup_master_blacklist(self._bench.master, sorted(left))

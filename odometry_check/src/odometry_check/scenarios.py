@@ -1,0 +1,55 @@
+"""The exercises, and the scenarios in which a node is judged."""
+
+from typing import NamedTuple
+
+GOAL = 2.0  # m
+TARGET = 90.0  # degrees
+PERIOD = 0.05  # s between two odometry messages, where a scenario has no other
+
+
+class Scenario(NamedTuple):
+    """What the robot and its surroundings are like."""
+
+    name: str
+    yaw: float = 0.0  # degrees, of the robot at the start
+    place: tuple = (0.0, 0.0)  # of the robot at the start: x, y (m)
+    odom_rate: float = 1 / PERIOD  # Hz
+    speed_ratio: float = 1.0  # share of the commanded speed that the base reaches
+    interrupt: bool = False  # whether to press Ctrl-C in mid-drive
+
+
+class Leg(NamedTuple):
+    """A part of the route that the check drives for a detector."""
+
+    name: str
+    linear: float  # m/s
+    angular: float  # rad/s
+    duration: float  # s, and one more at rest
+
+
+class Exercise(NamedTuple):
+    """What a learner's node is to do."""
+
+    task: str
+    scenarios: tuple
+    needs_detector: bool = False
+    route: tuple = ()
+    target: float = None  # degrees
+
+
+ROUTE = (Leg('out', 0.5, 0.0, 4.0), Leg('back', -0.5, 0.0, 4.0), Leg('on the circle', 0.5, 0.7854, 8.0),
+         Leg('spinning', 0.0, 1.5708, 4.0), Leg('standing', 0.0, 0.0, 2.0))
+PLAIN, INTERRUPT = Scenario('plain'), Scenario('interrupt', interrupt=True)
+SLOW_ODOMETRY = Scenario('odom_5hz', odom_rate=5.0)
+# Oblique, so that no axis alone has the distance.
+OBLIQUE = Scenario('moved_start', 50.0, (3.0, 1.0))
+EXERCISES = {
+    'moved_distance': Exercise('publishes the distance moved', (
+        Scenario('route'), OBLIQUE, SLOW_ODOMETRY), route=ROUTE),
+    'two_meters': Exercise('drives two metres and stops', (
+        PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, Scenario('slow_base', speed_ratio=0.7)),
+        needs_detector=True),
+    # The shorter way from there leads over 180 degrees.
+    'heading': Exercise('turns to 90 degrees', (
+        PLAIN, Scenario('moved_start', TARGET + 100, (3.0, 1.0)), INTERRUPT, SLOW_ODOMETRY),
+        target=TARGET)}
