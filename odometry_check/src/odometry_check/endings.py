@@ -22,7 +22,7 @@ class Drive:
     def __init__(self, target=None):
         """Take a heading to turn to (degrees), or None."""
         self._target = target
-        self._gone = self._turned = 0.0  # m, rad
+        self._gone = 0.0  # m
         self._active = self._arrived = None  # s
 
     def is_over(self, run):
@@ -31,8 +31,8 @@ class Drive:
             return run.now > PATIENCE and (run.status is not None or run.wall_time() > WALL_PATIENCE)
         pose, before = run.odometry[-1], run.odometry[-2 if len(run.odometry) > 1 else -1]
         self._gone += math.hypot(pose.x - before.x, pose.y - before.y)
-        self._turned += abs(pose.yaw - before.yaw)
-        if run.scenario.interrupt and max(self._gone, self._turned) > INTERRUPT_AFTER:
+        turned = abs(pose.yaw - run.odometry[0].yaw)
+        if run.scenario.interrupt and max(self._gone, turned) > INTERRUPT_AFTER:
             return True
         if max(abs(pose.linear), abs(pose.angular)) > REST or run.commands[-1].moves and (
                 pose.time - run.commands[-1].time < REST_TIME):
@@ -43,7 +43,7 @@ class Drive:
         return (pose.time - max(self._active or 0.0, run.first_move) > REST_TIME
                 or self._arrived is not None and pose.time - self._arrived > TARGET_TIME
                 or pose.time - run.first_move > LIMIT
-                or self._gone > FARTHEST or self._target is not None and self._turned > MOST_TURNS)
+                or self._gone > FARTHEST or self._target is not None and turned > MOST_TURNS)
 
 
 class Route:

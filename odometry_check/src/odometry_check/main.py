@@ -70,7 +70,7 @@ def _judge(options, command):
             run = runner.run(scenario)
             verdict = judge(run, options.exercise, exercise)
             folder = None if verdict.rule == PASSED else report.keep(run, exercise.target)
-            report.show(verdict, folder)
+            report.show(verdict, folder, verdicts)
             verdicts.append(verdict)
             if not run.nodes:
                 break  # in no scenario it would start

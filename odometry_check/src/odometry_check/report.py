@@ -17,10 +17,11 @@ WIDTH = 100
 COLUMNS = 'submission', 'exercise', 'scenario', 'verdict', 'rule', 'sentence', 'notes'
 
 
-def show(verdict, folder=None):
-    """Print a Verdict, and where its recording is."""
+def show(verdict, folder, earlier):
+    """Print a Verdict, after earlier ones, and where its recording is, if there is one."""
     begin = f'  {verdict.scenario:<12} {verdict.word:<8} '
-    print(_filled(begin, verdict.sentence))
+    same = [other.scenario for other in earlier if folder and other.sentence == verdict.sentence]
+    print(_filled(begin, f'as in {same[0]}' if same else verdict.sentence))
     if folder:
         print(f'{"":{len(begin)}}{os.path.relpath(folder)}', flush=True)
 

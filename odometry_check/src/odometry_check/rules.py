@@ -22,13 +22,11 @@ START = (
          'rospy.get_param("~name", 90)'),
     Rule('syntax', lambda m: not m.run.nodes and (m.error or '').startswith(('SyntaxError', 'Indent', 'TabError')),
          'your node did not start: {error}, line {line}. Python 3 needs print(...), and plain ASCII operators'),
-    Rule('no_start', lambda m: not m.run.nodes and m.ended,
-         'your node ended before it registered, with status {status}: {why}'),
-    Rule('unregistered', lambda m: not m.run.nodes,
+    Rule('unregistered', lambda m: not m.run.nodes and not m.ended,
          'your process registered no node within 20 s: something before rospy.init_node waits, perhaps for the '
          'keyboard'),
     Rule('crash', lambda m: m.ended and m.status != 0,
-         'your node crashed{at}, with status {status}: {why}'),
+         'your node ended{at} with status {status}: {why}'),
     Rule('callback', lambda m: m.bad_callback,
          'your callback failed, and the node went on without it: {error}, line {line}'),
     Rule('type', lambda m: m.type and m.type != m.wanted,
@@ -105,31 +103,32 @@ HEADING = (
     Rule('window', lambda m: m.name == 'odom_5hz' and m.turned > m.shortest + 180 and m.is_constant and m.flips < 5,
          'with odometry at 5 Hz you turned {turned:.0f} degrees for {shortest:.0f}: steps of {turn_step:.1f} degrees '
          'jump over your window. Slow down near the goal: kp * error'),
-    Rule('sign', lambda m: m.first * m.error_at_start < 0 and m.name == 'plain' and not (m.settled and m.near),
+    Rule('degrees', lambda m: abs(m.net) > 540 and m.typical > 3.1,
+         'you commanded {typical:.2f} rad/s and turned {turned:.0f} degrees for {shortest:.0f}: yaw is in radians, and '
+         'your target looks like degrees. Use math.radians'),
+    Rule('equality', lambda m: abs(m.net) > 540 and m.is_constant,
+         'you turned {turned:.0f} degrees for {shortest:.0f} at {typical:.2f} rad/s: your test for the goal never '
+         'holds. Is it for equality, or does your loop read a value that it copied once?'),
+    Rule('quaternion', lambda m: abs(m.net) > 540,
+         'you turned {turned:.0f} degrees for {shortest:.0f}, with {least:.2f} to {top_turn:.2f} rad/s: your error never '
+         'reached zero. orientation.z is sin(yaw/2), no angle (use euler_from_quaternion), or the error is not wrapped'),
+    Rule('sign', lambda m: m.first * m.error_at_start < 0 and not (m.settled and m.near),
          'for {error_at_start:+.0f} degrees your first command was {first:.2f} rad/s, away from the goal. ROS turns '
          'left for positive: error = target - yaw'),
     Rule('chatter', lambda m: m.rings and m.is_constant and m.near,
          'at the goal your command flipped {flips} times between {typical:.2f} and -{typical:.2f} rad/s, where a zero '
          'should end it. Make it proportional: kp * error'),
-    Rule('gain_high', lambda m: m.rings,
-         'your command changed its sign {flips} times and was as large as {top_turn:.2f} rad/s: the gain is too high, '
-         'or an angle in degrees is taken for radians. Lower kp towards 0.5'),
-    Rule('degrees', lambda m: m.turned > 540 and m.typical > 3.1,
-         'you commanded {typical:.2f} rad/s and turned {turned:.0f} degrees for {shortest:.0f}: yaw is in radians, and '
-         'your target looks like degrees. Use math.radians'),
-    Rule('equality', lambda m: m.turned > 540 and m.is_constant,
-         'you turned {turned:.0f} degrees for {shortest:.0f} at {typical:.2f} rad/s: your test for the goal never '
-         'holds. Is it for equality, or does your loop read a value that it copied once?'),
-    Rule('quaternion', lambda m: m.turned > 540,
-         'you turned {turned:.0f} degrees for {shortest:.0f}, with {least:.2f} to {top_turn:.2f} rad/s: your error never '
-         'reached zero. orientation.z is sin(yaw/2), no angle (use euler_from_quaternion), or the error is not wrapped'),
+    Rule('gain_high', lambda m: m.rings or m.turned - abs(m.net) > 60,
+         'you turned {turned:.0f} degrees for {shortest:.0f}, your command changed its sign {flips} times and was as '
+         'large as {top_turn:.2f} rad/s: the gain is too high, or an angle in degrees is taken for radians. Lower kp '
+         'towards 0.5'),
     Rule('wrap', lambda m: m.long_way and m.near,
          'you turned {turned:.1f} degrees where {shortest:.1f} the other way were enough: the error target - yaw has to be '
          'wrapped, for example atan2(sin(e), cos(e)); or your yaw is of half a circle only, as from asin'),
     Rule('jump', lambda m: m.name == 'moved_start' and m.settled and abs(abs(m.yaw) - 180) < 6,
          'from {start:.0f} degrees you stopped at {yaw:.1f} after {turned:.0f}: there yaw jumps from -180 to 180, and a '
          'difference becomes 350. Wrap it'),
-    Rule('turns_by', lambda m: m.name == 'moved_start' and m.settled and abs(abs(m.net) - 90) < 8,
+    Rule('turns_by', lambda m: m.name == 'moved_start' and m.settled and not m.near and abs(m.net - 90) < 8,
          'from {start:.0f} degrees you ended at {yaw:.1f}: you turned by {net:.0f}, or for a time. The exercise asks '
          'for heading 90 in the odom frame'),
     Rule('gain_low', lambda m: not m.settled or m.moves_at_end,
