@@ -2,43 +2,43 @@
 
 import numpy
 
-FITS = 2e-3, 1e-3  # m, share of the distance
-TOLERANCE = 0.05, 0.01  # the same, of a detector that is right; it may leave out small steps
+# m, and share of the distance, between what was counted and
+FITS = 2e-3, 1e-3  # what fits
+ROUGH = 0.03, 0.02  # what fits by speed, which odometry gives for the moment only
+BEFORE = 0.4  # s before the end of a leg, when the robot stands, and who answers has answered
+TOLERANCE = 0.05, 0.01  # what is right; a detector may leave out small steps
 
 
 def measure_detector(m, run):
     """Note what the detector counted on each leg, and which mistake fits."""
-    m.passed, m.fits, m.factor, m.at = False, None, 0.0, ''
     if not (run.legs and run.moved):
         return
     time, x, y, _, speed, _ = numpy.array(run.odometry).T
-    ends = [run.legs[0][1], *(end for *_, end in run.legs)]
-    moments = [max(0, numpy.searchsorted(time, end + 1e-6) - 1) for end in ends]
     heard, published = numpy.array(run.moved).T
-    m.counted = published[[max(0, numpy.searchsorted(heard, end + 1e-6) - 1) for end in ends]]
-    sums = {name: numpy.concatenate([[0.0], numpy.cumsum(steps)])[moments] for name, steps in _steps(
-        x, y, speed[1:], numpy.diff(time)).items()}
-    sums['displacement'] = numpy.hypot(x - x[0], y - y[0])[moments]
-    sums['origin'] = numpy.hypot(x, y)[moments]
-    m.expected = sums.pop('right')
-    sums['first_step'] = m.expected + numpy.hypot(x[0], y[0])
-    m.offset, m.total, m.right = m.counted[0], m.counted[-1], m.expected[-1]
-    m.passed = _agree(m.counted, m.expected, *TOLERANCE)
-    m.fits = next((name for name, values in sums.items() if _agree(m.counted, values, *FITS)), None)
-    for name in () if m.fits else ('signed_speed', 'speed', 'total'):
-        values = {'total': m.expected}.get(name, sums.get(name))
-        m.factor = m.counted @ values / (values @ values or 1.0)
-        if m.factor and _agree(m.counted, m.factor * values, 0.01, 0.01):
+    ends = [run.legs[0][1], *(end for *_, end in run.legs)]
+    at, heard_at = (numpy.maximum(0, numpy.searchsorted(times, numpy.subtract(ends, BEFORE)) - 1)
+                    for times in (time, heard))
+    sums = {name: numpy.append(0.0, numpy.cumsum(steps))[at]
+            for name, steps in _steps(x, y, speed[1:], numpy.diff(time)).items()}
+    right, counted = sums.pop('right'), published[heard_at]
+    scaled = {'total': (right, FITS), 'signed_speed': (sums.pop('signed_speed'), ROUGH),
+              'speed': (sums.pop('speed'), ROUGH)}
+    sums.update(displacement=numpy.hypot(x - x[0], y - y[0])[at], origin=numpy.hypot(x, y)[at],
+                first_step=right + numpy.hypot(x[0], y[0]))
+    m.passed = _agree(counted, right, *TOLERANCE)
+    m.fits = next((name for name, values in sums.items() if _agree(counted, values, *FITS)), None)
+    for name, (values, bound) in () if m.fits else scaled.items():
+        m.factor = counted @ values / (values @ values or 1.0)
+        if _agree(counted, m.factor * values, *bound):
             m.fits = f'times_{name}'
             break
-    worst = int(numpy.argmax(abs(numpy.diff(m.counted) - numpy.diff(m.expected)))) if not m.passed else 0
-    m.leg = run.legs[worst][0]
-    m.leg_counted, m.leg_right = numpy.diff(m.counted)[worst], numpy.diff(m.expected)[worst]
-    m.back, m.right_back = numpy.diff(m.counted)[1], numpy.diff(m.expected)[1]
-    m.counted_back, m.out_and_back = m.counted[2], m.expected[2]
+    m.offset, m.total, m.right, m.largest = counted[0], counted[-1], right[-1], published.max()
+    by_leg, right_by_leg = numpy.diff(counted), numpy.diff(right)
+    worst = int(numpy.argmax(abs(by_leg - right_by_leg)))
+    m.leg, m.leg_counted, m.leg_right = run.legs[worst][0], by_leg[worst], right_by_leg[worst]
+    m.back, m.right_back, m.counted_back, m.out_and_back = by_leg[1], right_by_leg[1], counted[2], right[2]
     m.true_dt = float(numpy.median(numpy.diff(time)))
-    m.dt = m.factor * m.true_dt
-    m.largest = published.max()
+    m.dt = getattr(m, 'factor', 0.0) * m.true_dt
 
 
 def _agree(counted, expected, metres, share):

@@ -58,12 +58,12 @@ class Route:
         if self._start is None:
             if not run.moved and (run.now < PATIENCE or run.wall_time() < WALL_PATIENCE):
                 return False
-            self._start, begin = run.now, run.now
+            self._start, begin = run.now, run.now + LEG_REST
             for leg in ROUTE:
                 run.legs.append((leg.name, begin, begin := begin + leg.duration + LEG_REST))
         for leg, (_, begin, end) in zip(ROUTE, run.legs):
             if run.now < end - 1e-6:
-                is_driven = run.now < begin + leg.duration - 1e-6
+                is_driven = begin - 1e-6 < run.now < begin + leg.duration - 1e-6
                 self._drive(*(leg.linear, leg.angular) if is_driven else (0.0, 0.0))
                 return False
         return True

@@ -1,18 +1,18 @@
 """The verdict on a Run: the first rule that holds, and its sentence with the numbers."""
 
+from pathlib import Path
 from typing import NamedTuple
+
+import rospkg
+import yaml
 
 from odometry_check import rules
 from odometry_check.measures import measure
 
-RULES = {'moved_distance': (*rules.START, *rules.DETECTOR),
-         'two_meters': (*rules.START, *rules.DRIVE, *rules.DISTANCE),
-         'heading': (*rules.START, *rules.DRIVE, *rules.HEADING)}
-PRAISE = {'moved_distance': 'counted {total:.2f} of {right:.2f} m',
-          'two_meters': 'at {gone:.2f} m after {driven:.1f} s',
-          'heading': 'at {yaw:.2f} degrees after {arrival:.1f} s'}
-STOPPED = 'stopped the robot after Ctrl-C'
 PASSED = 'passed'
+WORDS = {PASSED: PASSED, 'displacement': 'DIFFERS'}  # what stands beside the scenario; of others FAILED
+GROUPS = {'moved_distance': ('start', 'detector'), 'two_meters': ('start', 'drive', 'distance'),
+          'heading': ('start', 'drive', 'heading')}
 
 
 class Verdict(NamedTuple):
@@ -26,16 +26,31 @@ class Verdict(NamedTuple):
     @property
     def word(self):
         """What stands beside the scenario."""
-        return self.rule if self.rule in (PASSED, 'displacement') else 'FAILED'
+        return WORDS.get(self.rule, 'FAILED')
 
 
-def judge(run, name, exercise):
-    """Return the Verdict on a Run of an Exercise, which has a name."""
-    m = measure(run, exercise)
-    notes = {rule.name: rule.sentence.format(**vars(m))
-             for rule in (*rules.NOTES, *(rules.DRIVE_NOTES if run.odometry and not exercise.route else ())) if rule.holds(m)}
-    if m.passed:
-        praise = PRAISE[name] if run.interrupted is None else STOPPED
-        return Verdict(run.scenario.name, PASSED, praise.format(**vars(m)), notes)
-    rule = next(rule for rule in RULES[name] if rule.holds(m))
-    return Verdict(run.scenario.name, rule.name, rule.sentence.format(**vars(m)), notes)
+class Judge:
+    """Knows the sentences."""
+
+    def __init__(self, name, exercise):
+        """Judge an Exercise, which has a name."""
+        self._name, self._exercise = name, exercise
+        path = Path(rospkg.RosPack().get_path('odometry_check'), 'sentences.yaml')
+        self._sentences = yaml.safe_load(path.read_text(encoding='utf-8'))
+
+    def judge(self, run):
+        """Return the Verdict on a Run."""
+        m = measure(run, self._exercise)
+        is_drive = run.odometry and not self._exercise.route
+        notes = dict(self._held(m, 'notes', *(['drive_notes'] if is_drive else [])))
+        if m.passed:
+            praise = self._sentences['praise'][self._name if run.interrupted is None else 'interrupt']
+            return Verdict(m.name, PASSED, praise.format(**vars(m)), notes)
+        return Verdict(m.name, *next(self._held(m, *GROUPS[self._name])), notes)
+
+    def _held(self, m, *groups):
+        """Yield names and sentences of the rules that hold."""
+        for group in groups:
+            for name, holds in getattr(rules, group.upper()).items():
+                if holds(m):
+                    yield name, self._sentences[group][name].format(**vars(m))

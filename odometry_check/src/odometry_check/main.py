@@ -59,16 +59,16 @@ def _judge(options, command):
     """Run a node in its scenarios; print and return the Verdicts."""
     from odometry_check import report
     from odometry_check.bench import Bench
-    from odometry_check.judging import PASSED, judge
+    from odometry_check.judging import PASSED, Judge
     from odometry_check.runner import Runner
     use_writable_logs()
     exercise, verdicts = EXERCISES[options.exercise], []
     print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
     with Bench(bool(exercise.route)) as bench, _page(options.view, bench):
-        runner = Runner(bench, exercise, command, float(options.view))
+        judge, runner = Judge(options.exercise, exercise), Runner(bench, exercise, command, float(options.view))
         for scenario in options.scenarios:
             run = runner.run(scenario)
-            verdict = judge(run, options.exercise, exercise)
+            verdict = judge.judge(run)
             folder = None if verdict.rule == PASSED else report.keep(run, exercise.target)
             report.show(verdict, folder, verdicts)
             verdicts.append(verdict)

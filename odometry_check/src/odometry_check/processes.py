@@ -12,8 +12,8 @@ import psutil
 
 MARK = 'ODOMETRY_CHECK'  # in the environment of a process and its descendants, wherever they hide
 # How a process is asked to end, and how long it then may take (s of wall time).
-ASKING = (signal.SIGINT, 1.5), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
-LOOK_PERIOD = 0.02  # s
+ASKING = (signal.SIGINT, 6.0), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
+LOOK_PERIOD = 0.1  # s
 
 
 class Started:
@@ -25,11 +25,12 @@ class Started:
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=self._output, stderr=subprocess.STDOUT,
             start_new_session=True, env={**os.environ, MARK: self._mark, 'PYTHONUNBUFFERED': '1'})
-        self.status = None  # its exit status, once it has ended
+        self.status, self._ended = None, threading.Event()  # its exit status, once it has ended
         threading.Thread(target=self._wait, args=[on_end], daemon=True).start()
 
     def _wait(self, on_end):
         self.status = self._process.wait()
+        self._ended.set()
         on_end(self.status)
 
     @property
@@ -45,14 +46,11 @@ class Started:
                 and process.info['status'] != psutil.STATUS_ZOMBIE]
 
     def cpu_time(self):
-        """Return the processor time (s) of all of them."""
-        total = 0.0
-        for process in self.family():
-            try:
-                total += sum(process.cpu_times()[:2])
-            except psutil.NoSuchProcess:
-                continue
-        return total
+        """Return the processor time (s) of this process; None if it has ended."""
+        try:
+            return sum(psutil.Process(self._process.pid).cpu_times()[:2])
+        except psutil.NoSuchProcess:
+            return None
 
     def interrupt(self):
         """Press Ctrl-C."""
@@ -62,13 +60,19 @@ class Started:
     def wait(self, timeout):
         """Return whether all of them have ended within `timeout` s of wall time."""
         end = time.monotonic() + timeout
-        while (self.status is None or self.family()) and time.monotonic() < end:
+        self._ended.wait(timeout)
+        while is_there := self.status is None or bool(self.family()):
+            if time.monotonic() > end:
+                break
             time.sleep(LOOK_PERIOD)
-        return self.status is not None and not self.family()
+        return not is_there
 
-    def end(self):
-        """End all of them, by force if need be; return whether Ctrl-C was enough."""
-        for signum, patience in ASKING:
+    def end(self, is_stubborn=False):
+        """End all of them, by force if need be; return whether Ctrl-C was enough.
+
+        :param is_stubborn: whether Ctrl-C is known not to end them
+        """
+        for signum, patience in ASKING[is_stubborn:]:
             self.interrupt() if signum == signal.SIGINT else self._send(signum)
             if self.wait(patience):
                 return signum == signal.SIGINT

@@ -19,7 +19,7 @@ TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 LOOK_PERIOD = 0.05  # s of wall time, while time stands still
 REGISTRATION_TIMEOUT, QUIET, BUSY = 20.0, 0.3, 2.0  # s of wall time
-HOOK_PATIENCE, INTERRUPT_PATIENCE = 1.0, 5.0  # s of wall time after Ctrl-C
+HOOK_PATIENCE, INTERRUPT_PATIENCE = 1.0, 6.0  # s of wall time after Ctrl-C
 ARRIVAL = 0.1  # s of wall time, for the last commands of a node that has ended
 NAP_SHARE = 0.25  # s of simulated time that may go by while a node sleeps by wall time
 FASTEST = 5.0  # times real time at which a loop without a sleep copes
@@ -33,6 +33,7 @@ class Runner:
         self._bench, self._exercise, self._command = bench, exercise, command
         self.pace = Pace(True, real_time_factor)
         self._unawaited = None
+        self._is_stubborn = False
 
     def run(self, scenario):
         """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
@@ -68,7 +69,8 @@ class Runner:
             run.refused = {topic for topic in run.publishes if self._bench.is_refused(topic)}
         finally:
             status = run.status  # before Ctrl-C
-            run.ends = node.end() and run.ends
+            run.ends = node.end(self._is_stubborn) and run.ends
+            self._is_stubborn = not run.ends
             if detector:
                 detector.end()
             self._forget(run.nodes)
@@ -102,7 +104,7 @@ class Runner:
         """Return once the node has registered and rests, computes without a rest, or has ended."""
         begin = changed = time.monotonic()
         state = registered = None
-        while node.status is None or node.family():
+        while node.status is None or run.nodes and node.family():
             self._bench.check()
             self._look_at_graph(run)
             now, before = time.monotonic(), state

@@ -37,7 +37,7 @@ class Exercise(NamedTuple):
     target: float = None  # degrees
 
 
-ROUTE = (Leg('out', 0.5, 0.0, 4.0), Leg('back', -0.5, 0.0, 4.0), Leg('on the circle', 0.5, 0.7854, 8.0),
+ROUTE = (Leg('out', 0.5, 0.0, 4.0), Leg('back', -0.5, 0.0, 4.0), Leg('on the circle', 0.2, 0.6283, 10.0),
          Leg('spinning', 0.0, 1.5708, 4.0), Leg('standing', 0.0, 0.0, 2.0))
 PLAIN, INTERRUPT = Scenario('plain'), Scenario('interrupt', interrupt=True)
 SLOW_ODOMETRY = Scenario('odom_5hz', odom_rate=5.0)

@@ -17,7 +17,8 @@ class D:
         return d
 
     def cb(self, m):
-        self.sum += self.step(m.pose.pose.position)
+        d = self.step(m.pose.pose.position)
+        self.sum = self.sum + d
         self.p = m.pose.pose.position
         self.pub.publish(self.sum)
 
