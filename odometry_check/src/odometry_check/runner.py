@@ -104,7 +104,7 @@ class Runner:
         """Return once the node has registered and rests, computes without a rest, or has ended."""
         begin = changed = time.monotonic()
         state = registered = None
-        while node.status is None or run.nodes and node.family():
+        while node.status is None or node.family():
             self._bench.check()
             self._look_at_graph(run)
             now, before = time.monotonic(), state
