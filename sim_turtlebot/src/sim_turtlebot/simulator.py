@@ -26,7 +26,7 @@ from sim_turtlebot.simulation_topics import SimulationTopics
 SHORTEST_SLEEP = 0.001  # s; shorter sleeps take longer than asked
 TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 MOST_ROUNDS = 10  # of answers to callers that ask again at once, in one moment of lockstep
-LOOK_PERIOD = 0.1  # s of wall time between two checks whether the graph has settled
+GRAPH_PERIOD = 0.1  # s of wall time between two checks whether the graph is stable
 
 
 def simulate():
@@ -89,13 +89,13 @@ class Simulator:
             lead = self._pacer.lead(self._timeline.now)
             is_early = lead > SHORTEST_SLEEP
             if self._requests.wait(min(lead, LONGEST_WAIT) if is_early else 0.0):
-                self._settle_and_serve()
+                self._wait_and_serve()
             if not is_early:
                 self._advance()
 
-    def _settle_and_serve(self):
+    def _wait_and_serve(self):
         if self._lockstep:
-            self._lockstep.notice(self._requests.nodes, self._timeline.now / 1e9, unasked=True)
+            self._lockstep.check_senders(self._requests.nodes, self._timeline.now / 1e9, unprompted=True)
             self._lockstep.wait()
         self._serve()
 
@@ -108,9 +108,9 @@ class Simulator:
                 self._lockstep.wait()
 
     def _begin(self):
-        """Publish time zero; in lockstep, once the graph has settled."""
-        if self._lockstep and not self._lockstep.has_settled():
-            if self._requests.wait(LOOK_PERIOD):
+        """Publish time zero; in lockstep, once the graph is stable."""
+        if self._lockstep and not self._lockstep.is_graph_stable():
+            if self._requests.wait(GRAPH_PERIOD):
                 self._requests.serve_all()
             return
         self._begun = self._inputs.obeys = True
@@ -124,18 +124,18 @@ class Simulator:
         # Paced by the wall clock, obey commands at the next step.
         is_paced = self._settings.real_time_factor and not self._lockstep
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
-        unasked = self._requests.nodes
+        unprompted = self._requests.nodes
         self._publish(new_odometry)
         if self._lockstep:
             now = self._timeline.now / 1e9
-            self._lockstep.notice(unasked, now, unasked=True)
-            self._lockstep.notice(self._requests.nodes - unasked, now, unasked=False)
+            self._lockstep.check_senders(unprompted, now, unprompted=True)
+            self._lockstep.check_senders(self._requests.nodes - unprompted, now, unprompted=False)
             self._serve()
         if new_odometry and self._settings.gui:
             self._update_window()
 
     def _publish(self, new_odometry=True):
-        """Publish what is due; in lockstep, wait after each until all nodes rest.
+        """Publish what is due; in lockstep, wait after each until all nodes are idle.
 
         Lockstep publishes the odometry first, so that a loop that the clock wakes has received it.
         """
