@@ -3,6 +3,7 @@
 import contextlib
 import socket
 import sys
+import threading
 import time
 
 import rospy
@@ -41,8 +42,10 @@ def follow(options, launch, page_port):
     print(f'{summary}\ntime            {monitor.now:.1f} s simulated, {wall_time:.1f} s real',
           flush=True)
     bag = recording and recording.close()
+    # Meanwhile rospy ends, and without the page the nodes do: each waits for threads of its own.
+    threading.Thread(target=rospy.signal_shutdown, args=['the run is over'], daemon=True).start()
     if not page_port:
-        launch.terminate()  # the nodes end while this draws the picture
+        launch.terminate()
     if bag:
         targets = ({'distance_target': options.distance} if options.tutorial == 'move'
                    else {'heading_target': options.target})

@@ -14,7 +14,6 @@ from odometry_common.parameters import ParameterError
 
 from sim_turtlebot.falls import Falls
 from sim_turtlebot.inputs import Inputs
-from sim_turtlebot.lockstep.lockstep import Lockstep
 from sim_turtlebot.pacing import Pacer, describe_pace
 from sim_turtlebot.physics.window import NoScreenError
 from sim_turtlebot.physics.world_file import WorldFileError
@@ -46,8 +45,7 @@ class Simulator:
 
     def __init__(self, simulation, settings):
         """Advertise; time starts with run()."""
-        self._settings = settings
-        self._simulation = simulation
+        self._settings, self._simulation = settings, simulation
         self._timeline = simulation.timeline
         self._pacer = Pacer(settings.real_time_factor, self._report_pace)
         self._paused = settings.paused
@@ -55,9 +53,14 @@ class Simulator:
         self._stopping = False
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
-        self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate) if settings.lockstep else None
-        self._namespaces = [''] if settings.robots == 1 else [
-            f'robot_{number}/' for number in range(1, settings.robots + 1)]
+        self._lockstep = None
+        if settings.lockstep:
+            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep  # a tenth of all imports
+            self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate)
+            # Whoever unpauses a simulation knows that all nodes are there.
+            self._stable_time = 0.0 if settings.paused else STABLE_TIME
+        numbers = range(1, settings.robots + 1)
+        self._namespaces = [f'robot_{number}/' for number in numbers] if settings.robots > 1 else ['']
         self._topics = SimulationTopics(simulation, settings, self._namespaces)
         self._falls = Falls(simulation.robots)
         self._inputs = Inputs(simulation, self._namespaces, self._requests, self._topics.warn)
@@ -68,11 +71,10 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
-        ends = dict.fromkeys([self._namespaces[0], self._namespaces[-1]])
-        odometry, commands = (' to '.join(rospy.resolve_name(namespace + topic) for namespace in ends)
+        namespaces = dict.fromkeys([self._namespaces[0], self._namespaces[-1]])
+        odometry, commands = (' to '.join(rospy.resolve_name(namespace + topic) for namespace in namespaces)
                               for topic in ('odom', 'cmd_vel'))
-        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, '
-                      f'listening on {commands}')
+        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
 
@@ -109,7 +111,7 @@ class Simulator:
 
     def _begin(self):
         """Publish time zero; in lockstep, once the graph is stable."""
-        if self._lockstep and not self._lockstep.is_graph_stable():
+        if self._lockstep and not self._lockstep.is_graph_stable(self._stable_time):
             if self._requests.wait(GRAPH_PERIOD):
                 self._requests.serve_all()
             return
@@ -151,10 +153,8 @@ class Simulator:
         self._topics.publish_robots()
         self._report_timeouts()
         for name, warning in self._falls.look():
-            if warning:
-                rospy.logwarn(warning)
-            else:
-                rospy.loginfo(f'{name} stands upright again')
+            log = rospy.logwarn if warning else rospy.loginfo
+            log(warning or f'{name} stands upright again')
             self._topics.warn(name, warning)
 
     def _report_timeouts(self):

@@ -2,7 +2,6 @@
 
 import contextlib
 import os
-from pathlib import Path
 
 import psutil
 import rosgraph
@@ -11,6 +10,7 @@ from rosgraph.names import ns_join
 
 from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL
 from sim_turtlebot.lockstep.listeners import pids_at
+from sim_turtlebot.lockstep.threads import MAX_LINE
 
 PUBLISHERS = 0  # their place in the master's state
 MAX_GENERATIONS = 10  # of children, in one wait: other programs may start some all the time
@@ -36,7 +36,8 @@ class GraphProcesses:
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
         self._state = [], [], []  # of the master at the last call: publishers, subscribers, services
-        self._newest = _newest_pid()
+        self._loadavg = os.open('/proc/loadavg', os.O_RDONLY)
+        self._newest = self._newest_pid()
         self._children = {}  # id of the parent, by id
         self._master_usage = None  # of its threads, at the last call
         self._find({MASTER: self._master_uri})
@@ -79,7 +80,7 @@ class GraphProcesses:
     def _await_children(self):
         """Add the processes that nodes have started to work for them, and wait until they are idle."""
         for _ in range(MAX_GENERATIONS):
-            before, self._newest = self._newest, _newest_pid()
+            before, self._newest = self._newest, self._newest_pid()
             if self._newest == before:
                 return
             self._remove_independent()
@@ -87,6 +88,10 @@ class GraphProcesses:
                 with contextlib.suppress(psutil.NoSuchProcess):
                     self._add_child(self._waiter.processes.get(psutil.Process(pid).ppid()), pid)
             self._waiter.wait()
+
+    def _newest_pid(self):
+        """Return the id of the process or thread that this machine started last."""
+        return int(os.pread(self._loadavg, MAX_LINE, 0).split()[-1])
 
     def _master_has_worked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
@@ -171,11 +176,6 @@ def _are_one_group(*pids):
         return len({os.getpgid(pid) for pid in pids}) == 1
     except ProcessLookupError:
         return False
-
-
-def _newest_pid():
-    """Return the id of the process or thread that this machine started last."""
-    return int(Path('/proc/loadavg').read_text(encoding='ascii').split()[-1])
 
 
 def _names(*states):

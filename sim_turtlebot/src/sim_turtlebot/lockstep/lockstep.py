@@ -65,8 +65,8 @@ class Lockstep:
         """Stop waiting."""
         self._waiter.close()
 
-    def is_graph_stable(self):
-        """Refresh the nodes; return whether all are idle, and none has come or gone for a moment.
+    def is_graph_stable(self, stable_time=STABLE_TIME):
+        """Refresh the nodes; return whether all are idle, and none has come or gone for so long (s).
 
         Time does not begin for this node and rosout alone.
         """
@@ -75,7 +75,7 @@ class Lockstep:
         now, known = time.monotonic(), self._graph.names | self._waiter.processes.keys()
         if known != self._known or not self._graph.names - {rospy.get_name()}:
             self._known, self._changed = known, now
-        return now - self._changed > STABLE_TIME
+        return now - self._changed > stable_time
 
     def check_senders(self, names, now, unprompted):
         """Name the nodes that send messages by wall time.

@@ -7,7 +7,7 @@ import time
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
 SLEEPING, STOPPED, ENDED = b'S', b'tT', b'ZX'  # states in /proc/PID/task/TID/stat
 NO_FUNCTION = b'0'  # in wchan: the thread runs, or this kernel does not report functions
-MAX_LINE = 128  # bytes, of wchan and of schedstat
+MAX_LINE = 128  # bytes, of wchan and schedstat; in stat, the state is among the first
 SWITCHES = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 SAMPLE_TIME = 0.05  # s of wall time, not counting the time that a thread waited for a processor
 MIN_POLLS = 20  # in SAMPLE_TIME, without work; ros::Rate and ros::Timer poll every millisecond
@@ -22,8 +22,8 @@ class Thread:
         """Open the files that each check reads."""
         self.pid, self.tid = pid, tid
         self._path, self._function = f'/proc/{pid}/task/{tid}', None
-        self._schedstat = os.open(f'{self._path}/schedstat', os.O_RDONLY)
-        self._wchan = os.open(f'{self._path}/wchan', os.O_RDONLY)
+        self._schedstat, self._wchan, self._stat = (
+            os.open(f'{self._path}/{name}', os.O_RDONLY) for name in ('schedstat', 'wchan', 'stat'))
         self.ignored = False  # whether lockstep does not wait for it
         self.always_polls = None  # whether it polls even without work, as timers of roscpp do
         self.is_asleep = False  # at the last check
@@ -35,6 +35,7 @@ class Thread:
         """Close its files."""
         os.close(self._schedstat)
         os.close(self._wchan)
+        os.close(self._stat)
 
     @property
     def name(self):
@@ -57,7 +58,7 @@ class Thread:
     @property
     def state(self):
         """Its state, as in /proc/PID/task/TID/stat."""
-        return self._read('stat').rpartition(b')')[2][1:2]
+        return os.pread(self._stat, MAX_LINE, 0).rpartition(b')')[2][1:2]
 
     def check_idle(self):
         """Return whether it sleeps, or has not run since it was last seen asleep."""
