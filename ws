@@ -41,7 +41,7 @@ exec_guarded() {
     local wait=(env --block-signal=INT,TERM,HUP,QUIT)
     "${wait[@]}" true 2>/dev/null || wait=()  # coreutils before 8.31
     # catkin's Python too: the guard runs it in a session without the terminal's signals.
-    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" --in-place \
+    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" \
         bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/setup/enter.bash" "$@"
 }
 
