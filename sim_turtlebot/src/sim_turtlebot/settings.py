@@ -86,7 +86,7 @@ PARAMETERS = Parameters(
               Range('from 0.01 to 2 pi', lambda value, _: 0.01 <= value <= 2 * math.pi),
               'angle from the first beam to the last'),
     Parameter('~scan_range_min', scanner.RANGE_MIN, 'm', between(0, 100),
-              'nearer objects give -inf'),
+              'closer objects give -inf'),
     Parameter('~scan_range_max', scanner.RANGE_MAX, 'm',
               Range('above ~scan_range_min and up to 1000',
                     lambda value, earlier: earlier.scan_range_min < value <= 1000),
