@@ -141,9 +141,9 @@ def test_what_a_package_depends_on_is_installed(checkout):
     run = in_checkout(checkout, DEPENDS + RUN_MINE)
     assert run.wait() == 0 and 'hello from pybullet' in run.stdout, run.output
     assert run.stderr.splitlines()[:4] == [
-        './ws: mine depends on nowhere, of which apt knows no package',
+        './ws: mine depends on nowhere, which apt does not know',
         './ws: packages in .ws/src depend on libtf-dev tf-tools libtf2-ros-dev python3-tf2-ros',
-        './ws: this needs root or sudo', './ws: going on without them'], run.stderr
+        './ws: this needs root or sudo', './ws: continuing without them'], run.stderr
 
 
 @pytest.mark.nightly

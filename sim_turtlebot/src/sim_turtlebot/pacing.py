@@ -6,17 +6,16 @@ MAX_LAG = 0.25  # s; a simulation that is further behind does not catch up
 MAX_SLIPS = 10  # in a row; fewer are a hiccup
 MAX_SLIP_GAP = 3.0  # s between two slips in a row: a machine that reaches less than nine tenths
 RECOVERY_TIME = 30.0  # s without a slip
-BUSY_SHARE = 0.8  # of a processor; with less, other programs slow the simulation down
 
 
 class Pacer:
     """Keeps simulated time from running ahead of the wall clock."""
 
-    def __init__(self, real_time_factor, on_pace=lambda reached, share: None):
+    def __init__(self, real_time_factor, on_pace=lambda reached: None):
         """Run at `real_time_factor` simulated seconds per second; 0: as fast as possible.
 
-        :param on_pace: called once the machine is too slow, with the factor that it reaches and the
-            share of one processor that this process uses; with None and 0 once it has caught up
+        :param on_pace: called with the factor that the machine reaches once it is too slow; with None
+            once it has caught up
         """
         self._factor = real_time_factor
         self._on_pace = on_pace
@@ -40,7 +39,7 @@ class Pacer:
             self._start, self._wall_start = now, wall
         elif self._is_slow and wall - self._last_slip > RECOVERY_TIME:
             self._is_slow = False
-            self._on_pace(None, 0.0)
+            self._on_pace(None)
         return lead
 
     def _slip(self, now, wall):
@@ -48,26 +47,10 @@ class Pacer:
         if wall - self._last_slip > MAX_SLIP_GAP:
             self._slips = 0
         if self._slips == 0:
-            self._first_slip = now, wall, time.process_time()
+            self._first_slip = now, wall
         self._slips += 1
         self._last_slip = wall
         if self._slips >= MAX_SLIPS and not self._is_slow:
             self._is_slow = True
-            then, wall_then, cpu_then = self._first_slip
-            self._on_pace((now - then) / 1e9 / (wall - wall_then),
-                          (time.process_time() - cpu_then) / (wall - wall_then))
-
-
-def describe_pace(reached, wanted, share):
-    """Return the message for a pace, and what helps; '' if the simulation has caught up.
-
-    :param reached, share: as a Pacer reports them
-    :param wanted: real-time factor
-    """
-    if reached is None:
-        return f'the simulation keeps pace again: real-time factor {wanted:g}', ''
-    text = f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} instead of {wanted:g}'
-    help_text = ('fewer robots, no ~gui, a lower ~odom_rate or ~real_time_factor help' if share > BUSY_SHARE
-                 else 'perhaps other programs need the processors, such as windows that render without a '
-                 'graphics card')
-    return text, f'with {share:.0%} of a processor; {help_text}'
+            then, wall_then = self._first_slip
+            self._on_pace((now - then) / 1e9 / (wall - wall_then))

@@ -15,7 +15,7 @@ from odometry_common.parameters import ParameterError
 from sim_turtlebot.falls import FallDetector
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.lockstep.lockstep import Lockstep
-from sim_turtlebot.pacing import Pacer, describe_pace
+from sim_turtlebot.pacing import Pacer
 from sim_turtlebot.physics.window import NoScreenError
 from sim_turtlebot.physics.world_file import WorldFileError
 from sim_turtlebot.requests import RequestQueue
@@ -173,14 +173,15 @@ class Simulator:
         else:
             self._simulation.world.look_at(self._simulation.robots[0].body)
 
-    def _report_pace(self, reached, share):
+    def _report_pace(self, reached):
         """Report on the log and on ~warning that the simulation is too slow, or has caught up."""
-        text, help_text = describe_pace(reached, self._settings.real_time_factor, share)
-        if help_text:
-            rospy.logwarn(f'{text}, {help_text}')
+        wanted, warning = f'{self._settings.real_time_factor:g}', ''
+        if reached is None:
+            rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted}')
         else:
-            rospy.loginfo(text)
-        self._topics.warn('pace', text if help_text else '')
+            warning = f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} instead of {wanted}'
+            rospy.logwarn(warning)
+        self._topics.warn('pace', warning)
 
     def _pause(self):
         self._paused = True
