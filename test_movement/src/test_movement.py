@@ -28,7 +28,6 @@ class TestMovement:
     """The node: moved distance in, velocity command out."""
 
     def __init__(self):
-        """Read the parameters, then answer each message with a command."""
         parameters = PARAMETERS.read()
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done

@@ -39,7 +39,7 @@ class SimulationTopics:
         self._tf_static.publish(TFMessage(
             [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
-        self._warnings = {}  # texts by their causes
+        self._warnings = {}  # texts by cause
         self.warn('', '')
 
     def publish_clock(self):
@@ -63,7 +63,7 @@ class SimulationTopics:
             self._tf.publish(TFMessage(transforms))
 
     def warn(self, cause, text):
-        """Publish a warning beside those of other causes; an empty text takes it back."""
+        """Publish a warning beside those of other causes; an empty text withdraws it."""
         self._warnings.pop(cause, None)
         if text:
             self._warnings[cause] = text
