@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The front door: sets up what is missing, then runs a command in the workspace.
+# Install and build what is missing, then run a command in the workspace.
 set -euo pipefail
 
 [ "$(uname)" = Linux ] || {  # the next lines would fail there
-    echo "./ws: this needs Linux. On $(uname) the container runs: docs/container.md" >&2
+    echo "./ws: this needs Linux. On $(uname), use the container: docs/container.md" >&2
     exit 1
 }
 CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
@@ -23,9 +23,9 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws --set-up COMMAND  only install what that command needs
   ./ws COMMAND...        run any command in the workspace, for example ./ws rostopic echo /odom -n1
 
-demo, test, bench, sweep and check tell more with --help. The first use installs what is missing. ROS listens on
-this machine only; --host ADDRESS lets other machines in, at this address of this machine. ROS 1 has no
-passwords: everybody there can drive the robot.
+demo, test, bench, sweep and check have a --help of their own. The first use installs what is missing. ROS
+listens on this machine only; --host ADDRESS lets other machines connect to this address of this machine.
+ROS 1 has no passwords: anyone who can connect can drive the robot.
 TEXT
 }
 
@@ -36,13 +36,10 @@ enter() {
     set -u
 }
 
-# exec_guarded PROGRAM ARGUMENT...: run a Python program; all that it has started ends with this process.
+# exec_guarded PROGRAM ARGUMENT...: run a Python program; nothing that it starts outlives this process.
 exec_guarded() {
-    # While Python starts, Ctrl-C would print a traceback: block signals until then.
-    local wait=(env --block-signal=INT,TERM,HUP,QUIT)
-    "${wait[@]}" true 2>/dev/null || wait=()  # coreutils before 8.31
     # catkin's Python too: the guard runs it in a session without the terminal's signals.
-    exec "${wait[@]}" "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" --in-place \
+    exec "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" \
         bash -ec 'enter() { . "$0"; }; enter; exec python3 "$@"' "$ROOT/setup/enter.bash" "$@"
 }
 
@@ -53,14 +50,14 @@ while [[ ${1:-} == -* ]]; do
         --set-up) only_set_up=true ;;
         --host)
             host=${2:-}
-            [ -n "$host" ] || refuse '--host needs the address of this machine that others reach'
+            [ -n "$host" ] || refuse '--host needs an address of this machine that others can reach'
             shift ;;
         *) refuse "$1 is not one of --host ADDRESS, --set-up, --help" ;;
     esac
     shift
 done
 $only_set_up || [ $# != 0 ] || { usage; exit 1; }
-# These have a ROS master of their own on this machine, and need no address.
+# These start their own ROS master on this machine, and need no address.
 [[ ! ${1:-} =~ ^(demo|test|bench|sweep|check)$ ]] || unset ROS_HOSTNAME ROS_IP
 [ -z "$host" ] || { unset ROS_HOSTNAME; export ROS_IP=$host; }
 CALLED_FROM=$PWD
@@ -79,8 +76,5 @@ case $1 in
     test) cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
     shell) exec bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
 esac
-type -P -- "$1" >/dev/null || case $1 in
-    rqt*) refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
-    *) refuse "there is no command $1" ;;
-esac
+type -P -- "$1" >/dev/null || refuse "there is no command $1"
 exec "$@"

@@ -1,12 +1,12 @@
-# Enter the workspace in ODOMETRY_ROOT, as ./ws and its shell do before a command. Source this from a
+# Enter the workspace in ODOMETRY_ROOT; ./ws and its shell do so before a command. Source this from a
 # function without arguments: catkin reads the arguments of its caller.
-unset PYTHONHOME  # the workspace's Python has another
-# ROS 2 has modules and variables of the same names.
+unset PYTHONHOME  # the workspace's Python has its own
+# ROS 2 uses the same names for modules and variables.
 [ "${ROS_VERSION:-}" != 2 ] ||
     unset PYTHONPATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
 setup=$ODOMETRY_ROOT/.ws/devel/setup.bash
 . "$setup" &>/dev/null || {
-    # Again, for what it says, and without PYTHONPATH, to see whether that is the cause.
+    # Once more for its message, and without PYTHONPATH to see whether that is the cause.
     reason=$(. "$setup" 2>&1 >/dev/null | tail -n 1) || true
     ! (unset PYTHONPATH && . "$setup" &>/dev/null) || setup="with PYTHONPATH=$PYTHONPATH $setup"
     echo "./ws: $setup fails: $reason" >&2
@@ -27,7 +27,7 @@ case ${address,,} in
         python3 -I -c 'import socket, sys
 family, *_, address = socket.getaddrinfo(sys.argv[1], 0)[0]
 socket.socket(family).bind(address)' "$address" 2>/dev/null ||
-            echo "./ws: $variable=$address is not an address of this machine, but other nodes look there for \
-those started here: unset it" >&2 ;;
+            echo "./ws: $variable=$address is not an address of this machine, so other nodes cannot reach yours: \
+unset it" >&2 ;;
 esac
 unset setup variable address

@@ -1,6 +1,6 @@
-"""Build each package in .ws/src by itself, so that one with an error stops no other.
+"""Build each package in .ws/src separately, so that an error in one stops no other.
 
-usage: packages.py depends|build WORKSPACE FOLDER..., the folders of the packages whose names are taken.
+usage: packages.py depends|build WORKSPACE FOLDER..., where FOLDERs are the packages of this project.
 """
 
 import re
@@ -13,16 +13,16 @@ from catkin_pkg.packages import find_package_paths
 from catkin_pkg.topological_order import topological_order_packages
 
 WORKSPACE = Path(sys.argv[2])
-# Without PWD, CMake would take the name of its folder without links.
+# Without PWD, CMake would resolve the links in the path of its folder.
 BUILD = 'cd "$1" && . "$0/devel/setup.bash" && { [ -e Makefile ] || cmake "${@:2}"; } && make -k'
 ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: error: .*)')
-# Other programs of Debian have names of ROS packages: tf is a game.
+# Some of Debian's packages have the name of a ROS package: tf is a game.
 SAME_NAME = r'^(?:python3-|lib|rviz$|topic-tools$|joint-state-publisher).*'
 KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
 
 
 def read_packages():
-    """Return the packages that catkin accepts, by folder, all names, and a line about each other package."""
+    """Return the valid packages by folder, all names, and a line about each invalid package."""
     packages, errors = {}, []
     taken = {parse_package(folder).name: folder for folder in sys.argv[3:]}
     for path in sorted(find_package_paths(f'{WORKSPACE}/src')):
@@ -41,7 +41,7 @@ def read_packages():
 
 
 def build():
-    """Build them, and write the errors into the file left_out."""
+    """Build the packages, and write the errors to the file left_out."""
     packages, _, errors = read_packages()
     for folder, package in topological_order_packages(packages):
         if folder is None:
@@ -63,7 +63,7 @@ def build():
 
 
 def depends():
-    """Print what apt, whose names of all packages are the input, calls that on which they depend."""
+    """Print the apt packages of all dependencies; standard input has the names that apt knows."""
     known = set(sys.stdin.read().split())
     packages, taken, _ = read_packages()
     needed = {depend.name: package.name for package in packages.values() for kind in KINDS
@@ -74,7 +74,7 @@ def depends():
                  f'{debian}-tools', *re.findall(SAME_NAME, debian)} & known
         print(*sorted(names))
         if not names and not Path('/usr/share', name, 'package.xml').exists():
-            print(f'./ws: {needed[name]} depends on {name}, of which apt knows no package', file=sys.stderr)
+            print(f'./ws: {needed[name]} depends on {name}, which apt does not know', file=sys.stderr)
 
 
 {'depends': depends, 'build': build}[sys.argv[1]]()

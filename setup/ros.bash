@@ -3,8 +3,8 @@
 USR=/usr
 OPT=/opt/ros
 
-# find_ros: set ROS, the folder that has it, and its PYTHON. A workspace stays with the ROS it was
-# made with, whatever a terminal has sourced.
+# find_ros: set ROS, its folder, and PYTHON. A workspace keeps the ROS with which it was made, whatever
+# a terminal has sourced.
 find_ros() {
     [ -f "$VENV/ros" ] && { read -r ROS && read -r PYTHON; } <"$VENV/ros" && return
     if [ "${ROS_VERSION:-}" = 1 ] && ROS=$(type -P catkin_make); then
@@ -19,22 +19,17 @@ find_ros() {
     else
         nowhere 'this system has no ROS 1'
     fi
-    PYTHON=$ROS/bin/python3  # conda has one
-    [ -x "$PYTHON" ] || PYTHON=$USR/bin/python3
+    PYTHON=$USR/bin/python3
 }
 
 is_debians() { [ "$ROS" = "$USR" ]; }
 
-# load_ros: source it, without what is sourced. conda's has no file for that: a terminal has to activate it.
+# load_ros: source it, and nothing else.
 load_ros() {
-    if is_debians || [ -f "$ROS/setup.bash" ]; then
-        unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH PYTHONHOME PKG_CONFIG_PATH LD_LIBRARY_PATH \
-            AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
-        set +u
-        is_debians || . "$ROS/setup.bash"
-        set -u
-    elif [ "$(type -P catkin_make)" != "$ROS/bin/catkin_make" ]; then
-        fail "this workspace was made with the ROS in $ROS: activate that, or delete .venv and .ws"
-    fi
+    unset CMAKE_PREFIX_PATH ROS_PACKAGE_PATH PYTHONPATH PYTHONHOME PKG_CONFIG_PATH LD_LIBRARY_PATH \
+        AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
+    set +u
+    is_debians || . "$ROS/setup.bash"
+    set -u
     export PATH=$VENV/bin:$PATH
 }

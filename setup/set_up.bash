@@ -1,11 +1,11 @@
-# What ./ws does before a command: find ROS, install what is missing, build.
+# Before a command: find ROS, install what is missing, build.
 for file in system ros python workspace; do
     . "$CHECKOUT/setup/$file.bash"
 done
 
 mapfile -t PACKAGES < <(cd "$CHECKOUT" && dirname -- */package.xml)
-# The ros-* are the definitions that rosmsg, rossrv and completion read, of a few kilobytes each; the
-# lib*-dev have their package.xml, without which they are not found. Other parts bring the rest.
+# ros-* contain the message definitions that rosmsg, rossrv and completion read, lib*-dev the package.xml
+# by which these are found. The others depend on the rest.
 DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs python3-nav-msgs python3-rosgraph-msgs
     python3-roslaunch python3-rosmsg python3-rosnode python3-rospy python3-rosservice python3-rostest
     python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf python3-tf2-msgs
@@ -17,7 +17,7 @@ WINDOW_PARTS=(libgl1 libx11-6)
 RVIZ_PARTS=(rviz)
 TF_PARTS=(libtf-dev tf-tools)
 
-# set_up COMMAND ARGUMENT...: make everything ready for a command in the workspace.
+# set_up COMMAND ARGUMENT...: prepare the workspace for a command.
 set_up() {
     end_by_signals
     find_root
@@ -37,7 +37,7 @@ set_up() {
     [ ! -s "$WORKSPACE/left_out" ] || sed 's,^,./ws: ,' "$WORKSPACE/left_out" >&2
 }
 
-# add_extras COMMAND ARGUMENT...: add to PARTS and REQUIREMENTS what only this command needs.
+# add_extras COMMAND ARGUMENT...: add the PARTS and REQUIREMENTS that only this command needs.
 add_extras() {
     local view=robot_view/requirements.txt
     case "$* " in
@@ -64,13 +64,9 @@ is_ready() {
     done
 }
 
-# make_ready: install and build what is missing, one call of ./ws at a time.
+# make_ready: install and build what is missing; one call of ./ws at a time.
 make_ready() {
-    local file path
-    path=$(find "$CHECKOUT" "$CHECKOUT"/.ws{,/src,/lock,/setup.log} "$CHECKOUT/.venv" -maxdepth 0 ! -writable \
-        -print -quit 2>/dev/null) || true
-    [ -z "$path" ] || fail "you cannot write to $path, which belongs to $(stat -c %U "$path"): clone the \
-project into a folder of your own"
+    local file
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
     flock -n 9 || {

@@ -2,18 +2,17 @@
 
 announce() { echo "./ws: $1" >&2; }
 fail() { announce "$1"; exit 1; }
-refuse() { announce "$1"; exit 2; }  # because of what was typed
-nowhere() { fail "$1. Here, as anywhere, the container runs: docs/container.md"; }
+refuse() { announce "$1"; exit 2; }  # the command line is wrong
+nowhere() { fail "$1. Use the container: docs/container.md"; }
 
-# end_by_signals: end by Ctrl-C and Ctrl-\ also when the command that bash waits for does not: bash
-# would forget them.
+# end_by_signals: end by Ctrl-C and Ctrl-\ even if the command that bash waits for ignores them.
 end_by_signals() {
     trap 'trap - INT; kill -INT $$' INT
     trap 'exit 131' QUIT
     trap - TERM HUP
 }
 
-# run_step TEXT COMMAND...: run a command with its output in the log, and show that it is alive.
+# run_step TEXT COMMAND...: run a command with its output in the log, and show progress.
 run_step() {
     local text=$1 start=$SECONDS pid status=0 before
     before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
@@ -44,18 +43,18 @@ need_parts() {
     ! has_parts "$@" || return 0
     is_debians || fail "this needs more of the system: $command"
     [ "$(id -u)" = 0 ] || sudo -v 2>/dev/null ||
-        fail "this needs root or sudo, or somebody who has it and types: $command"
-    run_step 'asking apt what there is' apt_update
+        fail "this needs root or sudo; or ask an administrator to run: $command"
+    run_step 'updating the package lists' apt_update
     version=$(LC_ALL=C apt-cache policy python3-rospy | awk '/Candidate:/ { print $2 }')
-    # Debian 11's rospy fails on its own Python.
+    # Debian 11's rospy does not run on its own Python.
     [[ $version == [0-9]* ]] && dpkg --compare-versions "$version" ge 1.15.13 ||
-        nowhere 'ROS 1 is not among the packages of this system, or too old'
-    run_step "installing $# system packages and what they need" \
+        nowhere 'the packages of this system contain no ROS 1, or one that is too old'
+    run_step "installing $# system packages and their dependencies" \
         apt_get install --no-install-recommends "$@"
 }
 
 apt_update() {
-    # An earlier set-up may have been killed in the middle of an installation.
+    # An earlier set-up may have been killed during an installation.
     [ -z "$(dpkg --audit)" ] || { as_root dpkg --configure -a; apt_get --fix-broken install; }
     apt_get update
 }

@@ -1,11 +1,11 @@
-# The catkin workspace .ws, and the path under which ROS knows this folder. `ready` in it is written
-# last: the fingerprint of what it was built from.
+# The catkin workspace .ws, and a path of this folder that ROS can handle. A build writes its fingerprint
+# last, to .ws/ready.
 
-# find_root: set ROOT, a path of this folder that may stand in a #! line and in catkin's commands.
+# find_root: set ROOT, a path of this folder that works in a #! line and in catkin's commands.
 find_root() {
     ROOT=$CHECKOUT
     [[ $CHECKOUT == *[!A-Za-z0-9/._+@~-]* ]] || return 0
-    # The same link for every user and home, or the workspace would be built again.
+    # The same link for every user and home, or each would build the workspace again.
     local owner folder
     owner=$(stat -c %u "$CHECKOUT")
     folder=/var/tmp/turtlebot2-odometry-$owner
@@ -16,7 +16,7 @@ find_root() {
     } || fail "ROS cannot handle the path $CHECKOUT, and no link to it can be made in $folder"
 }
 
-# build_fingerprint: of how our packages are built, and of what is compiled of the user's.
+# build_fingerprint: of the build files of these packages, and of the compiled files of the user's.
 build_fingerprint() {
     fingerprint "$VENV/ready-requirements.txt" ./*/{package.xml,CMakeLists.txt,setup.py} <(
         find -L "$WORKSPACE/src" -regextype egrep -regex \
@@ -30,14 +30,14 @@ build() {
     local part missing=()
     BUILT_FROM=$(build_fingerprint)
     rm -f "$WORKSPACE/ready"
-    # Earlier versions had links to our packages there. What else there is, is the user's.
+    # Earlier versions had links to these packages there; everything else is the user's.
     find "$WORKSPACE/src" -maxdepth 1 -lname '../../*' ! -lname '../../*/*' -delete
     for part in $(! is_debians || apt-cache pkgnames | (load_ros && run_packages depends)); do
         has_parts "$part" || missing+=("$part")
     done
     [ ${#missing[@]} = 0 ] || {
         announce "packages in .ws/src depend on ${missing[*]}"
-        (need_parts "${missing[@]}") || announce 'going on without them'
+        (need_parts "${missing[@]}") || announce 'continuing without them'
     }
     run_step 'building the packages' build_all
 }
@@ -47,7 +47,7 @@ build_all() {
     for package in "${PACKAGES[@]}"; do
         ln -sfnT "$ROOT/$package" "$WORKSPACE/ours/$package"
     done
-    # CMake believes PWD where it is a name of its folder, and else takes the one without links.
+    # CMake uses PWD if it names its folder, and otherwise a path without links.
     cd "$WORKSPACE/build/ours"
     catkin_make -C "$WORKSPACE" --source "$WORKSPACE/ours" --build "$WORKSPACE/build/ours" \
         -DPYTHON_EXECUTABLE="$VENV/bin/python3" && run_packages build || return

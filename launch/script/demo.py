@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Run a tutorial with a simulated TurtleBot 2 and show how it goes."""
+"""Run a tutorial with a simulated TurtleBot 2 and show its progress."""
 
 import os
 import signal
 
-# Nobody else is at the demo's master, for whom a namespace could be meant. rospy reads this when
-# it is imported.
+# The demo has a master of its own, so a namespace makes no sense. rospy reads this on import.
 os.environ.pop('ROS_NAMESPACE', None)
 
 import logging
@@ -20,7 +19,7 @@ from odometry_launch.ports import next_port
 
 
 def main():
-    """Exit 0 only if the robot did its task and has stopped."""
+    """Exit 0 only if the robot has finished its task and stopped."""
     options = parse(sys.argv[1:])
     try:
         status = 0 if _run(options) else 1
@@ -37,15 +36,15 @@ def main():
 
 
 def _run(options):
-    # Users need not know that rospy cannot write its log, or that matplotlib reads fonts.
+    # Do not bother users with logs that cannot be written, or fonts that matplotlib reads.
     logging.raiseExceptions = False
     logging.getLogger('matplotlib').setLevel(logging.ERROR)
     page_port = next_port(PAGE_PORT) if options.view else None
     launch_file, arguments = launch_arguments(options, page_port and page_port.number)
     use_writable_logs()
     with Launch(launch_file, arguments, nodes_that_end(options)) as launch:
-        # roslaunch starts the nodes while this imports rospy, and matplotlib on a thread: that may take
-        # long to read its fonts, and the robot does not wait for it.
+        # While roslaunch starts the nodes, import rospy, and matplotlib on a thread: it may take long to
+        # read its fonts.
         from odometry_launch.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1], daemon=True).start()
         from odometry_launch.following import follow

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draw a run from a bag with odometry in it, a real robot's too, and print its figures."""
+"""Draw a run from a bag with odometry, of a simulated or a real robot, and print its figures."""
 
 import argparse
 import sys
@@ -16,7 +16,7 @@ def make_parser():
     parser = argparse.ArgumentParser(prog='plot_run.py', description=__doc__)
     parser.add_argument('bag', metavar='BAG', help='the recording')
     parser.add_argument('-o', '--output', metavar='PNG',
-                        help='where to draw (default: beside the bag, with its name)')
+                        help='the picture (default: beside the bag, with its name)')
     parser.add_argument('--topic', help='the odometry (default: /odom, or the only odometry in the bag)')
     return parser
 

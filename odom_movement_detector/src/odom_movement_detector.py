@@ -22,7 +22,6 @@ class MovementDetector:
     """The node: odometry in, moved distance out."""
 
     def __init__(self):
-        """Read the parameters, then publish from the first odometry message on."""
         parameters = PARAMETERS.read()
         self._counter = DistanceCounter(parameters.min_step, parameters.max_speed)
         self._publisher = ClosingPublisher('moved_distance', Float64)

@@ -4,7 +4,7 @@ import math
 
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
-from moved_distance.distance_counter import LONGEST_STEP, DistanceCounter
+from moved_distance.distance_counter import MAX_STEP, DistanceCounter
 from odometry_tests.fuzzing import any_number
 
 FIRST_PERIOD = 0.05  # s, usual between two messages until there were some
@@ -120,7 +120,7 @@ class DetectorMachine(RuleBasedStateMachine):
         interval = stamp - self.last[2] or max(0.0, arrival - self.last[3])
         usual, self.periods = self.periods, self.periods + [interval] * (interval < SILENCE)
         uncounted = math.hypot(x - self.reference[0], y - self.reference[1])
-        if uncounted > LONGEST_STEP:
+        if uncounted > MAX_STEP:
             return True
         needed = math.hypot(x - self.last[0], y - self.last[1])
         needed = needed / self.max_speed if self.max_speed else 0.0

@@ -6,7 +6,6 @@ from odometry_common.parameters import Parameters
 from odometry_tests.processes import run_script
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import mover, rotator
-from odometry_tests.waiting import TIMEOUT, wait_until
 
 SCRIPTS = sorted(str(path.relative_to(ROOT)) for folder in ('src', 'script')
                  for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test')
@@ -41,12 +40,3 @@ def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_it
     assert unknown.endswith('~distance, ~speed, ~relative, ~exit_when_done, ~timeout')
     assert len(warnings(two, 'unknown: ~tolerence; ')) == 1, two.stderr
     assert rospy.get_param(f'{names[1]}/distence') == 5, 'it stays, as everywhere in ROS'
-
-
-def test_a_node_that_ends_for_another_one_says_so(ns):
-    """With exit status 0; a demo shows that line, where its robot ends."""
-    with mover() as old:
-        wait_until(lambda: rospy.get_published_topics(ns), TIMEOUT, 'a node')
-        with mover():
-            assert old.wait() == 0
-    assert 'test_movement: ends, since another node has started with its name' in old.stderr

@@ -6,7 +6,7 @@ import threading
 import time
 
 import pytest
-from odometry_common.transport import BACKLOG, NonBlockingTransport, wait_for_subscribers
+from odometry_common.transport import BACKLOG, NonBlockingTransport, wait_for_slow_subscribers
 from odometry_tests.waiting import PATIENCE, TIMEOUT
 from rospy.exceptions import TransportTerminated
 from rospy.impl.tcpros_pubsub import TCPROSPub
@@ -21,7 +21,7 @@ COUNT = 2000  # messages; a socket holds some hundred of them
 @pytest.fixture
 def connection(monkeypatch):
     """Return a publisher's connection, as of a node, and the socket of its subscriber."""
-    monkeypatch.setattr(NonBlockingTransport, 'patience', 0.0)
+    monkeypatch.setattr(NonBlockingTransport, 'wait_budget', 0.0)
     near, far = socket.socketpair()
     with contextlib.closing(NonBlockingTransport(TCPROSPub('/odom', Empty), '/odom')) as link, far:
         near.setblocking(True)  # as rospy does, which gives new sockets a timeout otherwise
@@ -96,9 +96,9 @@ def test_one_that_reads_again_loses_nothing_more(connection, warnings):
 
 
 def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(connection, warnings):
-    wait_for_subscribers(TIMEOUT * PATIENCE)
+    wait_for_slow_subscribers(TIMEOUT * PATIENCE)
     link, far = connection
-    link._patience_left = link.patience
+    link._budget_left = link.wait_budget
     numbers = []
     reader = threading.Thread(target=lambda: numbers.extend(read(far, COUNT - 1)))
     reader.start()
@@ -108,12 +108,12 @@ def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(connection, war
 
 
 def test_a_publisher_waits_no_longer_than_it_says(connection, warnings):
-    """For one that does not read: all its messages together take as long as its patience."""
-    wait_for_subscribers(0.2)
+    """For one that does not read: all its messages together use up one budget."""
+    wait_for_slow_subscribers(0.2)
     link, _ = connection
     start = time.monotonic()
     write(link, range(COUNT))
-    assert link._patience_left == 0.0 and warnings
+    assert link._budget_left == 0.0 and warnings
     assert time.monotonic() - start >= 0.2
 
 

@@ -3,8 +3,7 @@
 
 import os
 
-# Nobody else is at the master of a replay, for whom a namespace could be meant. rospy reads this
-# when it is imported.
+# A replay has a master of its own, so a namespace makes no sense. rospy reads this on import.
 os.environ.pop('ROS_NAMESPACE', None)
 
 from odometry_sweep.main import main

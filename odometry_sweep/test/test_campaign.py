@@ -46,13 +46,13 @@ def test_the_command_line_and_a_file_say_the_same(written):
 
 
 @pytest.mark.parametrize('arguments, line', [
-    ([], 'say which tutorial'),
+    ([], 'choose a tutorial'),
     (['move', '--seeds', '1.5'], "'1.5' is not a whole number from 1"),
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
     (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
-    (['move', '--set', f'speed={"[" * 1000}'], "[[' has a value that is no YAML"),
+    (['move', '--set', f'speed={"[" * 1000}'], "[[' contains a value that is not YAML"),
     (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
-    (['move', '--campaign', 'x.yaml'], 'the file says all of tutorial, --seeds and --set')])
+    (['move', '--campaign', 'x.yaml'], 'the file sets tutorial, --seeds and --set')])
 def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     """And exit status 2."""
     with pytest.raises(SystemExit) as end:

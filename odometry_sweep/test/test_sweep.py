@@ -14,7 +14,7 @@ from odometry_tests.terminal import Terminal
 TIMEOUT = 60.0  # s
 NOISY = ['move', '--seeds', '3', '--set', 'distance=0.1', '--set', 'speed=0.5,0.3',
          '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
-EQUAL = 'Runs that differ in their seed only are equal where nothing is random'
+EQUAL = 'Runs with different seeds are equal: '
 MANY = ['move', '--seeds', '100000', '--set', 'distance=0.1', '--jobs', '2']
 
 
@@ -69,7 +69,7 @@ def test_a_limit_that_does_not_hold_is_one_line_and_status_1(tmp_path):
 
 
 @pytest.mark.parametrize('arguments, line', [
-    ([], './ws sweep: error: say which tutorial'),
+    ([], './ws sweep: error: choose a tutorial'),
     (['move', '--set', 'speed=0'], 'sweep: parameter ~speed is 0, but must be a number other than 0 m/s'),
     (['--campaign', '/no/such/file'], 'sweep: /no/such/file cannot be read'),
     (['--replay', '/no/such', '1'], 'sweep: /no/such/campaign.yaml cannot be read')])

@@ -72,7 +72,7 @@ def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers
         killed.send(signal.SIGKILL)
         assert len(lines_in(folder)) < RUNS, 'too late'
         assert run.wait(TIMEOUT) == 0, run.output
-    assert killed.wait() == -signal.SIGKILL and other.running
+    assert killed.wait() == 128 + signal.SIGKILL and other.running
     alone = ws('sweep', *CAMPAIGN, str(RUNS))
     assert alone.wait(TIMEOUT) == 0, alone.output
     rows = lines_in(Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', alone.stdout)[0]))

@@ -70,7 +70,7 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
 
 
 @pytest.mark.parametrize('recording, line', [
-    ({'moved': 0.11000000000000001}, 'has counted something else'), ({'missing': 2}, 'has gaps')])
+    ({'moved': 0.11000000000000001}, 'published another distance'), ({'missing': 2}, 'has gaps')])
 def test_a_recording_that_is_not_that_of_the_run_is_refused(recorded, recording, line):
     """Even if only the last digit differs."""
     with pytest.raises(DemoError, match=line):

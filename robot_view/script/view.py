@@ -5,7 +5,7 @@ Everybody who opens the page can drive the robot.
 
 Subscribes:
     odom (nav_msgs/Odometry): the odometry of each robot
-    base_pose_ground_truth (nav_msgs/Odometry): where a simulated robot really is
+    base_pose_ground_truth (nav_msgs/Odometry): the true pose of a simulated robot
     joint_states (sensor_msgs/JointState): the wheels
     scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
@@ -14,8 +14,8 @@ Subscribes:
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
-    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): where the
-        panel's button puts a simulated robot
+    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): the pose at
+        which the panel's button places a simulated robot
 
 Calls:
     sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,
@@ -41,5 +41,5 @@ def main():
 
 
 if __name__ == '__main__':
-    # Simulated time may stand still, and the page has nothing to do with it.
+    # disable_rostime: simulated time may stand still, and the page does not need it.
     run_node('view', main, __doc__, PARAMETERS, anonymous=True, disable_rostime=True)

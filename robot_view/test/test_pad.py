@@ -95,7 +95,7 @@ def test_a_stop_lasts_until_the_buttons_are_pressed_anew():
 
 def test_a_robot_that_does_not_listen_keeps_no_other_one_driving(master, monkeypatch):
     """The last command of that one would stand."""
-    monkeypatch.setattr(pad, 'LONGEST_CONNECTING', math.inf)
+    monkeypatch.setattr(pad, 'CONNECTING_TIMEOUT', math.inf)
     received = Recorder('/heard/cmd_vel', Twist)
     chosen = ['/heard/']
     driver = pad.Pad(lambda: chosen[0], lambda: (0.2, 1.0))
@@ -108,7 +108,7 @@ def test_a_robot_that_does_not_listen_keeps_no_other_one_driving(master, monkeyp
 @pytest.mark.parametrize('button', [STOP, FORWARD])
 def test_a_button_released_before_the_robot_subscribes_stops_it(master, monkeypatch, button):
     """To connect takes a moment, on a busy machine longer than a click."""
-    monkeypatch.setattr(pad, 'LONGEST_CONNECTING', math.inf)
+    monkeypatch.setattr(pad, 'CONNECTING_TIMEOUT', math.inf)
     namespace = f'/late_for_{button}/'
     driver = pad.Pad(lambda: namespace, lambda: (0.2, 1.0))
 

@@ -19,7 +19,7 @@ from viewer import viewing
 
 pytest.importorskip('page_client', reason='viser is not installed')
 from page_client import ROBOTS, PageClient, flooding, open_page, published
-from robot_view.pad import SHORTEST_PERIOD
+from robot_view.pad import MIN_PERIOD
 from robot_view.steering import HOLD_TIMEOUT
 
 LOG_PERIOD = 10.0  # s
@@ -80,7 +80,7 @@ def test_a_stop_holds_beside_a_page_that_floods(view, commands):
         time.sleep(2 * HOLD_TIMEOUT)
         sent = recorder.messages
     assert all(message == Twist() for message in sent)
-    assert len(sent) <= 2 * HOLD_TIMEOUT / SHORTEST_PERIOD
+    assert len(sent) <= 2 * HOLD_TIMEOUT / MIN_PERIOD
 
 
 def driven():

@@ -76,7 +76,7 @@ def test_a_heading_goes_on_beyond_half_a_turn():
     trace = PathTrace()
     turns = [math.radians(degrees) for degrees in range(0, 721, 10)]
     follow(trace, [PlanarPose(0.0, 0.0, math.remainder(yaw, 2 * math.pi)) for yaw in turns])
-    trace.note(1.0, None, 90.0)
+    trace.add_history(1.0, None, 90.0)
     _, moved, true, heading, target = trace.history.array()[-1]
     assert heading == pytest.approx(720)
     assert target == pytest.approx(810)

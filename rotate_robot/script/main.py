@@ -20,12 +20,11 @@ class HeadingPrinter:
     """The node: odometry in, headings on the screen."""
 
     def __init__(self):
-        """Print the yaw of every message from now on."""
         self._euler = None
         Subscriber('odom', Odometry, self._on_odometry, 'odometry')
 
     def print_quaternions(self):
-        """Print a quaternion each second until shutdown, beginning after the first message."""
+        """Print a quaternion each second until shutdown, from the first message on."""
         rate = rospy.Rate(1, reset=True)
         while not rospy.is_shutdown():
             if self._euler is not None:

@@ -32,7 +32,6 @@ class RotateRobot:
     """The node: heading in, angular velocity out."""
 
     def __init__(self):
-        """Read the parameters and subscribe."""
         parameters = PARAMETERS.read()
         self._turn = Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
         self._hertz = parameters.rate

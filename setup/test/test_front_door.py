@@ -1,12 +1,9 @@
 """What ./ws answers before anything is set up, and where it cannot go on."""
 
-import os
 import re
 import shlex
 import shutil
 import subprocess
-import tempfile
-from pathlib import Path
 
 import pytest
 from checkout import in_checkout, make_checkout
@@ -56,7 +53,7 @@ def in_fresh(folder, *arguments):
 @pytest.mark.parametrize('arguments, answer', [
     (['--foo', 'demo'], '--foo is not one of --host ADDRESS, --set-up, --help'),
     (['--host', '192.0.2.1', '--view'], '--view is not one of --host ADDRESS, --set-up, --help'),
-    (['--host', '192.0.2.1', '--host'], '--host needs the address of this machine that others reach')])
+    (['--host', '192.0.2.1', '--host'], '--host needs an address of this machine that others can reach')])
 def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
     run = in_fresh(fresh, *arguments)
     assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
@@ -69,11 +66,9 @@ def test_help_installs_nothing(fresh, option):
     assert not run.stderr
 
 
-@pytest.mark.parametrize('command, hint', [
-    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
-def test_a_command_that_is_not_there(command, hint):
-    run = Process(ROOT / 'ws', command)
-    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
+def test_a_command_that_is_not_there():
+    run = Process(ROOT / 'ws', 'foo')
+    assert (run.wait(), run.output.strip()) == (2, './ws: there is no command foo')
 
 
 @pytest.mark.parametrize('variable, status, answer', [
@@ -120,34 +115,19 @@ def test_another_kind_of_system(tmp_path):
     run = subprocess.run(['/usr/bin/env', '-i', f'PATH={tmp_path}', ROOT / 'ws', 'demo'],
                          check=False, capture_output=True, text=True)
     assert (run.returncode, run.stdout) == (1, '')
-    assert run.stderr == './ws: this needs Linux. On Darwin the container runs: docs/container.md\n'
+    assert run.stderr == './ws: this needs Linux. On Darwin, use the container: docs/container.md\n'
 
 
 def test_packages_of_the_system(fresh):
     """Debian 12 has them; Debian 11 has a ROS that fails on its own Python."""
     assert 'installs' in in_checkout(fresh, PACKAGES, CANDIDATE='1.16.0+ds-2').stdout
     assert last_words(fresh, PACKAGES, CANDIDATE='1.15.9+ds1-7+deb11u1') == (
-        'ROS 1 is not among the packages of this system, or too old. Here, as anywhere, the '
-        'container runs: docs/container.md')
+        'the packages of this system contain no ROS 1, or one that is too old. Use the container: '
+        'docs/container.md')
 
 
 def test_no_sudo(fresh):
     """An administrator needs one command only, with what the typed command asks for besides."""
     start, parts = last_words(fresh, NO_SUDO).split(' --no-install-recommends ')
-    assert start == 'this needs root or sudo, or somebody who has it and types: sudo apt-get install'
+    assert start == 'this needs root or sudo; or ask an administrator to run: sudo apt-get install'
     assert {'catkin', 'python3-venv', 'rviz'} <= set(parts.split())
-
-
-def test_a_checkout_of_another_user():
-    nobody = ['setpriv', '--reuid', '65534', '--clear-groups'] if os.getuid() == 0 else []
-    with tempfile.TemporaryDirectory(dir='/var/tmp') as name:
-        folder = Path(name)
-        shutil.copytree(ROOT / 'setup', folder / 'setup')
-        shutil.copy(ROOT / 'ws', folder)
-        folder.chmod(0o555)
-        run = subprocess.run([*nobody, folder / 'ws', 'demo'], check=False, capture_output=True,
-                             text=True, env={'PATH': os.environ['PATH'], 'HOME': '/nowhere'})
-        assert (run.returncode, run.stderr) == (1, (
-            f'./ws: you cannot write to {folder}, which belongs to {folder.owner()}: clone the '
-            'project into a folder of your own\n'))
-        folder.chmod(0o755)

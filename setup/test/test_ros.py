@@ -16,7 +16,7 @@ VENV=$SYSTEM/venv
 find_ros
 echo "$ROS $PYTHON"
 """
-DEBIAN, NOETIC, ONE, CONDA, MINE = 'usr', 'opt/ros/noetic', 'opt/ros/one', 'conda', 'mine'
+DEBIAN, NOETIC, ONE, MINE = 'usr', 'opt/ros/noetic', 'opt/ros/one', 'mine'
 # What is there, which folders' bin are on PATH, what ROS_VERSION says, what the workspace was made
 # with; and the choice.
 SYSTEMS = {
@@ -27,9 +27,7 @@ SYSTEMS = {
     "noetic and Debian's": ('opt/ros/noetic usr', 'usr', '', '', NOETIC),
     'ROS One and ROS 2 sourced': ('opt/ros/one', '', '2', '', ONE),
     'ROS One sourced beside noetic': ('opt/ros/one opt/ros/noetic', 'opt/ros/one', '1', '', ONE),
-    'RoboStack activated': ('conda', 'conda', '1', '', CONDA),
-    'RoboStack not activated any more': ('conda', '', '', CONDA, CONDA),
-    'RoboStack activated too late': ('usr conda', 'conda', '1', DEBIAN, DEBIAN),
+    'noetic sourced too late': ('usr opt/ros/noetic', 'opt/ros/noetic', '1', DEBIAN, DEBIAN),
 }
 
 
@@ -53,29 +51,21 @@ def make_programs(folder, *names):
         (folder / name).symlink_to('/bin/true')
 
 
-def python_of(ros):
-    """Return the Python that goes with a ROS: conda has its own."""
-    return f'{ros if ros == CONDA else "usr"}/bin/python3'
-
-
 @pytest.mark.parametrize('there, sourced, version, made_with, chosen', SYSTEMS.values(), ids=SYSTEMS)
 def test_the_choice(system, there, sourced, version, made_with, chosen):
     """A sourced one, else one in /opt/ros, else Debian's; and always the same one again."""
     for folder in there.split():
-        make_programs(system / folder / 'bin', *['catkin_make'] * (folder != MINE),
-                      *['python3'] * (folder == CONDA))
+        make_programs(system / folder / 'bin', *['catkin_make'] * (folder != MINE))
         (system / folder / 'setup.bash').touch()
     if made_with:
         (system / 'venv').mkdir()
-        (system / 'venv' / 'ros').write_text(
-            f'{system}/{made_with}\n{system}/{python_of(made_with)}\n')
+        (system / 'venv' / 'ros').write_text(f'{system}/{made_with}\n{system}/usr/bin/python3\n')
     path = ''.join(f'{system}/{folder}/bin:' for folder in sourced.split())
     found = run(system, FIND, path, ROS_VERSION=version)
-    assert found.stdout.split() == [f'{system}/{chosen}', f'{system}/{python_of(chosen)}'], found
+    assert found.stdout.split() == [f'{system}/{chosen}', f'{system}/usr/bin/python3'], found
 
 
 def test_a_system_without_ros_is_told_of_the_container(tmp_path):
     found = run(tmp_path, FIND)
     assert (found.returncode, found.stdout) == (1, '')
-    assert found.stderr == ('./ws: this system has no ROS 1. Here, as anywhere, the container runs: '
-                            'docs/container.md\n')
+    assert found.stderr == './ws: this system has no ROS 1. Use the container: docs/container.md\n'

@@ -7,12 +7,12 @@ Subscribes:
     cmd_vel_mux/input/teleop, cmd_vel_mux/input/navi (geometry_msgs/Twist): the same through a
         TurtleBot 2's multiplexer: teleop blocks navi until one second after its last message
     mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
-    ~set_pose (geometry_msgs/PoseStamped): puts the robot there, at rest, or warns if there is no
-        room; z is 0 on the floor, frame_id world or empty. Of several robots ~robot_k/set_pose
+    ~set_pose (geometry_msgs/PoseStamped): places the robot there, at rest, or warns if something is
+        in the way; z is 0 on the floor, frame_id world or empty. Of several robots ~robot_k/set_pose
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
-    base_pose_ground_truth (nav_msgs/Odometry): where the robot really is, in the frame world
+    base_pose_ground_truth (nav_msgs/Odometry): the true pose, in the frame world
     joint_states (sensor_msgs/JointState): both wheels
     mobile_base/sensors/imu_data (sensor_msgs/Imu): the gyro's heading, zero where odom is, and
         rate
@@ -35,5 +35,5 @@ from sim_turtlebot.settings import PARAMETERS
 from sim_turtlebot.simulator import simulate
 
 if __name__ == '__main__':
-    # disable_rostime: the clock is ours, so there is none to subscribe to and wait for.
+    # disable_rostime: this node publishes the clock, so it must not wait for one.
     run_node('sim_turtlebot', simulate, __doc__, PARAMETERS, disable_rostime=True)

@@ -32,7 +32,6 @@ class WorldFrame:
     """Odometry and ground truth in, the transform between their frames out."""
 
     def __init__(self):
-        """Publish with each true pose from the first odometry on."""
         self._odometry = None
         self._publisher = ClosingPublisher('/tf', TFMessage)
         self._set_pose = ClosingPublisher('sim_turtlebot/set_pose', PoseStamped)

@@ -33,7 +33,7 @@ def record(starts, topics, arguments=()):
         for recorder in recorders.values():
             recorder.wait_for_publisher()
         with contextlib.closing(Lockstep(lambda: False)) as graph:
-            wait_until(graph.has_settled, RUN_TIME, 'nodes at rest before time begins')
+            wait_until(graph.is_graph_stable, RUN_TIME, 'nodes at rest before time begins')
         for recorder in recorders.values():
             recorder.clear()
         call('unpause_physics')

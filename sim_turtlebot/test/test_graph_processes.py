@@ -11,7 +11,7 @@ from odometry_tests.processes import Process
 from odometry_tests.tutorial import detector
 from odometry_tests.waiting import wait_until
 from sim_turtlebot.lockstep.graph import MASTER, GraphProcesses
-from sim_turtlebot.lockstep.rest import Rest
+from sim_turtlebot.lockstep.idle import IdleWaiter
 
 # Listens at the same port of many other addresses.
 NEIGHBOURS = '''
@@ -32,27 +32,27 @@ def unseen():
 
 @pytest.fixture
 def graph(master, unseen):
-    """Return the Rest of a graph with this test's node, and its GraphProcesses."""
-    rest = Rest(lambda: False, lambda process: pytest.fail(f'{process.name} does not rest'))
-    with contextlib.closing(rest):
-        yield rest, GraphProcesses(rest, '/graph', unseen.append)
+    """Return the IdleWaiter of a graph with this test's node, and its GraphProcesses."""
+    waiter = IdleWaiter(lambda: False, lambda process: pytest.fail(f'{process.name} is busy'))
+    with contextlib.closing(waiter):
+        yield waiter, GraphProcesses(waiter, '/graph', unseen.append)
 
 
-def names(rest):
+def names(waiter):
     """Return the names of the nodes that are waited for."""
-    return {process.name for process in rest.processes.values()}
+    return {process.name for process in waiter.processes.values()}
 
 
 def test_nodes_that_come_and_go_are_waited_for_meanwhile(graph, unseen):
     """From when the master knows them."""
-    rest, processes = graph
+    waiter, processes = graph
     processes.wait()
-    before = names(rest)
+    before = names(waiter)
     assert MASTER in before
 
     def new():
         processes.wait()
-        return names(rest) - before
+        return names(waiter) - before
 
     with detector():
         name, = wait_until(new, 20.0, 'a new node')
@@ -82,7 +82,7 @@ def test_a_node_on_another_machine_is_named_once(graph, unseen):
 
 def test_a_node_is_the_process_at_its_address_and_not_one_at_the_same_port_of_another(graph):
     """As where several graphs run on one machine, each at an address of loopback."""
-    rest, processes = graph
+    waiter, processes = graph
     with socket.create_server(('127.0.0.1', 0)) as server:
         port = server.getsockname()[1]
         with Process(sys.executable, '-c', NEIGHBOURS, port) as other:
@@ -91,16 +91,16 @@ def test_a_node_is_the_process_at_its_address_and_not_one_at_the_same_port_of_an
             master = rosgraph.Master('/here')
             master.registerPublisher('/elsewhere', 'std_msgs/Empty', address)
             processes.wait()
-            assert os.getpid() in rest.processes
-            assert int(other.stdout.split()[-1]) not in rest.processes
+            assert os.getpid() in waiter.processes
+            assert int(other.stdout.split()[-1]) not in waiter.processes
             master.unregisterPublisher('/elsewhere', address)
 
 
 def test_the_master_has_told_everybody_of_a_node_that_was_started_again(graph, monkeypatch):
     """It has the name and the topics of one that was killed: only its address is new."""
-    rest, processes = graph
+    waiter, processes = graph
     told = []
-    monkeypatch.setattr(rest, 'wait_for_naps', told.append)
+    monkeypatch.setattr(waiter, 'wait_for_polls', told.append)
     master = rosgraph.Master('/again')
     addresses = [f'http://{TEST_NET}:{port}' for port in (1, 2)]
     for address in addresses:

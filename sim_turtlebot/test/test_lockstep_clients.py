@@ -94,7 +94,7 @@ def test_a_loop_keeps_its_rate(rate, start_client):
     assert abs(counts[1] - counts[0] - 5 * rate) <= 1 + rate / 10, counts
 
 
-BUSY, SLEEPS, STOPPED = 'it has not rested for 2 s', 'it acts by wall time', 'it has been stopped'
+BUSY, SLEEPS, STOPPED = 'it has been busy for 2 s', 'it acts by wall time', 'it has been stopped'
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
     'odd busy': BUSY, 'odd busy_after_one_command': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
@@ -113,7 +113,7 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, sta
     with start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit, \
             simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation:
         simulation.wait_for_output(
-            f'{NOT_AWAITED} /culprit, so that two runs may differ: {NAMED[kind]}', RUN_TIME)
+            f'{NOT_AWAITED} /culprit, so two runs may differ: {NAMED[kind]}', RUN_TIME)
         truth = Truth()
         truth.wait_seconds(10.0)
         assert simulation.output.count(NOT_AWAITED) == 1, simulation.output

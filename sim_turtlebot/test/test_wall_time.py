@@ -4,7 +4,7 @@ import itertools
 import random
 
 import pytest
-from sim_turtlebot.lockstep.lockstep import LEAST_INTERVALS, _follow_wall_time
+from sim_turtlebot.lockstep.lockstep import MIN_INTERVALS, _follow_wall_time
 
 TICK = 0.01  # s of simulated time
 RATES = 1.0, 2.0, 10.0, 30.0, 50.0  # Hz
@@ -13,8 +13,8 @@ RATES = 1.0, 2.0, 10.0, 30.0, 50.0  # Hz
 def named(wall, simulated):
     """Return how often lockstep would name the node, by the intervals (s) between its messages."""
     times = list(zip(itertools.accumulate(wall), itertools.accumulate(simulated)))
-    return sum(_follow_wall_time(times[end - LEAST_INTERVALS - 1:end], TICK)
-               for end in range(LEAST_INTERVALS + 1, len(times)))
+    return sum(_follow_wall_time(times[end - MIN_INTERVALS - 1:end], TICK)
+               for end in range(MIN_INTERVALS + 1, len(times)))
 
 
 @pytest.mark.parametrize('pace', [1.0, 20.0])

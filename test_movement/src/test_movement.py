@@ -13,13 +13,13 @@ The node always sends zero before it exits.
 import rospy
 from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.subscribing import Subscriber, one_at_a_time
+from odometry_common.subscribing import Subscriber, callback_lock
 from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
 from straight_drive.drive import PARAMETERS, Drive
 
-LOOK_PERIOD = 0.1  # s of wall time between two looks for silence
+SILENCE_PERIOD = 0.1  # s of wall time between two checks for silence
 REST_BAND = 0.001  # m
 REST_DURATION = 0.5  # s
 
@@ -28,7 +28,6 @@ class TestMovement:
     """The node: moved distance in, velocity command out."""
 
     def __init__(self):
-        """Read the parameters, then answer each message with a command."""
         parameters = PARAMETERS.read()
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done
@@ -42,7 +41,7 @@ class TestMovement:
 
     def stop_if_silent(self):
         """Command zero while no moved distance arrives."""
-        with one_at_a_time:
+        with callback_lock:
             if self._speed and self._watchdog.expired(rospy.get_time()):
                 self._command(0.0)
                 rospy.logwarn('stopping: no moved_distance arrives')
@@ -73,7 +72,7 @@ class TestMovement:
 
 def main():
     """Answer messages until shutdown."""
-    spin(TestMovement().stop_if_silent, LOOK_PERIOD)
+    spin(TestMovement().stop_if_silent, SILENCE_PERIOD)
 
 
 if __name__ == '__main__':

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Drive ahead until something is nearer than half a metre, and stop."""
+"""Drive ahead until something is closer than half a metre, and stop."""
 
 import math
 
@@ -14,10 +14,10 @@ SPEED = 0.2  # m/s
 def main():
     """Answer each scan with a command."""
     rospy.init_node('stop_before_wall')
-    velocity = VelocityPublisher()  # whose last word is zero
+    velocity = VelocityPublisher()  # its final message is zero
 
     def on_scan(scan):
-        # +inf is far away and -inf too close, as they should be; NaN says nothing.
+        # +inf counts as far away, -inf as too close; ignore NaN.
         ranges = [distance for distance in scan.ranges if not math.isnan(distance)]
         velocity.publish(SPEED if ranges and min(ranges) > CLEARANCE else 0.0)
 

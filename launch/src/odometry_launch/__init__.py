@@ -1,1 +1,1 @@
-"""The demo: a tutorial with a simulated robot, watched from its topics."""
+"""The demo: run a tutorial with a simulated robot, and follow it by its topics."""

@@ -4,10 +4,10 @@ import os
 
 import numpy
 
-# A Jupyter cell or an editor sets a backend for its own windows, which may not be installed here.
+# Jupyter and editors set a backend of their own, which may not be installed here.
 os.environ['MPLBACKEND'] = 'agg'
-# Of path and distance (m), speed (m/s) and heading (degrees); less would make noise look like motion.
-SMALLEST_SPANS = 0.5, 0.1, 0.05, 2.0
+# Of path and distance (m), speed (m/s) and heading (degrees); on smaller axes noise looks like motion.
+MIN_SPANS = 0.5, 0.1, 0.05, 2.0
 FIGURE_SIZE = (11, 8)  # inches
 RESOLUTION = 100  # dots per inch
 
@@ -21,8 +21,8 @@ def new_figure(width, height):
 def make_figure(run, distance_target=None, heading_target=None):
     """Return a figure of path, distance, speed and heading of a Run.
 
-    :param distance_target: m; None: not known
-    :param heading_target: degrees; None: not known
+    :param distance_target: m; None: unknown
+    :param heading_target: degrees; None: unknown
     """
     figure = new_figure(*FIGURE_SIZE)
     figure.suptitle(run.name)
@@ -40,7 +40,7 @@ def make_figure(run, distance_target=None, heading_target=None):
     if heading_target is not None:
         turns = round((numpy.degrees(run.odometry.yaw[-1]) - heading_target) / 360)
         _draw_target(heading, heading_target + 360 * turns)
-    for axes, span in zip(figure.axes, SMALLEST_SPANS):
+    for axes, span in zip(figure.axes, MIN_SPANS):
         _show_at_least(span, axes)
     path.set_aspect('equal', adjustable='datalim')
     path.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
@@ -58,9 +58,9 @@ def _draw_target(axes, value):
 
 
 def _show_at_least(span, axes):
-    """Show a span of values, or more, about the middle of what is drawn."""
+    """Extend the y axis to at least `span`, about its middle."""
     middle = sum(axes.get_ylim()) / 2
-    # Fixed limits would be in the way of the equal scales of the path.
+    # Not by fixed limits: the path needs equal scales.
     axes.update_datalim([(0, middle - span / 2), (0, middle + span / 2)], updatex=False)
     axes.autoscale_view()
 

@@ -16,7 +16,7 @@ LOG_SIZE = 2**16  # bytes; the logs of a run are not much larger
 
 
 def new_folder(name=''):
-    """Make a folder of this name and moment in RUNS; several may start in the same second."""
+    """Make a new folder in RUNS, named by the time; several may start in the same second."""
     name += time.strftime('%Y-%m-%d_%H-%M-%S')
     for number in itertools.count(1):
         folder = RUNS / (name if number == 1 else f'{name}_{number}')
@@ -27,7 +27,7 @@ def new_folder(name=''):
 
 @contextlib.contextmanager
 def path_in_errors(path):
-    """Yield a path that is being written to, and name it in an OSError: write() does not."""
+    """Yield a path that is being written, and add it to an OSError, since write() does not."""
     try:
         yield path
     except OSError as error:
@@ -35,7 +35,7 @@ def path_in_errors(path):
 
 
 def use_writable_logs():
-    """Where ROS cannot write its home or its logs, use a new temporary folder, and say so of the logs."""
+    """If ROS cannot write its home or its logs, use a new temporary folder; report one for logs."""
     failed = {variable: error for variable, folder in (
         ('ROS_HOME', rospkg.get_ros_home()), ('ROS_LOG_DIR', rospkg.get_log_dir()))
         if (error := _error_of_writing(folder))}
@@ -47,7 +47,7 @@ def use_writable_logs():
 
 
 def _error_of_writing(folder):
-    """Make a folder and write as much into it as logs may need; return the error if that fails."""
+    """Make a folder and write as much as logs may need; return the error, or None."""
     try:
         os.makedirs(folder, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder) as file:

@@ -3,6 +3,7 @@
 import contextlib
 import socket
 import sys
+import threading
 import time
 
 import rospy
@@ -13,10 +14,8 @@ from odometry_launch.monitors import MoveMonitor, RotateMonitor
 from odometry_launch.output import Line, complain
 from odometry_launch.recording import Recording, leave_picture
 
-LOOK_PERIOD = 0.1  # s
+PROGRESS_PERIOD = 0.1  # s of wall time
 LINE_PERIOD = 2.0  # s of simulated time
-PATIENCE = 10.0  # s of wall time without a message
-SIMULATED_PATIENCE = 0.2  # s; four odometries
 MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
 
 
@@ -35,14 +34,16 @@ def follow(options, launch, page_port):
     if page_port:
         launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
         print(f'view            http://localhost:{page_port.number}', flush=True)
-    _watch(monitor, launch, Silence(options.real_time_factor))
+    _watch(monitor, launch)
     wall_time = time.monotonic() - wall_start
     summary, complaint = monitor.result()
     print(f'{summary}\ntime            {monitor.now:.1f} s simulated, {wall_time:.1f} s real',
           flush=True)
     bag = recording and recording.close()
+    # Meanwhile rospy ends, and without the page the nodes do: each waits for threads of its own.
+    threading.Thread(target=rospy.signal_shutdown, args=['the run is over'], daemon=True).start()
     if not page_port:
-        launch.terminate()  # the nodes end while this draws the picture
+        launch.terminate()
     if bag:
         targets = ({'distance_target': options.distance} if options.tutorial == 'move'
                    else {'heading_target': options.target})
@@ -55,7 +56,7 @@ def follow(options, launch, page_port):
 
 
 def join(launch, name):
-    """Make this process a node, with a name, of a Launch."""
+    """Make this process a node of a Launch."""
     def start():
         fix_rospy()
         rospy.init_node(name, anonymous=True, disable_signals=True)
@@ -66,7 +67,7 @@ def join(launch, name):
 
 
 def _record():
-    """Start a recording; without a writable folder the demo continues without one."""
+    """Start a recording; without a writable folder the demo continues without it."""
     try:
         return Recording()
     except OSError as error:
@@ -79,7 +80,7 @@ def _are_connected(monitor, recording):
 
 
 def unpause():
-    """Start simulated time; return whether the simulator has answered."""
+    """Start simulated time; return whether the simulator answers."""
     try:
         rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()
     except rospy.ServiceException:
@@ -93,40 +94,19 @@ def _listens(port):
 
 
 def _keep_page(launch):
-    """Keep the page open until Ctrl-C, which is no failure then."""
+    """Keep the page open until Ctrl-C, which is then no failure."""
     print('The page stays, and its pad drives the robot, until Ctrl-C.', flush=True)
     with contextlib.suppress(KeyboardInterrupt):
         while True:
             launch.check()
-            time.sleep(LOOK_PERIOD)
+            time.sleep(PROGRESS_PERIOD)
 
 
-def _watch(monitor, launch, silence):
-    """Show the robot's progress until it has arrived."""
+def _watch(monitor, launch):
+    """Show the robot's progress until it arrives."""
     line = Line(LINE_PERIOD)
     while monitor.end is None:
         launch.check()
-        silence.look(monitor.now)
         line.show(monitor.progress(), monitor.now)
-        time.sleep(LOOK_PERIOD)
+        time.sleep(PROGRESS_PERIOD)
     line.finish(monitor.progress())
-
-
-class Silence:
-    """Reports once when the robot falls silent; only the user knows whether it is paused."""
-
-    def __init__(self, real_time_factor):
-        """Take the simulated seconds per second; 0: any."""
-        self._patience = PATIENCE
-        if real_time_factor:
-            self._patience = max(PATIENCE, SIMULATED_PATIENCE / real_time_factor)
-        self._now = self._since = None
-
-    def look(self, now):
-        """Take the robot's time (s)."""
-        if now != self._now:
-            self._now, self._since = now, time.monotonic()
-        elif self._since is not None and time.monotonic() - self._since > self._patience:
-            self._since = None
-            complain(f'nothing has come from the robot for {self._patience:g} s; is it paused? '
-                     'Ctrl-C ends the demo')

@@ -22,19 +22,21 @@ from odometry_launch.node_output import NodeOutput
 from odometry_launch.output import DemoError
 from odometry_launch.ports import next_port, usual_master_port
 
-START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s in all
+START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
 ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by SIGKILL
-LOOK_PERIOD = 0.02  # s
+CHECK_PERIOD = 0.02  # s
 
 
 class Launch(ProcessListener):
     """A context in which a master and the nodes of a launch file run."""
 
     def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch'):
-        """Take the name of a launch file, a dictionary of its arguments, and its package.
+        """Start with __enter__().
 
-        :param may_end: names of nodes that end once they have done their task
+        :param launch_file: its name in `package`
+        :param arguments: dictionary of its arguments
+        :param may_end: names of nodes that may exit, with status 0
         """
         self._file = package, launch_file
         self._arguments = [f'{name}:={value}' for name, value in arguments.items()]
@@ -44,7 +46,7 @@ class Launch(ProcessListener):
         self._output = NodeOutput()
 
     def __enter__(self):
-        """Start everything, and return at once; raise OSError if no port is free."""
+        """Start everything and return at once; OSError: no port is free."""
         usual = usual_master_port()
         self._port = next_port(usual)
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
@@ -54,13 +56,13 @@ class Launch(ProcessListener):
         roslib.set_interactive(True)  # roslaunch sets no signal handlers
         for signum in ENDING:
             signal.signal(signum, self._stop)
-        roslaunch.core.print = lambda *_, **__: None  # it reports each process, started or ended
+        roslaunch.core.print = lambda *_, **__: None  # it would report each process
         roslaunch.core.add_printerrlog_handler(self._output.add)
         roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
         self._parent = ROSLaunchParent(
             str(uuid.uuid1()), [], show_summary=False, sigint_timeout=END_TIMEOUT)
         self._parent.pm = start_process_monitor()
-        self._parent.pm.add_process_listener(self)  # the parent would not notice who ends early
+        self._parent.pm.add_process_listener(self)  # the parent's own comes too late for early exits
         # On a thread: the main thread imports rospy meanwhile.
         self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
         return self
@@ -68,26 +70,26 @@ class Launch(ProcessListener):
     def _start(self):
         path, = resolve_launch_arguments(self._file)
         self._parent.config = load_config_default([(path, self._arguments)], self._port.number)
-        self._parent.config.nodes_core.clear()  # nobody reads rosout's log
+        self._parent.config.nodes_core.clear()  # no rosout: nobody reads its log
         with self._output.capture():
             self._parent.start()
 
     def __exit__(self, *_):
-        """Wait until everything has ended; nodes may write logs until then."""
+        """Wait until everything has exited; nodes may write logs until then."""
         concurrent.futures.wait([self._started])
         self._parent.shutdown()
         self._port.close()
 
     def terminate(self):
-        """Start to end everything, and return at once."""
+        """Start to shut everything down, and return at once."""
         self._parent.pm.shutdown()
 
     def _stop(self, *_):
-        self._is_stopped = True  # not an exception: an import would print a traceback, or swallow it
+        self._is_stopped = True  # an exception could be swallowed, or printed, by an import
 
     def process_died(self, process_name, exit_code):
-        """Note it, on roslaunch's thread."""
-        name, _, _ = process_name.partition('-')  # roslaunch numbers all but the master
+        """Record the exit; roslaunch calls this on its thread."""
+        name, _, _ = process_name.partition('-')  # roslaunch numbers all processes but the master
         self._ended[name] = exit_code
 
     def wait_until_started(self):
@@ -97,7 +99,7 @@ class Launch(ProcessListener):
             raise DemoError(f'the nodes have not been started: {error}')
 
     def check(self):
-        """Raise DemoError if a node has ended that should still run, KeyboardInterrupt after a signal."""
+        """Raise DemoError if a node has exited too early, KeyboardInterrupt after a signal."""
         if self._is_stopped:
             raise KeyboardInterrupt
         for name, status in list(self._ended.items()):
@@ -105,13 +107,13 @@ class Launch(ProcessListener):
                 raise DemoError(self._output.complaint_of(name) or f'{name} has ended{_how(status)}')
 
     def wait_for(self, condition, complaint):
-        """Return once the condition holds; raise DemoError if it fails, or takes too long."""
+        """Return once a condition holds; raise DemoError if it fails, or after START_TIMEOUT."""
         end, outcome = time.monotonic() + START_TIMEOUT, queue.SimpleQueue()
         # On a thread, since a suspended master or node never answers.
         threading.Thread(target=_wait, args=[condition, outcome], daemon=True).start()
         while time.monotonic() < end:
             try:
-                error = outcome.get(timeout=LOOK_PERIOD)
+                error = outcome.get(timeout=CHECK_PERIOD)
             except queue.Empty:
                 self.check()
                 continue
@@ -123,11 +125,11 @@ class Launch(ProcessListener):
 
 
 def _wait(condition, outcome):
-    """Put None into a queue once a condition holds, or the error if it fails."""
+    """Put None into a queue once a condition holds, or its exception."""
     holds = False
     try:
         while not holds:
-            time.sleep(LOOK_PERIOD)
+            time.sleep(CHECK_PERIOD)
             with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
                 holds = condition()
         outcome.put(None)
@@ -136,7 +138,7 @@ def _wait(condition, outcome):
 
 
 def _how(status):
-    """Describe how a process has ended."""
+    """Describe an exit code."""
     if status < 0:
         return f' by {signal.Signals(-status).name}'
     return f' with status {status}' if status else ''

@@ -1,4 +1,4 @@
-"""What the nodes of a launch file print."""
+"""The output of the nodes of a launch file."""
 
 import contextlib
 import os
@@ -8,14 +8,14 @@ LAST_LINES = 5
 
 
 class NodeOutput:
-    """The output of child processes, in memory because the disk may be full."""
+    """The output of child processes; in memory, since the disk may be full."""
 
     def __init__(self):
         self._file = os.memfd_create('nodes', os.MFD_CLOEXEC)
 
     @contextlib.contextmanager
     def capture(self):
-        """Take what this process and those that it starts meanwhile print."""
+        """Capture the output of this process, and of those that it starts meanwhile."""
         own = [os.dup(descriptor) for descriptor in STANDARD_OUTPUTS]
         for descriptor in STANDARD_OUTPUTS:
             os.dup2(self._file, descriptor)
@@ -36,9 +36,9 @@ class NodeOutput:
         return [line for line in map(str.strip, text.splitlines()) if line]
 
     def complaint_of(self, node):
-        """Return the last line that begins with a node's name, as complaints do, or None."""
+        """Return the last line that begins with a node's name, as its error messages do, or None."""
         return next((line for line in reversed(self.lines()) if line.startswith(f'{node}: ')), None)
 
     def last_lines(self):
-        """Return the last lines, each on a line of its own."""
+        """Return the last lines, each after a line break."""
         return '\n'.join(['', *self.lines()[-LAST_LINES:]])

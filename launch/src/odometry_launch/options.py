@@ -1,47 +1,44 @@
 """The demo's command line."""
 
 import argparse
-import math
 
-# Nothing of ROS: ./ws demo --help prints these options before anything is installed.
-from odometry_common.kobuki import MAX_LINEAR_SPEED
+from heading_control import turn
+from odometry_common.parameters import ParameterError
+from straight_drive import drive
 
 PAGE_PORT = 8080
-VIEW_TOLERANCE = 0.05  # degrees, half of what the demo asks for
-MIN_SPEED = 0.001  # m/s; a slower robot takes half an hour
-MIN_FACTOR = 0.001  # what the simulator accepts
-# The tutorial of an option, and its default.
-DEFAULTS = {'distance': ('move', 2.0), 'speed': ('move', 0.1), 'target': ('rotate', 90.0)}
+VIEW_TOLERANCE = 0.05  # degrees, half of what the demo allows
+PARAMETERS = {row.name[1:]: row for table in (drive, turn) for row in table.PARAMETERS.rows}
+TUTORIALS = {'distance': 'move', 'speed': 'move', 'target': 'rotate'}  # of an option
 
 
 def parse(arguments):
     """Return the options; print help or an error and exit if there is nothing to run."""
     parser = make_parser()
     options = parser.parse_args(arguments)
-    for name, (tutorial, default) in DEFAULTS.items():
+    for name, tutorial in TUTORIALS.items():
         if getattr(options, name) is None:
-            setattr(options, name, default)
+            setattr(options, name, PARAMETERS[name].default)
         elif options.tutorial != tutorial:
-            parser.error(f'argument --{name}: is for ./ws demo {tutorial}')
+            parser.error(f'argument --{name}: only for ./ws demo {tutorial}')
     return options
 
 
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws demo', description='Run a tutorial with a simulated TurtleBot 2 and show how '
-        'it goes. A recording and a picture of the run are left in the folder runs.')
+        prog='./ws demo', description='Run a tutorial with a simulated TurtleBot 2 and show its '
+        'progress. A recording and a picture of the run are saved in the folder runs.')
     parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
                         help='drive two metres, or turn to a heading (default: %(default)s)')
-    parser.add_argument('--distance', type=_number(0.01, 1000), metavar='M',
-                        help=f'move: where to stop (m; default: {DEFAULTS["distance"][1]})')
-    parser.add_argument('--speed', metavar='M/S',
-                        type=_number(-MAX_LINEAR_SPEED, MAX_LINEAR_SPEED, MIN_SPEED),
+    parser.add_argument('--distance', type=_value_of('distance'), metavar='M',
+                        help=f'move: where to stop (m; default: {PARAMETERS["distance"].default})')
+    parser.add_argument('--speed', type=_value_of('speed'), metavar='M/S',
                         help='move: how fast (m/s; negative drives backwards; '
-                             f'default: {DEFAULTS["speed"][1]})')
-    parser.add_argument('--target', type=_number(-1e6, 1e6), metavar='DEGREES',
-                        help=f'rotate: heading to turn to (default: {DEFAULTS["target"][1]})')
-    parser.add_argument('--real-time-factor', type=_factor, default=1.0, metavar='N',
+                             f'default: {PARAMETERS["speed"].default})')
+    parser.add_argument('--target', type=_value_of('target'), metavar='DEGREES',
+                        help=f'rotate: heading to turn to (default: {PARAMETERS["target"].default})')
+    parser.add_argument('--real-time-factor', type=float, default=1.0, metavar='N',
                         help='simulated seconds per second; 0: as fast as possible; other than 1, '
                              'in lockstep (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
@@ -53,8 +50,8 @@ def make_parser():
 
 
 def nodes_that_end(options):
-    """Return the names of the nodes that end once they have done their task."""
-    # Beside a page the tutorial's node does: otherwise its zero commands would fight the pad's.
+    """Return the names of the nodes that exit once they have finished."""
+    # With a page, so that the zero commands of the tutorial's node do not fight the pad.
     return ['test_movement', 'rotate_robot'] if options.view else []
 
 
@@ -62,7 +59,7 @@ def launch_arguments(options, page_port=None):
     """Return the launch file and a dictionary of its arguments for these options."""
     arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
                  'real_time_factor': options.real_time_factor, 'paused': 'true',
-                 # At each pace but real time the robot waits for its controller.
+                 # At any pace but real time the robot waits for its controller.
                  'lockstep': _flag(options.real_time_factor != 1)}
     if page_port:
         arguments['view_port'] = page_port
@@ -78,21 +75,11 @@ def _flag(value):
     return str(value).lower()
 
 
-def _number(lowest, highest, smallest=0.0):
-    """Return a type for argparse: numbers in a range, whose size is at least `smallest`."""
-    def parse_number(text):
+def _value_of(parameter):
+    """Return a type for argparse: the numbers that a node's parameter accepts."""
+    def number(text):
         try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not lowest <= value <= highest:
-            raise argparse.ArgumentTypeError(
-                f'{text!r} is not a number from {lowest:g} to {highest:g}')
-        if abs(value) < smallest:
-            raise argparse.ArgumentTypeError(f'{text!r} is smaller than {smallest:g}')
-        return value
-    return parse_number
-
-
-def _factor(text):
-    return _number(0, 100)(text) and _number(0, 100, MIN_FACTOR)(text)
+            return PARAMETERS[parameter].check(float(text))
+        except ParameterError as error:
+            raise argparse.ArgumentTypeError(error) from None
+    return number

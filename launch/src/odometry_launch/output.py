@@ -13,10 +13,9 @@ class DemoError(RuntimeError):
 
 
 class Line:
-    """A line that is rewritten on a terminal; elsewhere a new line in each period."""
+    """A line that is rewritten on a terminal; elsewhere a new line each `period`, from `first` on (s)."""
 
     def __init__(self, period, first=-math.inf):
-        """Take the period, and the time from which on to show lines (s)."""
         self._live = sys.stdout.isatty()
         self._period, self._next = period, first
 
@@ -34,18 +33,18 @@ class Line:
 
 
 def bar(share):
-    """Return a bar that shows how much is done, from 0 to 1."""
+    """Return a progress bar for a share from 0 to 1."""
     done = max(0, min(BAR_WIDTH, round(BAR_WIDTH * share)))
     return f'[{"=" * done:{BAR_WIDTH}}]'
 
 
 def complain(text, program='demo'):
-    """Print a line to stderr, in place of a line of progress that may be there."""
+    """Print a line to stderr; it replaces the line of progress."""
     print(f'{REWRITE if sys.stderr.isatty() else ""}{program}: {text}', file=sys.stderr, flush=True)
 
 
 def forget_output():
-    """Discard output without a reader, so that Python does not fail to flush it at exit."""
+    """Discard output that has no reader, or Python would fail to flush it at exit."""
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()

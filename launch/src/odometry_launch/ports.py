@@ -12,17 +12,16 @@ NEXT_PORTS = 100  # to try after the first
 
 
 class HeldPort:
-    """A port that no other demo or sweep takes until close().
+    """A port, or any for 0, that no other demo or sweep takes until close().
 
-    Sockets that do not listen can share a port. A name in Linux's abstract namespace, which belongs
-    to one process at a time and ends with it, keeps them apart.
+    OSError: another process has it. Sockets that do not listen can share a port; a name in Linux's
+    abstract namespace, which belongs to one process and ends with it, keeps them apart.
     """
 
     def __init__(self, number):
-        """Take a port, or any for 0; raise OSError if another process has it."""
         with contextlib.ExitStack() as stack:
             port = stack.enter_context(socket.socket())
-            # So that ROS's and asyncio's servers, which set this too, can listen on it.
+            # ROS's and asyncio's servers set this, too, and so can listen on the port.
             port.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             port.bind((HOST, number))
             self.number = port.getsockname()[1]
@@ -42,7 +41,7 @@ def next_port(first):
 
 
 def usual_master_port():
-    """Return the port in ROS_MASTER_URI, where rostopic looks, or ROS's default."""
+    """Return the port in ROS_MASTER_URI, which rostopic uses, or ROS's default."""
     with contextlib.suppress(ValueError):
         return urlparse(os.environ.get('ROS_MASTER_URI', '')).port or DEFAULT_MASTER_PORT
     return DEFAULT_MASTER_PORT

@@ -1,4 +1,4 @@
-"""A recorded run, from a bag with odometry in it."""
+"""Read a run from a bag with odometry."""
 
 import math
 import shlex
@@ -12,12 +12,12 @@ from odometry_common.geometry import PlanarPose, wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 
 ODOMETRY, ODOMETRY_TOPIC = 'nav_msgs/Odometry', '/odom'
-# What else is drawn, by topic.
+# Other topics in the picture, with their types.
 OTHERS = {'/base_pose_ground_truth': ODOMETRY, '/cmd_vel': 'geometry_msgs/Twist'}
 
 
 class BagError(ValueError):
-    """A bag without a run; the message is one line for the user."""
+    """The bag contains no run; the message is one line for the user."""
 
 
 class Track(NamedTuple):
@@ -27,13 +27,13 @@ class Track(NamedTuple):
     x: numpy.ndarray  # m
     y: numpy.ndarray  # m
     yaw: numpy.ndarray  # rad, without jumps
-    speed: numpy.ndarray  # m/s, forwards; NaN where the driver does not say
+    speed: numpy.ndarray  # m/s, forwards; NaN if the driver does not report it
     distance: numpy.ndarray  # m, as the detector counts it
-    jumps: list  # indices of the messages whose step is not counted, since it is no movement
+    jumps: list  # indices of the messages whose step is not counted as movement
     ignored: int  # number of further messages, which are late or not finite
 
     def moved_onto(self, other):
-        """Return the same path in a frame in which both start at the same pose."""
+        """Return the same path, moved so that both start at the same pose."""
         start = max(self.time[0], other.time[0])
         frame = other.at(start).then(self.at(start).inverse())
         x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
@@ -46,24 +46,22 @@ class Track(NamedTuple):
 
 
 class Run(NamedTuple):
-    """What a bag says about a run."""
+    """A run in a bag."""
 
     name: str  # of the bag, with its folder
     topic: str  # of the odometry
     odometry: Track
     ground_truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
-    odd_topics: list  # topics of OTHERS with another type, in words
 
     def summary(self):
-        """Return distance, duration, speeds and errors in words, and what was left out."""
+        """Return distance, duration, speeds, the error, and what was left out, as text."""
         track = self.odometry
         duration = track.time[-1] - track.time[0]
         mean = track.distance[-1] / duration if duration else 0.0
         top = numpy.abs(track.speed).max()
         left_out = [f'{_in_words(number, thing)} {how}' for number, thing, how in (
             (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')) if number]
-        left_out += self.odd_topics
         return '\n'.join([f'odometry    {self.topic}',
                           f'distance    {track.distance[-1]:.3f} m',
                           f'duration    {duration:.1f} s',
@@ -74,7 +72,7 @@ class Run(NamedTuple):
                           *([f'left out    {", ".join(left_out)}'] if left_out else [])])
 
     def _error(self):
-        """Yield a line that says how far odometry and truth end apart."""
+        """Yield a line with the distance between odometry and truth at the end."""
         end = min(self.odometry.time[-1], self.ground_truth.time[-1])
         error = self.ground_truth.at(end).inverse().then(self.odometry.at(end))
         yield (f'off truth   {math.hypot(error.x, error.y):.3f} m, '
@@ -84,9 +82,9 @@ class Run(NamedTuple):
 def read_run(path, topic=None, end=math.inf):
     """Return the Run in a bag.
 
-    :param topic: the odometry; None: /odom or, in a bag without that, the only odometry
-    :param end: of the run (s); what is later is left out
-    :raises BagError: if it is not an indexed bag, or has no odometry with finite numbers
+    :param topic: the odometry; None: the only odometry, or /odom
+    :param end: of the run (s); later messages are left out
+    :raises BagError: if the bag cannot be read, or has no odometry with finite numbers
     """
     try:
         with rosbag.Bag(str(path)) as bag:
@@ -102,7 +100,7 @@ def read_run(path, topic=None, end=math.inf):
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
     except Exception as error:  # noqa: BLE001
-        # rosbag raises KeyError, struct.error and others on wrong bytes.
+        # On damaged bytes rosbag raises KeyError, struct.error and others.
         raise BagError(f'{path} is damaged: {error!r}') from None
     if types.get(topic) != ODOMETRY:
         raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
@@ -114,25 +112,23 @@ def read_run(path, topic=None, end=math.inf):
     if track is None:
         raise BagError(f'{path} has no finite position on {topic}')
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
-               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3),
-               [f'{name} ({types[name]})' for name, kind in OTHERS.items()
-                if types.get(name, kind) != kind])
+               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
 
 
 def _odometry_topic(types):
-    """Return the topic that a user who names none means."""
+    """Return the default topic."""
     topics = [name for name, kind in types.items() if kind == ODOMETRY]
     return topics[0] if len(topics) == 1 else ODOMETRY_TOPIC
 
 
 def _choice(types):
-    """Return what else the user can do."""
+    """Return what the user can choose."""
     options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == ODOMETRY]
     return f'choose its odometry: {" or ".join(options)}' if options else f'it has no {ODOMETRY}'
 
 
 def _track(rows, start):
-    """Return the Track of the messages whose numbers are finite; None if there are none."""
+    """Return the Track of the messages with finite numbers; None if there are none."""
     counter, kept, jumps = DistanceCounter(), [], []
     for row in rows:
         pose, speed = row.message.pose.pose, row.message.twist.twist.linear.x
@@ -140,7 +136,7 @@ def _track(rows, start):
         try:
             not_counted = counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
             yaw = _yaw(pose.orientation)
-        except ValueError:  # a position or an orientation that is not finite
+        except ValueError:  # its position or orientation is not finite
             continue
         is_late = not_counted and kept and _stamp(row) < kept[-1][0]
         if is_late or not math.isfinite(speed):
@@ -163,12 +159,12 @@ def _in_words(number, thing):
 
 def _yaw(orientation):
     """Return the yaw (rad); 0 if the driver leaves the orientation empty."""
-    # A bag has classes of its own, which equal no geometry_msgs/Quaternion.
+    # A bag's message classes are its own: they never equal a geometry_msgs/Quaternion.
     numbers = orientation.x, orientation.y, orientation.z, orientation.w
     return yaw_from_orientation(orientation) if any(numbers) else 0.0
 
 
 def _stamp(row):
-    """Return when a message was measured, or recorded if it does not say (s)."""
+    """Return the time of a message (s): its stamp, or when it was recorded."""
     measured = row.message.header.stamp.to_sec() if hasattr(row.message, 'header') else 0.0
     return measured or row.timestamp.to_sec()

@@ -1,4 +1,4 @@
-"""A bag of the run, and the picture beside it."""
+"""Record a run in a bag, and draw its picture."""
 
 import contextlib
 import math
@@ -22,10 +22,12 @@ TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance'
 
 
 class Recording:
-    """Records the robot's topics until close(), or until the disk is full."""
+    """Records the robot's topics in a new folder until close(), or until the disk is full.
+
+    OSError: the folder cannot be made.
+    """
 
     def __init__(self):
-        """Begin, in a new folder for this moment; raise OSError if that fails."""
         self.path = new_folder() / 'run.bag'
         self._file = self.path.open('w+b')
         self._bag = rosbag.Bag(self._file, 'w')
@@ -34,7 +36,7 @@ class Recording:
                              for topic, kind in TOPICS.items()}
 
     def is_connected(self, *topics):
-        """Return whether the recording gets the next message of each of these topics."""
+        """Return whether the recording receives the next message of each of these topics."""
         return all(is_connected(self._subscribers[topic]) for topic in topics)
 
     def close(self):
@@ -63,13 +65,13 @@ class Recording:
             complain(f'the recording ends: {error}')
             with contextlib.suppress(OSError):
                 self._bag.close()
-            # Python 3.13 would complain that it cannot write the buffer.
+            # Otherwise Python 3.13 reports that it cannot write the buffer.
             self._file.raw.close()
             self._bag = None
 
 
 def leave_picture(bag, end=math.inf, **targets):
-    """Draw the run in a bag (a Path), and print where the picture is, or why it failed.
+    """Draw the run in a bag (a Path); print the path of the picture, or why there is none.
 
     :param end: of the run (s)
     :param targets: as for make_figure()

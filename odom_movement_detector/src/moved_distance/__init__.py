@@ -1,1 +1,1 @@
-"""The arithmetic of the detector, which others use as well."""
+"""The arithmetic of the detector."""

@@ -1,4 +1,4 @@
-"""How far a robot has moved: the sum of the steps between the positions of its odometry."""
+"""How far a robot has moved: the sum of the steps between its odometry's positions."""
 
 import math
 from collections import deque
@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from odometry_common.parameters import Parameter, Parameters, at_least
 
-SMALLEST_DISTANCE = 1e-6  # m; a smaller total is given as zero, as in the tutorial
-LONGEST_STEP = 1e300  # m; so that no sum of steps is more than a float holds
+MIN_DISTANCE = 1e-6  # m; a smaller total is reported as zero, as in the tutorial
+MAX_STEP = 1e300  # m; longer steps could overflow the sum
 
 PARAMETERS = Parameters(
     Parameter('~min_step', 0.0, 'm', at_least(0),
@@ -18,11 +18,11 @@ PARAMETERS = Parameters(
 
 
 class Position(NamedTuple):
-    """Where the robot was."""
+    """A position of the robot."""
 
     x: float  # m
     y: float  # m
-    stamp: float  # s, when it was there
+    stamp: float  # s, when it was measured
     arrival: float  # s, when the message arrived
 
 
@@ -30,7 +30,7 @@ class DistanceCounter:
     """Adds the steps between consecutive positions in the plane, except jumps."""
 
     def __init__(self, min_step=0.0, max_speed=5.0):
-        """Take the smallest step counted (m) and the speed (m/s, 0: any) of a jump."""
+        """Count steps of at least `min_step` (m) and at most `max_speed` (m/s; 0: any)."""
         self._min_step = min_step
         self._max_speed = max_speed
         self._total = 0.0
@@ -41,8 +41,8 @@ class DistanceCounter:
 
     @property
     def distance(self):
-        """Metres counted so far; exactly 0.0 while under a micrometre."""
-        return self._total if self._total >= SMALLEST_DISTANCE else 0.0
+        """Metres counted so far; exactly 0.0 below a micrometre."""
+        return self._total if self._total >= MIN_DISTANCE else 0.0
 
     def reset(self):
         """Start from zero at the last position."""
@@ -50,12 +50,12 @@ class DistanceCounter:
         self._counted = self._last
 
     def add(self, x, y, stamp, arrival):
-        """Take the robot's next position.
+        """Add the robot's next position.
 
         :param x, y: position (m)
         :param stamp, arrival: when it was measured and when it arrived (s)
         :return: None, or why this step is not counted as movement
-        :raises ValueError: if x or y is not finite; nothing has changed then
+        :raises ValueError: if x or y is not finite; nothing changes then
         """
         if not (math.isfinite(x) and math.isfinite(y)):
             raise ValueError(f'the position ({x}, {y}) is not finite')
@@ -76,9 +76,9 @@ class DistanceCounter:
     def _is_late(self, here):
         """Return whether to ignore this position because it is older than the last.
 
-        Other messages have overtaken such a message, or it is a copy. But if the next one continues
-        from it, time has restarted: a simulator was reset, a bag began again. Then only the step
-        between these two counts.
+        Other messages have overtaken it, or it is a copy. But if the next one continues from it, time
+        has restarted: a simulator was reset, a bag started again. Then only the step between these
+        two counts.
         """
         late, self._late = self._late, None
         if self._last is None or here.stamp >= self._last.stamp:
@@ -93,7 +93,7 @@ class DistanceCounter:
         """Return why the step from the last position to this one is not movement, or None."""
         available = self._available_time(here)
         uncounted = math.hypot(here.x - self._counted.x, here.y - self._counted.y)
-        if uncounted > LONGEST_STEP:
+        if uncounted > MAX_STEP:
             return f'a step of {uncounted} m is no movement'
         step = math.hypot(here.x - self._last.x, here.y - self._last.y)
         if self._max_speed and step / self._max_speed > available:
@@ -103,41 +103,39 @@ class DistanceCounter:
     def _available_time(self, here):
         """Return how long (s) the robot may have moved since the last position."""
         interval = here.stamp - self._last.stamp
-        if interval == 0:  # from a driver that does not stamp its messages, for example
+        if interval == 0:  # for example, the driver does not stamp its messages
             interval = max(0.0, here.arrival - self._last.arrival)
         usual = self._period.mean
         self._period.add(interval)
-        # Messages that were delayed together have nearly the same stamp, but the robot has moved
-        # between them for as long as between any others.
+        # Messages that were delayed together have nearly the same stamp, but the robot has moved for
+        # as long as between any others.
         return max(interval, usual)
 
 
 class UsualPeriod:
-    """The mean time between messages, over the last second in which there were any.
+    """The mean time between messages over the last second with messages.
 
-    A mean, because messages that come late leave it as it is: what one interval lacks, another
-    has too much. Over a time and not a number of messages, because a hundred of them in one burst
-    then weigh no more than the pause before, and a new rate soon prevails. A longer silence
-    is not how messages usually follow each other, and is left out.
+    A mean, because a late message lengthens one interval and shortens the next. Over a time and not
+    over a number of messages, so that a burst weighs no more than the pause before it, and a new
+    rate soon prevails. A longer silence is left out.
     """
 
     WINDOW = 1.0  # s
-    FIRST_GUESS = 0.05  # s, until there was an interval; the tutorial's robot sends at 20 Hz
-    LARGEST_COUNT = 1000  # messages in the window
+    FIRST_GUESS = 0.05  # s, before the first interval; the tutorial's robot sends at 20 Hz
+    MAX_COUNT = 1000  # messages in the window
 
     def __init__(self):
-        """Begin with the first message."""
-        # When the messages were, by a clock that stands still in each silence.
-        self._times = deque([0.0], self.LARGEST_COUNT)
+        # Times of the messages, by a clock that stops in each silence.
+        self._times = deque([0.0], self.MAX_COUNT)
 
     @property
     def mean(self):
-        """Seconds."""
+        """The mean (s)."""
         intervals = len(self._times) - 1
         return (self._times[-1] - self._times[0]) / intervals if intervals else self.FIRST_GUESS
 
     def add(self, interval):
-        """Take the time from one message to the next (s)."""
+        """Add the time from one message to the next (s)."""
         if interval >= self.WINDOW:
             return
         self._times.append(self._times[-1] + interval)

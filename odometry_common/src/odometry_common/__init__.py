@@ -1,1 +1,1 @@
-"""What every node of these packages needs: checked parameters, a safe stop, a clean end."""
+"""Shared by all nodes: checked parameters, a safe stop, a clean exit."""

@@ -1,4 +1,4 @@
-"""Which connections exist: rospy counts a subscriber's connection before it is made."""
+"""Check that a connection is established; rospy counts it too early."""
 
 import time
 import xmlrpc.client
@@ -6,9 +6,9 @@ import xmlrpc.client
 import rospy
 
 ANSWER_TIMEOUT = 5.0  # s; a suspended node does not answer
-ANSWER = 2  # its place in (status, message, answer)
+ANSWER = 2  # its index in (status, message, answer)
 SENDS = 'o'
-LOOK_PERIOD = 0.02  # s
+SUBSCRIBER_PERIOD = 0.02  # s of wall time between two checks
 
 
 class _Transport(xmlrpc.client.Transport):
@@ -30,11 +30,11 @@ def is_connected(subscriber):
 def has_subscriber_within(publisher, timeout):
     """Return whether a publisher has a subscriber, now or within `timeout` s of wall time.
 
-    :param publisher: rospy.Publisher, or another that counts its connections
+    :param publisher: rospy.Publisher or ClosingPublisher
     """
     end = time.monotonic() + timeout
     while not (connections := publisher.get_num_connections()) and time.monotonic() < end:
-        time.sleep(LOOK_PERIOD)
+        time.sleep(SUBSCRIBER_PERIOD)
     return connections > 0
 
 
@@ -48,7 +48,7 @@ def _sends(uri, topic):
     try:
         with node_at(uri) as node:
             connections = node.getBusInfo(rospy.get_name())[ANSWER]
-    except (OSError, xmlrpc.client.Error):  # it is shutting down, or gone
+    except (OSError, xmlrpc.client.Error):  # it is shutting down, or has gone
         return False
-    return any((listener, way, name) == (rospy.get_name(), SENDS, topic)
-               for _, listener, way, _, name, *_ in connections)
+    return any((listener, direction, name) == (rospy.get_name(), SENDS, topic)
+               for _, listener, direction, _, name, *_ in connections)

@@ -1,13 +1,13 @@
 """Angles, poses in the plane, and rotations as unit quaternions (x, y, z, w).
 
-In double precision and without ROS: PyBullet's own functions compute in single precision, which
-makes a robot far from the origin tremble by a millimetre; tf's need rospy.
+In double precision and without ROS: PyBullet's own functions use single precision, in which a robot
+far from the origin trembles by a millimetre; tf's need rospy.
 """
 
 import math
 from typing import NamedTuple
 
-UPRIGHT = 0.5  # cosine of 60 degrees; a TurtleBot that leans more has fallen, or will
+UPRIGHT = 0.5  # cosine of 60 degrees; a TurtleBot that leans more tips over
 
 
 class PlanarPose(NamedTuple):
@@ -18,14 +18,14 @@ class PlanarPose(NamedTuple):
     yaw: float  # rad
 
     def then(self, other):
-        """Return where `other`, a pose relative to this one, is."""
+        """Return `other`, a pose relative to this one, in the frame of this one."""
         cosine, sine = math.cos(self.yaw), math.sin(self.yaw)
         return PlanarPose(self.x + cosine * other.x - sine * other.y,
                           self.y + sine * other.x + cosine * other.y,
                           self.yaw + other.yaw)
 
     def inverse(self):
-        """Return where the origin is, seen from this pose."""
+        """Return the pose of the origin relative to this pose."""
         return PlanarPose(0.0, 0.0, -self.yaw).then(PlanarPose(-self.x, -self.y, 0.0))
 
 
@@ -58,18 +58,18 @@ def yaw_of(rotation):
 
 
 def height_of_z(rotation):
-    """Return how high a unit vector along z still is: 1 upright, 0 lying, -1 upside down."""
+    """Return the z of a rotated unit vector along z: 1 upright, 0 lying, -1 upside down."""
     x, y, _, _ = rotation
     return 1 - 2 * (x * x + y * y)
 
 
 def is_upright(rotation):
-    """Return whether what is rotated leans less than 60 degrees from the vertical."""
+    """Return whether a body with this rotation leans less than 60 degrees."""
     return height_of_z(rotation) > UPRIGHT
 
 
 def inverse(rotation):
-    """Return the rotation back."""
+    """Return the inverse rotation."""
     x, y, z, w = rotation
     return -x, -y, -z, w
 
@@ -86,7 +86,7 @@ def compose(outer, inner):
 def rotate(rotation, vector):
     """Return the vector (three numbers) turned by the rotation."""
     (x, y, z, w), (a, b, c) = rotation, vector
-    # Twice the cross product of the axis and the vector: fewer products than two quaternions have.
+    # Twice the cross product of axis and vector: faster than two quaternion products.
     d, e, f = 2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)
     return a + w * d + y * f - z * e, b + w * e + z * d - x * f, c + w * f + x * e - y * d
 
@@ -94,7 +94,7 @@ def rotate(rotation, vector):
 def mean_twist(before, after, duration):
     """Return the constant velocity that leads from one pose to another in `duration` seconds.
 
-    Exact where the robot turns about an axis that is square to its way, as on a floor.
+    Exact if the robot turns about an axis perpendicular to its motion, as on a floor.
 
     :param before, after: position (three numbers; m) and orientation, less than half a turn apart
     :return: linear (m/s) and angular (rad/s) velocity in the robot's own frame, three of each
@@ -104,11 +104,11 @@ def mean_twist(before, after, duration):
     if w < 0:
         x, y, z, w = -x, -y, -z, -w
     sine = math.hypot(x, y, z)  # of half the angle
-    # An arc is longer than its chord, and an angle than its sine, by the same share.
+    # arc / chord equals angle / sine.
     scale = (math.asin(min(1.0, sine)) / sine if sine else 1.0) / duration
     half = math.hypot(sine, 1 + w)
     halfway = compose(orientation, (x / half, y / half, z / half, (1 + w) / half))
-    way = (end[0] - start[0], end[1] - start[1], end[2] - start[2])
-    forwards, aside, up = rotate(inverse(halfway), way)
+    chord = (end[0] - start[0], end[1] - start[1], end[2] - start[2])
+    forwards, aside, up = rotate(inverse(halfway), chord)
     return ((scale * forwards, scale * aside, scale * up),
             (2 * scale * x, 2 * scale * y, 2 * scale * z))

@@ -15,9 +15,9 @@ MAX_LINEAR_SPEED = 0.7  # m/s, TurtleBot 2 specification
 MAX_ANGULAR_SPEED = math.pi  # rad/s, 180 degrees/s, TurtleBot 2 specification
 CMD_VEL_TIMEOUT = 0.6  # s, kobuki_node
 
-# The stall torque of the motor, 33 mN m, through its gear of 49.5833 (Kobuki user guide):
-# enough for the wheels to slip before a wall.
+# The stall torque of the motor, 33 mN m, times its gear ratio of 49.5833 (Kobuki user guide):
+# enough for the wheels to slip at a wall.
 WHEEL_TORQUE = 1.64  # N m
-# m/s^2 of each wheel: what the motors' rated load of 5 mN m through the same gear gives a
-# TurtleBot 2 of 4.94 kg. Their stall torque would lift it off its wheels.
+# m/s^2 of each wheel: the motors' rated load of 5 mN m, times the same ratio, accelerates a
+# TurtleBot 2 of 4.94 kg by this. The stall torque would tip it over.
 MAX_WHEEL_ACCELERATION = 2.9

@@ -1,4 +1,4 @@
-"""How a node starts, prints, waits and ends."""
+"""Start a node, set up its output, wait, and exit."""
 
 import logging
 import os
@@ -20,18 +20,17 @@ from odometry_common.rospy_fixes import fix_rospy
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
-REPLACED = 'new node registered with same name'  # the master's reason for a shutdown
-# s of the main thread: Python handles a signal that arrives just before a wait only after it
+# s of the main thread: Python handles a signal that arrives just before a wait only after the wait
 LONGEST_WAIT = 0.5
 MASTER_RETRY_PERIOD = 0.5  # s
-FAREWELL_TIMEOUT = 0.4  # s, for a master that does not answer
+UNREGISTER_TIMEOUT = 0.4  # s, for a master that does not answer
 NO_PARAMETERS = Parameters()
 
 _failures = []  # exit status and text
-_hooks_have_run = threading.Event()  # so that the last command is out
+_hooks_have_run = threading.Event()  # the final command has been sent
 _unregistered = threading.Event()
 _exit_lock = threading.Lock()
-_pythons_excepthook = threading.excepthook  # which it names __excepthook__ since 3.10 only
+_pythons_excepthook = threading.excepthook  # Python before 3.10 has no threading.__excepthook__
 
 
 def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_options):
@@ -48,7 +47,7 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     """
     threading.excepthook = _report_thread
     _open_output()
-    rospy.core.add_preshutdown_hook(lambda reason: _exit_soon(name, reason))
+    rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         node_help.show_help_if_asked(documentation, parameters)
@@ -65,7 +64,7 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     except OSError as error:
         end_node(error)
     except Exception:  # noqa: BLE001
-        # rospy raises one where a topic is closed, at shutdown, while it is being published.
+        # At shutdown rospy raises one if it closes a topic during a publish.
         if not rospy.core.is_shutdown_requested():
             _failures.append((EXIT_FAILURE, traceback.format_exc()))
     rospy.signal_shutdown('the node has ended')
@@ -73,9 +72,9 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
 
 
 def spin(check=lambda: None, period=LONGEST_WAIT):
-    """Return at shutdown, at once, while rospy.spin() may take half a second.
+    """Return at shutdown, at once; rospy.spin() may take half a second.
 
-    :param check: is called every `period` s of wall time
+    :param check: called every `period` s of wall time
     """
     ended = threading.Event()
     rospy.on_shutdown(ended.set)
@@ -84,24 +83,22 @@ def spin(check=lambda: None, period=LONGEST_WAIT):
 
 
 def end_node(error):
-    """Shut down because of an OSError; one of a reader that has gone, as of `| head`, is no failure."""
+    """Shut down because of an OSError; a reader that exits, as in `| head`, is no failure."""
     if not isinstance(error, BrokenPipeError) and not rospy.core.is_shutdown_requested():
         _failures.append((EXIT_FAILURE, f'{error}\n'))
     _shut_down(str(error))
 
 
-def _exit_soon(name, reason):
-    """Exit even if main() does not return; rospy calls this after the hooks of the node."""
-    if REPLACED in reason:
-        _failures.append((0, 'ends, since another node has started with its name\n'))
+def _exit_soon(name):
+    """Exit even if main() does not return; rospy calls this after the node's shutdown hooks."""
     _hooks_have_run.set()
     threading.Thread(target=_exit, args=[name], daemon=True).start()
 
 
 def _exit(name):
-    """End the process, whatever its other threads wait for, such as a master that is stuck."""
+    """Exit even if other threads block, for example on a stuck master."""
     _hooks_have_run.wait()
-    _unregistered.wait(FAREWELL_TIMEOUT)
+    _unregistered.wait(UNREGISTER_TIMEOUT)
     _exit_lock.acquire()  # never released: only the first thread reports
     status, reason = _failures[0] if _failures else (0, None)
     if reason:
@@ -119,7 +116,7 @@ def _report_thread(failure):
 
 
 def _open_output():
-    """Print each line at once: without a terminal, Python keeps it in a buffer until the node exits."""
+    """Print each line at once; without a terminal, Python buffers the output until the node exits."""
     for name in 'stdout', 'stderr':
         if getattr(sys, name) is None:  # closed by the parent process
             setattr(sys, name, open(os.devnull, 'w', encoding='ascii'))  # noqa: SIM115
@@ -135,8 +132,8 @@ def _raise_limit_on_files():
 def _start(name, init_node_options):
     """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
 
-    rospy and rosgraph swallow exceptions in places, hence the list of signals. An Event would not
-    do: this thread may hold its lock when it is interrupted.
+    rospy and rosgraph swallow exceptions in places, hence the list of signals. Not an Event: this
+    thread may hold its lock when the signal arrives.
     """
     interrupted = []
 
@@ -155,7 +152,7 @@ def _start(name, init_node_options):
 
 
 def _wait_for_master(interrupted):
-    """Wait as rospy does, which ends with a traceback if it has parameters to upload."""
+    """Wait for the master; rospy itself exits with a traceback if it has parameters to upload."""
     if rosgraph.is_master_online() or interrupted:
         return
     print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
@@ -167,8 +164,8 @@ def _wait_for_master(interrupted):
 def _go_without_logs_if_necessary():
     """Run without logs where they cannot be written.
 
-    rospy ends with a traceback if it cannot open its log file, but only warns if the folder is
-    missing. Once the disk is full, logging would print tracebacks.
+    rospy exits with a traceback if it cannot open its log file, but only warns if the folder is
+    missing. On a full disk, logging would print tracebacks.
     """
     logging.raiseExceptions = False
     folder = rospkg.get_log_dir()
@@ -189,8 +186,7 @@ def _on_signals(handler):
 def _shut_down(reason):
     """Shut the node down on a new thread.
 
-    rospy would run the shutdown hooks right here, inside a signal handler or a line of the log,
-    where this thread may hold the lock that a hook needs to publish, or may have written half of
-    a message.
+    rospy would run the shutdown hooks right here, inside a signal handler or a log call, where this
+    thread may hold the lock that a hook needs to publish, or may have sent half a message.
     """
     threading.Thread(target=rospy.signal_shutdown, args=[reason]).start()

@@ -1,4 +1,4 @@
-"""A node's command line: --help, checks, and warnings about unknown names."""
+"""Help text, checks of the command line, and warnings about unknown names."""
 
 import os
 import sys
@@ -13,7 +13,7 @@ HELP = {'-h', '--help'}
 
 
 def show_help_if_asked(documentation, parameters):
-    """Print a node's documentation and its Parameters, and exit, if the command line asks for it."""
+    """If the command line contains --help, print a node's documentation and Parameters, and exit."""
     if HELP.intersection(sys.argv[1:]):
         program = os.path.basename(sys.argv[0])
         print(f'usage: {program} [NAME:=OTHER_NAME...] [_PARAMETER:=VALUE...]\n\n'
@@ -33,7 +33,7 @@ def warn_of_unknown(parameters):
 
 
 def _private_parameters():
-    """Return the names of what is set in the node's namespace, but not below that."""
+    """Return the names of the parameters set in the node's namespace, not below it."""
     values = rospy.get_param(rospy.get_name(), {})
     if not isinstance(values, dict):
         return []
@@ -41,10 +41,10 @@ def _private_parameters():
 
 
 def check_command_line():
-    """Raise ParameterError for a ``_name:=value`` that rospy could not store.
+    """Raise ParameterError for a ``_name:=value`` that ROS cannot store.
 
-    rospy uploads these by XML-RPC while the node starts, and answers an empty value, broken
-    YAML, a large integer or a date with a traceback.
+    rospy uploads these by XML-RPC while the node starts, and exits with a traceback for an empty
+    value, broken YAML, a large integer or a date.
     """
     for name, text in _given_parameters():
         try:
@@ -56,7 +56,7 @@ def check_command_line():
 
 
 def _given_parameters():
-    """Yield name, such as ~speed, and text of each ``_name:=value`` on the command line."""
+    """Yield the name, such as ~speed, and the text of each ``_name:=value`` argument."""
     for argument in sys.argv[1:]:
         name, separator, text = argument.partition(':=')
         if separator and name.startswith('_') and not name.startswith('__'):

@@ -1,15 +1,15 @@
-"""Roll, pitch and yaw of a message's orientation, as the tutorial takes them: from tf."""
+"""Roll, pitch and yaw of a message's orientation, from tf, as in the tutorial."""
 
 import math
 
 from tf.transformations import euler_from_quaternion
 
-# tf squares the length, so that others would become zero or infinite; to normalise changes the last digits.
+# Outside these lengths tf's square would be 0 or infinite; inside, normalising changes the last digits.
 SHORT, LONG = 1e-3, 1e3
 
 
 def yaw_from_orientation(orientation):
-    """Return the yaw (rad, from -pi to pi); the rest is as in euler_from_orientation()."""
+    """Return the yaw (rad, from -pi to pi); parameter and error as in euler_from_orientation()."""
     return euler_from_orientation(orientation)[2]
 
 

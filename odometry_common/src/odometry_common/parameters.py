@@ -1,4 +1,4 @@
-"""A node's parameters: declared in one table, and checked before the node does anything."""
+"""A node's parameters: declared in one table, and checked before the node starts."""
 
 import math
 import re
@@ -6,7 +6,7 @@ import textwrap
 from types import SimpleNamespace
 from typing import Any, Callable, NamedTuple
 
-# YAML 1.1 reads 1e4 as a string: it wants a point and a sign, 1.0e+4.
+# YAML 1.1 reads 1e4 as a string; a number needs a point and a sign, 1.0e+4.
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
 HELP_WIDTH = 100
 UNSET = object()
@@ -17,10 +17,10 @@ class StartError(Exception):
 
 
 class ParameterError(StartError):
-    """A parameter the node cannot run with."""
+    """A parameter has a value that the node cannot use."""
 
     def __init__(self, name, value, allowed):
-        """Word the line from the name, the value that was given and what is allowed."""
+        """Build the message from the name, the given value and what is allowed."""
         self.name = name
         super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
 
@@ -28,22 +28,22 @@ class ParameterError(StartError):
 class Range(NamedTuple):
     """The values that a parameter may have."""
 
-    text: str  # in words; ~name stands for the value of another parameter
+    text: str  # ~name stands for the value of another parameter
     accepts: Callable[[Any, SimpleNamespace], bool]  # of a value, and the parameters read before it
 
 
 def at_least(low):
-    """Return the Range from a number upwards."""
+    """Return the Range of numbers not below `low`."""
     return Range(f'from {low:g}', lambda value, _: value >= low)
 
 
 def above(low):
-    """Return the Range above a number."""
+    """Return the Range of numbers above `low`."""
     return Range(f'above {low:g}', lambda value, _: value > low)
 
 
 def between(low, high):
-    """Return the Range from one number to another, both included."""
+    """Return the Range of numbers from `low` to `high`, both included."""
     return Range(f'from {low:.10g} to {high:.10g}', lambda value, _: low <= value <= high)
 
 
@@ -56,7 +56,7 @@ ANY = Range('', lambda *_: True)
 
 
 class Parameter(NamedTuple):
-    """A parameter; the type of its default is its own: float, int, bool or str."""
+    """A parameter; it has the type of its default: float, int, bool or str."""
 
     name: str  # such as ~speed
     default: Any
@@ -79,7 +79,7 @@ class Parameter(NamedTuple):
         return f'{self.default:g} {self.unit}'.strip()
 
     def check(self, given, earlier=None):
-        """Return a value of the parameter server as one of this type.
+        """Convert a value of the parameter server to this type.
 
         :param earlier: namespace of the parameters read before this one
         :raises ParameterError: if it is of another type, not finite or out of range
@@ -111,7 +111,7 @@ class Parameters:
     """The table of a node's parameters, each a Parameter."""
 
     def __init__(self, *rows):
-        """Take the parameters in the order in which they are read and described."""
+        """Keep the parameters in the order in which they are read and described."""
         self.rows = rows
 
     @property
@@ -128,8 +128,8 @@ class Parameters:
         """Return a namespace with all values, by their names without ~.
 
         :param source: dictionary of given values by these names; None: the ROS parameter server
-        :param defaults: take the place of defaults in the table
-        :raises ParameterError: for the first that the node cannot run with
+        :param defaults: replace defaults of the table
+        :raises ParameterError: for the first value that the node cannot use
         """
         values = SimpleNamespace()
         for row in self.rows:
@@ -142,7 +142,7 @@ class Parameters:
 
 
 def _on_server(name):
-    import rospy  # the arithmetic that declares parameters needs no ROS
+    import rospy  # here, since the arithmetic that declares parameters needs no ROS
     return rospy.get_param(name, UNSET)
 
 

@@ -1,4 +1,4 @@
-"""A warning about a second node that publishes a topic that only one should publish."""
+"""Warn of a second node on a topic that only one should publish."""
 
 import http.client
 import threading
@@ -9,20 +9,20 @@ import rospy
 
 from odometry_common.connections import node_at
 
-LOOK_PERIOD = 1.0  # s of wall time
+CONFLICT_PERIOD = 1.0  # s of wall time between two checks
 
 
 def warn_of_conflicts(topic):
-    """Warn once, by asking the master every second, if more than one node publishes a topic."""
+    """Ask the master every second, and warn once if more than one node publishes a topic."""
     threading.Thread(target=_watch, args=[rospy.resolve_name(topic)], daemon=True).start()
 
 
 def _watch(topic):
     ended, before = threading.Event(), set()
     rospy.on_shutdown(ended.set)
-    while not ended.wait(LOOK_PERIOD):
+    while not ended.wait(CONFLICT_PERIOD):
         publishers = _publishers(topic)
-        lasting = before & publishers  # one that is seen only once may be shutting down
+        lasting = before & publishers  # a publisher seen only once may be shutting down
         if len(lasting) > 1:
             rospy.logwarn(f'{topic} is published by {" and ".join(sorted(lasting))}: stop all but one')
             return

@@ -11,11 +11,11 @@ CLOSE_TIMEOUT = 0.3  # s, for subscribers that are behind
 
 
 def advertise(topic, message_class):
-    """Return a rospy.Publisher that holds no message back.
+    """Return a rospy.Publisher without a queue.
 
-    It has no queue: publish() writes the message to every subscriber's socket and returns. Without
-    a thread in between, the latency is a third lower. In a node that run_node() runs, a subscriber
-    that does not read loses messages and does not block the publisher.
+    publish() writes the message to every subscriber's socket and returns; without a thread in
+    between, the latency is a third lower. In a node that run_node() runs, a subscriber that does
+    not read loses messages and does not block the publisher.
     """
     with warnings.catch_warnings():
         # rospy warns of a publisher without a queue.
@@ -26,8 +26,8 @@ def advertise(topic, message_class):
 class ClosingPublisher:
     """Publishes until the node shuts down, and then its final message, if it has one.
 
-    publish() writes to the subscribers before it returns: the final message needs no sleep before
-    the process exits, and no older message can follow it.
+    publish() writes to the subscribers before it returns, so the process may exit right after the
+    final message, and no older message follows it.
     """
 
     def __init__(self, topic, message_class, final_message=None):
@@ -39,7 +39,7 @@ class ClosingPublisher:
         rospy.on_shutdown(self._close)
 
     def get_num_connections(self):
-        """Return how many subscribers are connected, as a rospy.Publisher does."""
+        """Return the number of connected subscribers, as a rospy.Publisher does."""
         return self._publisher.get_num_connections()
 
     def publish(self, message):

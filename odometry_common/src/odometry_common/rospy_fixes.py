@@ -15,8 +15,8 @@ from rospy.impl.tcpros_base import TCPROSServer
 from odometry_common.transport import NonBlockingTransport
 
 HEADER_TIMEOUT = 5.0  # s, for a peer that connects and sends no header
-# In the words of rosmaster/registrations.py.
-SAME_NAME = re.compile(r'\[(?P<name>/.+)\] Reason: new node registered with same name')
+# As rosmaster/registrations.py words it.
+REPLACED = re.compile(r'\[(?P<name>/.+)\] Reason: new node registered with same name')
 ROSOUT_PARAMETER = '/rosout_disable_topics_generation'
 
 _shutdown = ROSHandler.shutdown
@@ -45,10 +45,10 @@ def _accept_on_thread(server, connection, address):
 def _add_publishers(manager, topic, addresses):
     """Queue the publishers of a topic together with those that still wait in the queue.
 
-    The master answers a new subscriber with the publishers of its topic, and sends it those that
-    come later. If the first of these overtakes the answer, rospy takes the answer, which is older,
-    for the latest, and never connects to it. A publisher that has gone meanwhile does no harm:
-    rospy's attempt to connect to it fails.
+    The master answers a new subscriber with the publishers of its topic, and sends later ones as
+    updates. If the first update overtakes the answer, rospy takes the older answer for the latest
+    list, and never connects to the new publisher. A publisher that has gone meanwhile does no harm:
+    rospy fails to connect to it.
     """
     with manager.cond:
         waiting = [address for name, others in manager.updates if name == topic
@@ -58,23 +58,23 @@ def _add_publishers(manager, topic, addresses):
 
 
 def _shut_down_if_meant(handler, caller_id, reason=''):
-    """Answer a request to shut down as rospy does, unless it is for another node.
+    """Obey a request to shut down, unless it is for another node.
 
-    When a node registers a name that an earlier one had, the master asks the last known address
-    of the earlier one to shut down. By then that may be the port of another node, even of another
-    master: after a few hundred nodes the operating system hands out the same port again.
+    When a node registers a name that an earlier node had, the master asks the last known address of
+    the earlier one to shut down. That port may now belong to another node, even of another master:
+    the operating system hands out the same ports again after a few hundred nodes.
     """
-    request = SAME_NAME.fullmatch(reason)
+    request = REPLACED.fullmatch(reason)
     if request and request['name'] != rospy.get_name():
         return 1, f'this is {rospy.get_name()}', 0
     return _shutdown(handler, caller_id, reason)
 
 
 def _leave_no_address_behind():
-    """Read a parameter now to which rospy would subscribe with its first line of the log.
+    """Cache a parameter to which rospy would subscribe with its first log line.
 
     rospy never unsubscribes from it. The master then keeps the address of each node that has
-    ended, and later asks the next node with that address to shut down.
+    exited, and later asks the next node at that address to shut down.
     """
     value = False
     with contextlib.suppress(OSError, rosgraph.MasterException):  # not set, or no master any more

@@ -1,34 +1,28 @@
 """Subscribers whose callbacks run one at a time."""
 
-import http.client
 import threading
-import xmlrpc.client
 
-import rosgraph
 import rospy
 
-from odometry_common.connections import ANSWER, node_at
 from odometry_common.node import end_node
 
-one_at_a_time = threading.Lock()  # is held while a callback of this node runs
+callback_lock = threading.Lock()  # held while a callback of this node runs
 
 
 class Subscriber:
     """Calls back with each message of a topic, while no other callback of the node runs.
 
-    rospy has a thread for each connection.
+    rospy itself runs a thread for each connection.
     """
 
     def __init__(self, topic, message_class, callback, what=None, queue_size=None):
         """Subscribe.
 
-        :param callback: takes a message; one over which it raises ValueError is ignored, with a
-            throttled warning
+        :param callback: takes a message; if it raises ValueError, a throttled warning says so
         :param what: the messages in words, for the user; None: the topic's name
-        :param queue_size: of messages that have arrived together, handle only so many of the latest;
-            None: all
+        :param queue_size: of messages that arrive together, handle only the latest so many; None: all
         """
-        self._name, self._type = rospy.resolve_name(topic), message_class._type
+        self._name = rospy.resolve_name(topic)
         self._callback, self._what = callback, what or topic
         self._has_message = False
         self._woken = threading.Event()
@@ -39,21 +33,15 @@ class Subscriber:
     def wait(self):
         """Wait for the first message, or shutdown; log once a second what is missing.
 
-        :return: whether a message has come
+        :return: whether a message has arrived
         """
         while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
-            rospy.loginfo(self._reason_to_wait())
+            rospy.loginfo(f'waiting for {self._what} on {self._name}')
         return self._has_message
-
-    def _reason_to_wait(self):
-        other = _type_of(self._name)
-        if other in (None, self._type):
-            return f'waiting for {self._what} on {self._name}'
-        return f'waiting for {self._what}: {self._name} has the type {other}, not {self._type}'
 
     def _on_message(self, message):
         try:
-            with one_at_a_time:
+            with callback_lock:
                 self._callback(message)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'{self._what} ignored: {error}')
@@ -62,13 +50,3 @@ class Subscriber:
         else:
             self._has_message = True
             self._woken.set()
-
-
-def _type_of(topic):
-    """Return the type of a topic, or None if nobody publishes it or the master does not answer."""
-    try:
-        with node_at(rosgraph.get_master_uri()) as master:
-            topics = master.getPublishedTopics(rospy.get_name(), '')[ANSWER]
-    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
-        return None
-    return dict(topics).get(topic)

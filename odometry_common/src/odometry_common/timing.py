@@ -1,4 +1,4 @@
-"""Timing for controllers, over plain seconds: what is silent, and what is at rest."""
+"""For controllers, in plain seconds: when input is silent, when a robot is at rest."""
 
 import time
 
@@ -6,26 +6,26 @@ WALL_SILENCE = 0.2  # s
 
 
 class Watchdog:
-    """Notices when a stream of messages has fallen silent."""
+    """Notices when a stream of messages falls silent."""
 
     def __init__(self, timeout):
         """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
 
-        Silence also takes a fifth of a second of wall time, or a shorter timeout: simulated time can
-        run a hundred times as fast, and a subscriber may see it leap by seconds.
+        It also requires WALL_SILENCE of wall time, or a shorter timeout: simulated time can run a
+        hundred times as fast, and a subscriber may see it leap by seconds.
         """
         self._timeout = timeout
         self._wall_timeout = min(timeout, WALL_SILENCE)
         self._fed = None  # time and wall time of the last arrival
 
     def feed(self, now):
-        """Note an arrival at `now` (s)."""
+        """Record an arrival at `now` (s)."""
         self._fed = now, time.monotonic()
 
     def expired(self, now):
         """Return whether the last arrival is more than the timeout ago; never before the first.
 
-        When time has gone back (a simulator was reset) the wait starts again.
+        If time has gone back (a simulator was reset), the timeout starts again.
         """
         if self._timeout == 0 or self._fed is None:
             return False
@@ -37,21 +37,21 @@ class Watchdog:
 
 
 class RestDetector:
-    """Notices when a measured value has stopped changing."""
+    """Notices when a measured value stops changing."""
 
     def __init__(self, band, duration):
-        """Call it rest when the value stays within `band` of itself for `duration` seconds."""
+        """At rest, the value stays within `band` for `duration` seconds."""
         self._band = band
         self._duration = duration
         self.reset()
 
     def reset(self):
-        """Forget what was seen."""
+        """Forget earlier values."""
         self._value = None
         self._since = None
 
     def at_rest(self, now, value):
-        """Take the `value` measured at `now` (s); return whether it has come to rest."""
+        """Add the `value` measured at `now` (s); return whether it is at rest."""
         moved = self._value is None or abs(value - self._value) > self._band
         if moved or now < self._since:
             self._value, self._since = value, now

@@ -10,31 +10,31 @@ from rospy.exceptions import TransportTerminated
 from rospy.impl.tcpros_base import TCPROSTransport
 
 BACKLOG = 10  # messages kept for a subscriber whose socket is full
-PATIENCE_PER_MESSAGE = 0.01  # s
+BUDGET_PER_MESSAGE = 0.01  # s
 
 
 class NonBlockingTransport(TCPROSTransport):
     """Writes each message at once, or queues it while the subscriber's socket is full.
 
-    rospy's own transport blocks in its write, and so does the publisher, as long as the subscriber
-    does not read. Here a full backlog loses its oldest message.
+    rospy's own transport, and with it the publisher, blocks until the subscriber reads. Here a full
+    backlog loses its oldest message.
     """
 
-    patience = 0.0  # s, see wait_for_subscribers()
+    wait_budget = 0.0  # s, see wait_for_slow_subscribers()
 
     def __init__(self, *arguments, **options):
-        """Take what rospy passes to a TCPROSTransport."""
+        """Start without a backlog; the arguments are those of TCPROSTransport."""
         super().__init__(*arguments, **options)
         self._changed = threading.Condition()
         self._backlog = deque(maxlen=BACKLOG)
-        self._draining = False  # whether a thread sends the backlog; a second one would mix the bytes
-        self._patience_left = self.patience
+        self._draining = False  # whether a thread sends the backlog; a second one would mix bytes
+        self._budget_left = self.wait_budget
         self._warned = False
 
     def write_data(self, data):
         """Send a serialized message, or queue it.
 
-        :raises TransportTerminated: if the subscriber has gone; rospy then forgets it
+        :raises TransportTerminated: if the subscriber has gone; rospy then removes it
         """
         with self._changed:
             if self._draining:
@@ -42,7 +42,7 @@ class NonBlockingTransport(TCPROSTransport):
             elif rest := self._send(data):
                 self._draining = True
                 threading.Thread(target=self._drain, args=[rest], daemon=True).start()
-            if self._draining and self.patience:
+            if self._draining and self.wait_budget:
                 self._wait()
         return True
 
@@ -52,7 +52,7 @@ class NonBlockingTransport(TCPROSTransport):
             self._changed.wait_for(lambda: not self._draining, timeout)
 
     def _send(self, data):
-        """Send what the socket takes at once; return the rest."""
+        """Send what fits into the socket; return the rest."""
         try:
             sent = self.socket.send(data, socket.MSG_DONTWAIT)
         except BlockingIOError:
@@ -65,10 +65,10 @@ class NonBlockingTransport(TCPROSTransport):
         return data[sent:]
 
     def _count(self, size):
-        """Note that a message, or the last of its bytes, has been sent."""
+        """Count a message whose last byte has been sent."""
         self.stat_bytes += size
         self.stat_num_msg += 1
-        self._patience_left = min(self.patience, self._patience_left + PATIENCE_PER_MESSAGE)
+        self._budget_left = min(self.wait_budget, self._budget_left + BUDGET_PER_MESSAGE)
 
     def _queue(self, data):
         if len(self._backlog) == BACKLOG and not self._warned:
@@ -89,7 +89,7 @@ class NonBlockingTransport(TCPROSTransport):
                 self._next(0)
 
     def _next(self, size):
-        """Note that `size` bytes are sent; return the next message, or end the draining."""
+        """Count `size` sent bytes; return the next message, or None, which ends the draining."""
         with self._changed:
             self._count(size)
             data = self._backlog.popleft() if self._backlog else None
@@ -99,21 +99,21 @@ class NonBlockingTransport(TCPROSTransport):
 
     def _wait(self):
         start = time.monotonic()
-        self._changed.wait_for(lambda: not self._draining, self._patience_left)
-        self._patience_left = max(0.0, self._patience_left - (time.monotonic() - start))
+        self._changed.wait_for(lambda: not self._draining, self._budget_left)
+        self._budget_left = max(0.0, self._budget_left - (time.monotonic() - start))
 
 
-def wait_for_subscribers(patience):
-    """Make a publisher wait for slower subscribers, so that those who read lose nothing.
+def wait_for_slow_subscribers(budget):
+    """Make publishers wait for slow subscribers, so that a subscriber that reads loses nothing.
 
-    :param patience: s of wall time for which it waits for one subscriber, plus a hundredth of a
-        second for each message that the subscriber takes
+    :param budget: how long to wait for one subscriber (s of wall time), plus BUDGET_PER_MESSAGE for
+        each message that it takes
     """
-    NonBlockingTransport.patience = patience
+    NonBlockingTransport.wait_budget = budget
 
 
 def flush(publisher, timeout):
-    """Wait (s of wall time) until the subscribers of a rospy.Publisher have taken what is queued."""
+    """Wait (s of wall time) until the queue of a rospy.Publisher is empty."""
     end = time.monotonic() + timeout
     for connection in publisher.impl.connections:
         if isinstance(connection, NonBlockingTransport):

@@ -1,4 +1,4 @@
 """Run a tutorial many times, without ROS.
 
-The package has another name than the script sweep.py, which Python would import in its place.
+The package cannot be called sweep: Python would import the script sweep.py instead.
 """

@@ -14,13 +14,11 @@ from odometry_sweep.closed_loop import TUTORIALS
 from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
 
 KEYS = ['tutorial', 'seeds', 'set', 'limits']
-MOST_RUNS = 10**6  # the metrics of each run stay in memory
-# They belong to windows, wall time, tf, scans, late messages, or nodes that wait or exit. Each run
-# has a seed.
-WITHOUT_MEANING = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep', 'paused',
-                   'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
-                   'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
-                   'seed', 'publish_tf'}
+MAX_RUNS = 10**6  # the metrics of each run stay in memory
+# For windows, wall time, tf, scans, late messages, and nodes that wait or exit. Each run has its seed.
+NOT_IN_SWEEPS = {'gui', 'robots', 'clock_rate', 'real_time_factor', 'lockstep', 'paused',
+                 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate', 'scan_beams',
+                 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise', 'seed', 'publish_tf'}
 
 
 class Campaign(NamedTuple):
@@ -32,16 +30,16 @@ class Campaign(NamedTuple):
     limits: dict  # numbers by name
 
     @property
-    def settings(self):
-        """Every combination of the values: dictionaries by parameter, one after the other."""
+    def combinations(self):
+        """An iterator over every combination of the values: dictionaries by parameter."""
         return (dict(zip(self.values, row)) for row in itertools.product(*self.values.values()))
 
     @property
     def names(self):
-        """A label for each setting: the parameters that vary."""
+        """A label for each combination: the parameters that vary."""
         varied = [name for name, values in self.values.items() if len(values) > 1]
-        return [', '.join(f'{name} {setting[name]}' for name in varied) or 'all runs'
-                for setting in self.settings]
+        return [', '.join(f'{name} {combination[name]}' for name in varied) or 'all runs'
+                for combination in self.combinations]
 
     @property
     def count(self):
@@ -49,33 +47,33 @@ class Campaign(NamedTuple):
         return math.prod(map(len, self.values.values())) * self.seeds
 
     def runs(self):
-        """Yield the parameters of each run: every seed of the first setting, of the second, ..."""
-        for setting in self.settings:
+        """Yield the parameters of each run: every seed of the first combination, then of the next."""
+        for combination in self.combinations:
             for seed in range(self.seeds):
-                yield {**setting, 'seed': seed}
+                yield {**combination, 'seed': seed}
 
     def check(self):
         """Raise StartError, with one line for the user, if the campaign cannot be run."""
         if self.tutorial not in list(TUTORIALS):
             raise StartError(f'the tutorial is {self.tutorial!r}, but must be '
                              f'{" or ".join(TUTORIALS)}')
-        if type(self.seeds) is not int or not 1 <= self.seeds <= MOST_RUNS:
+        if type(self.seeds) is not int or not 1 <= self.seeds <= MAX_RUNS:
             raise StartError(f'seeds is {self.seeds!r}, but must be a whole number from 1 to '
-                             f'{MOST_RUNS}')
+                             f'{MAX_RUNS}')
         _check_values(self.tutorial, self.values)
-        if self.count > MOST_RUNS:
-            raise StartError(f'there are {self.count} runs, but must be {MOST_RUNS} at most')
-        _check_worlds(next(self.settings), self.values.get('world', []))
+        if self.count > MAX_RUNS:
+            raise StartError(f'there are {self.count} runs, but must be {MAX_RUNS} at most')
+        _check_worlds(next(self.combinations), self.values.get('world', []))
         _check_limits(self.tutorial, self.limits)
 
     def text(self):
-        """Return it as a campaign file."""
+        """Return the content of a campaign file."""
         return yaml.safe_dump({'tutorial': self.tutorial, 'seeds': self.seeds, 'set': self.values,
                                'limits': self.limits}, sort_keys=False, allow_unicode=True)
 
 
 def read_campaign(path):
-    """Return the Campaign in a YAML file; raise StartError if there is none."""
+    """Return the Campaign in a YAML file; raise StartError if it contains none."""
     try:
         with open(path, encoding='utf-8') as file:
             content = yaml.safe_load(file)
@@ -100,9 +98,9 @@ def read_campaign(path):
 
 
 def _check_values(tutorial, values):
-    """Check each value alone: what it may be depends on no other parameter of a sweep."""
+    """Check each value alone: no range depends on another parameter of a sweep."""
     known = {row.name[1:]: row for row in (*TUTORIALS[tutorial].PARAMETERS, *PARAMETERS.rows)
-             if row.name[1:] not in WITHOUT_MEANING}
+             if row.name[1:] not in NOT_IN_SWEEPS}
     for name, several in values.items():
         if name not in known:
             raise StartError(f'parameter {name} cannot be set in a sweep; {tutorial} has '
@@ -111,11 +109,11 @@ def _check_values(tutorial, values):
             known[name].check(value)
 
 
-def _check_worlds(setting, worlds):
-    """Build each world with the first robot of a sweep in it."""
+def _check_worlds(combination, worlds):
+    """Build each world with the first robot of the sweep in it."""
     for world in filter(None, worlds):
         try:
-            Simulation(read_settings({**setting, 'world': world}))
+            Simulation(read_settings({**combination, 'world': world}))
         except WorldFileError as error:
             raise ParameterError('~world', world, error) from None
 

@@ -10,7 +10,7 @@ from moved_distance import distance_counter
 from odometry_common.geometry import PlanarPose, is_upright, wrap_to_pi
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from odometry_common.orientation import yaw_from_orientation
-from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, stands
+from odometry_launch.arrival import HEADING_TOLERANCE, has_turned, is_at_rest
 from sim_turtlebot.physics.world import World
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
@@ -19,11 +19,11 @@ from straight_drive import drive
 from odometry_sweep.rate import Rate
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
-# A run is late after so many times the time that a perfect robot takes, plus so many seconds.
-PATIENCE, MORE_PATIENCE = 1.5, 10.0
+# A run is late after 1.5 times the time that a perfect robot takes, plus 10 s.
+TIMEOUT_FACTOR, TIMEOUT_MARGIN = 1.5, 10.0
 
-# A Dask worker has several threads, but PyBullet is silenced for a whole process, and keeps its world.
-_one_at_a_time = threading.Lock()
+# A Dask worker has several threads, but PyBullet and its world belong to the process.
+_run_lock = threading.Lock()
 
 
 class Move:
@@ -32,17 +32,16 @@ class Move:
     PARAMETERS = (*distance_counter.PARAMETERS.rows, *drive.PARAMETERS.rows)
 
     def __init__(self, values):
-        """Take parameter values by their names."""
         self._counter = distance_counter.DistanceCounter(
             **vars(distance_counter.PARAMETERS.read(values)))
         parameters = drive.PARAMETERS.read(values)
         self._drive = drive.Drive(parameters.distance, parameters.speed, parameters.relative)
         self.targets = {'distance_target': parameters.distance}  # for the picture of the run
         speed = min(abs(self._drive.speed), MAX_LINEAR_SPEED)
-        self.longest = PATIENCE * self._drive.distance / speed + MORE_PATIENCE  # s
+        self.timeout = TIMEOUT_FACTOR * self._drive.distance / speed + TIMEOUT_MARGIN
 
     def answer(self, stamp, odometry, ground_truth):
-        """Return the command (m/s, rad/s) after an odometry, and whether the robot has arrived.
+        """Return the command (m/s, rad/s) for an odometry, and whether the robot has arrived.
 
         :param stamp: s
         :param odometry, ground_truth: Motions
@@ -52,7 +51,7 @@ class Move:
         self._counter.add(x, y, stamp, stamp)
         moved = self._counter.distance
         arrived = (moved >= self._drive.distance
-                   and stands(moved - moved_before, ground_truth.linear))
+                   and is_at_rest(moved - moved_before, ground_truth.linear))
         return (self._drive.speed_at(moved), 0.0), arrived
 
     def metrics(self, start, end):
@@ -71,18 +70,17 @@ class Rotate:
     PARAMETERS = turn.PARAMETERS.rows
 
     def __init__(self, values):
-        """Take parameter values by their names."""
         parameters = turn.PARAMETERS.read(values)
         self._turn = turn.Turn(parameters.target, parameters.kp, parameters.max_angular_speed)
         self.targets = {'heading_target': parameters.target}
         self._loop = Rate(parameters.rate)
         self._overshoot = 0.0
         self._direction = None
-        # The robot turns at full speed, then slows down exponentially as it nears the target.
-        way = abs(self._turn.error_at(0.0))
-        turning = way / min(self._turn.max_angular_speed, MAX_ANGULAR_SPEED)
-        slowing = math.log(max(1.0, math.degrees(way) / HEADING_TOLERANCE)) / self._turn.kp
-        self.longest = PATIENCE * (turning + slowing) + MORE_PATIENCE  # s
+        # The robot turns at full speed, then slows down exponentially near the target.
+        angle = abs(self._turn.error_at(0.0))
+        turning = angle / min(self._turn.max_angular_speed, MAX_ANGULAR_SPEED)
+        slowing = math.log(max(1.0, math.degrees(angle) / HEADING_TOLERANCE)) / self._turn.kp
+        self.timeout = TIMEOUT_FACTOR * (turning + slowing) + TIMEOUT_MARGIN
 
     def answer(self, stamp, odometry, ground_truth):
         """Return what Move.answer() returns; the command is None if none is due."""
@@ -110,7 +108,7 @@ TUTORIALS = {'move': Move, 'rotate': Rotate}
 
 
 def run_parameters(tutorial, values):
-    """Return a tutorial's part and the robot's settings for parameter values by their names.
+    """Return a tutorial's loop and the simulator's settings for parameter values by name.
 
     :raises ParameterError: if a node would refuse one of them
     """
@@ -118,36 +116,36 @@ def run_parameters(tutorial, values):
 
 
 def run(tutorial, parameters, build_world=None):
-    """Run a tutorial with parameter values by their names; return its metrics by name.
+    """Run a tutorial with parameter values by name; return its metrics by name.
 
-    :param build_world: as for sim_turtlebot.simulation.Simulation; None: PyBullet's, which is kept
-        for the next run
+    :param build_world: as for sim_turtlebot.simulation.Simulation; None: PyBullet's, reused by the
+        next run
     """
-    with _one_at_a_time:
-        part, settings = run_parameters(tutorial, parameters)
+    with _run_lock:
+        loop, settings = run_parameters(tutorial, parameters)
         settings.clock_rate = settings.odom_rate  # as for the nodes
         simulation = Simulation(settings, build_world=build_world or _world)
-        return follow(part, _ticks(simulation), simulation.command)
+        return follow(loop, _ticks(simulation), simulation.command)
 
 
-def follow(part, ticks, command):
+def follow(loop, ticks, command):
     """Feed each odometry to a tutorial's loop until the run ends; return the metrics.
 
-    :param ticks: yields the stamp of each odometry (s, as rospy has it), and two Motions: that of
-        the odometry and the true one
-    :param command: function that takes each answer, m/s and rad/s
+    :param ticks: yields the stamp of each odometry (s, as in rospy) and two Motions, by odometry
+        and the true one
+    :param command: called with each command, m/s and rad/s
     """
     start = None
     for stamp, odometry, ground_truth in ticks:
         start = start or ground_truth
-        answer, arrived = part.answer(stamp, odometry, ground_truth)
+        answer, arrived = loop.answer(stamp, odometry, ground_truth)
         if answer:
             command(*answer)
-        if arrived or stamp > part.longest:
+        if arrived or stamp > loop.timeout:
             break
     upright = is_upright(ground_truth.orientation)
     ended = ARRIVED if arrived else LATE if upright else FALLEN
-    return {**part.metrics(start, ground_truth), 'time': stamp, 'ended': ended}
+    return {**loop.metrics(start, ground_truth), 'time': stamp, 'ended': ended}
 
 
 def _ticks(simulation):
@@ -160,10 +158,10 @@ def _ticks(simulation):
 
 
 def _world(step_rate, starts, _gui, world_file):
-    """Return a World whose robots stand at their starts; that of the last run if possible.
+    """Return a World whose robots are at their starts; reuse that of the last run if possible.
 
-    Building one takes a tenth as long as a drive of two metres. In one with a file, more than the
-    robots may have moved.
+    Building one takes a tenth as long as a drive of two metres. In a world with a file, other things
+    may have moved, too.
     """
     world = _cached_world(step_rate, tuple(starts), world_file)
     if world_file:

@@ -1,4 +1,4 @@
-"""Run a campaign, show its progress, and report the result."""
+"""Run a campaign, show its progress, and print the result."""
 
 import os
 import signal
@@ -11,7 +11,7 @@ from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import DemoError, Line, bar, complain, forget_output
 
 from odometry_sweep.options import parse
-from odometry_sweep.results import FILE, Setting, read_rows, table, write_results
+from odometry_sweep.results import FILE, Combination, read_rows, table, write_results
 from odometry_sweep.running import LostError, side_by_side
 
 PROGRAM = 'sweep'
@@ -21,8 +21,8 @@ LINE_PERIOD = 5.0  # s
 
 
 def main():
-    """Exit 0 only if every run is done, and within the limits of the campaign."""
-    # ./ws ends its child by SIGTERM, whatever signal it gets itself.
+    """Exit 0 only if every run is done and within the limits of the campaign."""
+    # ./ws ends its child by SIGTERM, whatever signal it receives.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         status = _run(parse(sys.argv[1:]))
@@ -38,7 +38,7 @@ def main():
         status = EXIT_FAILURE
     except KeyboardInterrupt:
         status = 128 + signal.SIGINT
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one ends it without a message
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one exits without a message
     forget_output()
     sys.exit(status)
 
@@ -46,7 +46,7 @@ def main():
 def _run(options):
     """Do what the options ask for; return the exit status."""
     if options.replay:
-        # The nodes' modules take time to import, which no sweep should wait for.
+        # The nodes' modules take long to import.
         from odometry_sweep.replay import replay
         replay(*options.replay)
         return 0
@@ -56,73 +56,68 @@ def _run(options):
 
 
 def _sweep(campaign, runs):
-    """Do the runs of a campaign, those of side_by_side(); return the exit status."""
+    """Save the runs of a campaign, as side_by_side() yields them; return the exit status."""
     folder = new_folder('sweep-')
     total = campaign.count
     rows = []
     try:
         rows.extend(write_results(folder, campaign, with_progress(runs, total)))
     except (KeyboardInterrupt, LostError) as error:
-        _print_table(campaign, _settings(campaign, rows))
+        _print_table(campaign, _combinations(campaign, rows))
         complain(f'{str(error) or "interrupted"} after {len(read_rows(folder))} of {total} runs, '
                  f'which are in {os.path.relpath(folder)}', PROGRAM)
         raise
-    return _report(campaign, _settings(campaign, rows), folder)
+    return _report(campaign, _combinations(campaign, rows), folder)
 
 
 def with_progress(runs, total):
-    """Yield each of the runs but None, and then print how many are done and when all will be."""
-    done, start, first = 0, time.monotonic(), None
-    line = Line(LINE_PERIOD, start + LINE_PERIOD)
-    for run in runs:
+    """Yield each run, and print how many are done and how long the others will take."""
+    first = None
+    line = Line(LINE_PERIOD, time.monotonic() + LINE_PERIOD)
+    for done, run in enumerate(runs, 1):
         now = time.monotonic()
-        if run is not None:
-            done += 1
-            yield run
-            # Processes have to start before the first run, which says nothing about the others.
-            first = first or now
+        yield run
+        first = first or now  # until then, processes start: that says nothing about later runs
         text = f'{bar(done / total)} {done} of {total} runs'
         if done > 1 and now > first:
             speed = (done - 1) / (now - first)
             left = timedelta(seconds=round((total - done) / speed))
             text += f', {speed:.1f} a second, {left} left'
-        elif done == 0:
-            text += f' after {timedelta(seconds=round(now - start))}'
         if done < total:
             line.show(text, now)
         else:
             line.finish(text)
 
 
-def _settings(campaign, rows):
-    """Return the Setting of the rows, in the campaign's order, as far as there are any."""
+def _combinations(campaign, rows):
+    """Return the Combinations that the rows cover, in the campaign's order."""
     parts = (rows[begin:begin + campaign.seeds] for begin in range(0, len(rows), campaign.seeds))
-    return [Setting(*part) for part in zip(campaign.names, parts)]
+    return [Combination(*part) for part in zip(campaign.names, parts)]
 
 
-def _print_table(campaign, settings):
-    if settings:
-        print(f'\n{table(campaign.tutorial, settings)}\n', flush=True)
+def _print_table(campaign, combinations):
+    if combinations:
+        print(f'\n{table(campaign.tutorial, combinations)}\n', flush=True)
 
 
-def _report(campaign, settings, folder):
-    """Print statistics of the settings; return the exit status."""
-    _print_table(campaign, settings)
-    for setting in settings:
-        if setting.not_arrived:
-            print(f'not arrived     {setting.not_arrived} of {len(setting.rows)}, '
-                  f'with {setting.name}')
-    if any(setting.all_equal for setting in settings):
-        print('Runs that differ in their seed only are equal where nothing is random: it takes '
-              'odometry_source=encoder with a wheel_noise or gyro_noise.')
-    # matplotlib takes half a second to import, which no run should wait for.
+def _report(campaign, combinations, folder):
+    """Print statistics, draw the picture, check the limits; return the exit status."""
+    _print_table(campaign, combinations)
+    for combination in combinations:
+        if combination.not_arrived:
+            print(f'not arrived     {combination.not_arrived} of {len(combination.rows)}, '
+                  f'with {combination.name}')
+    if any(combination.all_equal for combination in combinations):
+        print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '
+              'wheel_noise or gyro_noise.')
+    # matplotlib takes half a second to import.
     from odometry_sweep import picture
     path = folder / picture.FILE
     with path_in_errors(path):
-        picture.make_figure(campaign.tutorial, settings).savefig(path)
+        picture.make_figure(campaign.tutorial, combinations).savefig(path)
     print(f'figures         {os.path.relpath(folder / FILE)}\n'
           f'picture         {os.path.relpath(path)}', flush=True)
-    lines = [line for setting in settings for line in setting.broken(campaign.limits)]
+    lines = [line for combination in combinations for line in combination.exceeded(campaign.limits)]
     for line in lines:
         complain(line, PROGRAM)
     return EXIT_FAILURE if lines else 0

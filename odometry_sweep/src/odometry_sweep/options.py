@@ -4,22 +4,22 @@ import argparse
 
 import yaml
 
-from odometry_sweep.campaign import MOST_RUNS, Campaign, read_campaign
+from odometry_sweep.campaign import MAX_RUNS, Campaign, read_campaign
 from odometry_sweep.closed_loop import TUTORIALS
 
 
 def parse(arguments):
-    """Return the options, with the Campaign among them; exit if they make no sense."""
+    """Return the options and their Campaign; exit if they contradict each other."""
     parser = make_parser()
     options = parser.parse_args(arguments)
     source = 'replay' if options.replay else 'campaign' if options.campaign else None
     if source and (options.tutorial or options.set or options.seeds):
-        parser.error(f'argument --{source}: the file says all of tutorial, --seeds and --set')
+        parser.error(f'argument --{source}: the file sets tutorial, --seeds and --set')
     if source == 'campaign':
         options.campaign = read_campaign(options.campaign)
     elif not source:
         if not options.tutorial:
-            parser.error('say which tutorial: move or rotate')
+            parser.error('choose a tutorial: move or rotate')
         values = dict(options.set)
         if len(values) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
@@ -31,33 +31,31 @@ def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
         prog='./ws sweep', description='Run a tutorial many times, over a grid of parameter values '
-        'and seeds, without ROS. It uses all processors, prints statistics, and leaves the metrics '
+        'and seeds, without ROS. It uses all processors, prints statistics, and saves the metrics '
         'of each run in the folder runs.')
     source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
     parser.add_argument('tutorial', nargs='?', choices=TUTORIALS,
                         help='drive two metres, or turn to a heading')
     parser.add_argument('--seeds', type=_whole, metavar='N',
-                        help='runs of each combination of values, each with another seed '
-                             '(default: 1)')
+                        help='runs of each combination of values, each with its own seed (default: 1)')
     parser.add_argument('--set', type=_values, action='append', default=[],
                         metavar='NAME=VALUE[,VALUE...]',
                         help='values of a parameter of the nodes; each combination is run')
     source.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     machine.add_argument('--jobs', type=_whole, metavar='N',
-                         help='processes, at most two for each processor (default: one for each '
-                              'processor)')
+                         help='number of processes (default: one for each processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
                          help='run on the workers of a Dask cluster')
     source.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
-                        help='repeat a run in the folder of a sweep with the nodes, in lockstep and '
-                             'recorded, and compare to the last bit')
+                        help='repeat a run in the folder of a sweep with the nodes in lockstep, '
+                             'record it, and compare to the last bit')
     return parser
 
 
 def _whole(text):
-    if not text.isdecimal() or not 1 <= int(text) <= MOST_RUNS:
-        raise argparse.ArgumentTypeError(f'{text!r} is not a whole number from 1 to {MOST_RUNS}')
+    if not text.isdecimal() or not 1 <= int(text) <= MAX_RUNS:
+        raise argparse.ArgumentTypeError(f'{text!r} is not a whole number from 1 to {MAX_RUNS}')
     return int(text)
 
 
@@ -68,4 +66,4 @@ def _values(text):
     try:
         return name, [yaml.safe_load(value) for value in values.split(',')]
     except (yaml.YAMLError, RecursionError):
-        raise argparse.ArgumentTypeError(f'{text!r} has a value that is no YAML') from None
+        raise argparse.ArgumentTypeError(f'{text!r} contains a value that is not YAML') from None

@@ -23,13 +23,13 @@ from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS, read_rows
 
 TOPICS = {'move': ['odom', 'base_pose_ground_truth', 'moved_distance', 'cmd_vel'],
           'rotate': ['odom', 'base_pose_ground_truth', 'cmd_vel']}
-LOOK_PERIOD = 0.1  # s
+CHECK_PERIOD = 0.1  # s
 
 
 def replay(folder, number):
-    """Replay the run with a number, a text, in the folder of a sweep.
+    """Replay the run with a number (a string) in the folder of a sweep.
 
-    :raises DemoError: if it does not come out the same, or not at all
+    :raises DemoError: if the result differs, or there is none
     :raises StartError: if there is no such run
     """
     tutorial, parameters, row, end = _find(Path(folder), number)
@@ -46,7 +46,7 @@ def replay(folder, number):
 
 
 def _find(folder, number):
-    """Return tutorial and parameters of a run, its row of texts, and how long it took (s)."""
+    """Return tutorial and parameters of a run, its row of strings, and its duration (s)."""
     campaign = read_campaign(folder / CAMPAIGN_FILE)
     campaign.check()
     try:
@@ -58,7 +58,7 @@ def _find(folder, number):
 
 
 def _record(tutorial, parameters, end):
-    """Have the nodes do a run that ends at a simulated time (s); return the path of the bag."""
+    """Run the nodes until a simulated time (s), and record them; return the path of the bag."""
     _, settings = run_parameters(tutorial, parameters)
     use_writable_logs()
     with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
@@ -70,21 +70,21 @@ def _record(tutorial, parameters, end):
             recording = Recording()
             launch.wait_for(lambda: recording.is_connected(*TOPICS[tutorial]),
                             'the nodes do not answer')
-            launch.wait_for(unpause, 'the robot does not begin')
+            launch.wait_for(unpause, 'the robot stays paused')
             _wait_for_time(end, launch)
             recording.close()
     return recording.path
 
 
 def _wait_for_time(end, launch):
-    """Return after simulated time `end` (s): in lockstep its messages are recorded by then."""
+    """Return after simulated time `end` (s); in lockstep all messages up to it are then recorded."""
     while rospy.get_time() <= end:
         launch.check()
-        time.sleep(LOOK_PERIOD)
+        time.sleep(CHECK_PERIOD)
 
 
 def metrics_of(bag_file, tutorial, parameters):
-    """Return the metrics by name; raise DemoError if the nodes did something else."""
+    """Return the metrics by name; raise DemoError if the recording contradicts itself."""
     try:
         with rosbag.Bag(str(bag_file)) as bag:
             odometry, ground_truth, moved = (
@@ -96,7 +96,7 @@ def metrics_of(bag_file, tutorial, parameters):
              for seen, true in zip(_in_order(odometry), _in_order(ground_truth))]
     metrics = follow(run_parameters(tutorial, parameters)[0], ticks, lambda *_: None)
     if tutorial == 'move' and metrics['moved'] not in [message.data for message in moved]:
-        raise DemoError('the detector has counted something else')
+        raise DemoError('the detector published another distance')
     return metrics
 
 

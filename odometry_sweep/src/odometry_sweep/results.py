@@ -1,4 +1,4 @@
-"""The metrics of the runs: their file, their statistics, their table, and their limits."""
+"""The metrics of the runs: file, statistics, table, and limits."""
 
 import csv
 from typing import NamedTuple
@@ -17,7 +17,7 @@ METRICS = {
              'sideways': 'm', 'heading': 'degrees', 'time': 's'},
     'rotate': {'heading': 'degrees', 'heading_error': 'degrees', 'true_heading': 'degrees',
                'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'}}
-# Table and picture show these.
+# In table and picture.
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
          'rotate': ['heading_error', 'true_error', 'overshoot', 'time']}
 STATISTICS = {'median': 0.5, 'p5': 0.05, 'p95': 0.95, 'worst': None}  # quantiles
@@ -26,28 +26,28 @@ DECIMALS = {'m': 4, 'degrees': 3, 's': 2}
 COLUMN = 10  # characters
 
 
-class Setting(NamedTuple):
-    """The runs that differ in their seeds only."""
+class Combination(NamedTuple):
+    """The runs of a combination of parameter values, which differ only in their seeds."""
 
     name: str
     rows: list  # metrics of each run, by name
 
     @property
     def not_arrived(self):
-        """How many robots have not arrived."""
+        """The number of runs that did not arrive."""
         return sum(row['ended'] != ARRIVED for row in self.rows)
 
     @property
     def all_equal(self):
-        """Whether several runs came out the same: nothing in them is random."""
+        """Whether several runs have the same result, since nothing in them is random."""
         return len(self.rows) > 1 and all(row == self.rows[0] for row in self.rows)
 
     def values(self, metric):
         """Return a metric of all runs as an array."""
         return numpy.array([row[metric] for row in self.rows])
 
-    def broken(self, limits):
-        """Yield a line for each limit, by its name, on the size of a metric that is exceeded."""
+    def exceeded(self, limits):
+        """Yield a line for each limit (a number by name) that the size of a metric exceeds."""
         for limit, most in limits.items():
             metric, _, name = limit.rpartition('_')
             value = (self.not_arrived if limit == NOT_ARRIVED
@@ -57,23 +57,23 @@ class Setting(NamedTuple):
 
 
 def statistic(values, name):
-    """Return one of STATISTICS of an array; the worst is the farthest from zero."""
+    """Return one of STATISTICS of an array; the worst is farthest from zero."""
     if name == 'worst':
         return float(values[abs(values).argmax()])
     return float(numpy.quantile(values, STATISTICS[name]))
 
 
-def table(tutorial, settings):
-    """Return a block for each metric, with a line for each Setting."""
+def table(tutorial, combinations):
+    """Return a block for each metric, with a line for each Combination."""
     units = METRICS[tutorial]
     titles = {metric: f'{metric} ({units[metric]})' for metric in SHOWN[tutorial]}
-    width = max(map(len, [*titles.values(), *(setting.name for setting in settings)]))
+    width = max(map(len, [*titles.values(), *(combination.name for combination in combinations)]))
     blocks = []
     for metric, title in titles.items():
         lines = [_line(title.ljust(width), HEADINGS)]
-        for setting in settings:
-            values, decimals = setting.values(metric), DECIMALS[units[metric]]
-            lines.append(_line(setting.name.ljust(width), (
+        for combination in combinations:
+            values, decimals = combination.values(metric), DECIMALS[units[metric]]
+            lines.append(_line(combination.name.ljust(width), (
                 f'{round(statistic(values, name), decimals) + 0.0:.{decimals}f}'  # no -0.0
                 for name in STATISTICS)))
         blocks.append('\n'.join(lines))
@@ -85,9 +85,9 @@ def _line(begin, cells):
 
 
 def write_results(folder, campaign, runs):
-    """Write a campaign and its runs into a folder, each as it is done; yield their metrics.
+    """Write a campaign and its runs into a folder, each when it is done; yield their metrics.
 
-    :param runs: yields the parameters and the metrics of each run, by name
+    :param runs: yields parameters and metrics of each run, by name
     """
     columns = [*campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
     with path_in_errors(folder / CAMPAIGN_FILE) as path:
@@ -105,7 +105,7 @@ def _append(path, row):
 
 
 def read_rows(folder):
-    """Return the rows of a folder, dictionaries of texts; none without a file."""
+    """Return the rows of a folder, as dictionaries of strings; none without a file."""
     if not (folder / FILE).exists():
         return []
     with open(folder / FILE, newline='', encoding='utf-8') as file:

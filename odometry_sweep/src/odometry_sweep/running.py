@@ -1,4 +1,4 @@
-"""The runs of a campaign, side by side on this machine or on a Dask cluster."""
+"""Do the runs of a campaign in parallel, on this machine or on a Dask cluster."""
 
 import collections
 import concurrent.futures
@@ -14,28 +14,23 @@ from sim_turtlebot.physics.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import run
 
-MOST_JOBS = 2  # for each processor; more would only take memory
-AHEAD = 1000  # runs that may be done before an earlier one
-SIGN_PERIOD = 1.0  # s
+MAX_AHEAD = 1000  # runs that may be done before an earlier one
 CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
 class LostError(RuntimeError):
-    """The sweep cannot go on; the message is one line for the user."""
+    """The sweep cannot continue; the message is one line for the user."""
 
 
 @contextlib.contextmanager
 def side_by_side(campaign, jobs=None, cluster=None):
     """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
 
-    While none is done it yields None every SIGN_PERIOD.
-
-    :param jobs: number of processes, at most MOST_JOBS for each processor and one for each run;
-        None: one for each processor
-    :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine does
-    :raises StartError: if that is not possible
-    :raises LostError: if it is no longer possible, between two runs
+    :param jobs: number of processes; None: one for each processor
+    :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine
+    :raises StartError: if the workers cannot start
+    :raises LostError: if they are lost, between two runs
     """
     with _on_cluster(cluster) if cluster else _on_this_machine(campaign, jobs) as executor:
         yield _run_all(campaign, executor)
@@ -45,12 +40,9 @@ def _run_all(campaign, executor):
     begun = ((parameters, executor.submit(run, campaign.tutorial, parameters))
              for parameters in campaign.runs())
     try:
-        ahead = collections.deque(itertools.islice(begun, AHEAD))
+        ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
         while ahead:
             parameters, future = ahead[0]
-            if not concurrent.futures.wait([future], SIGN_PERIOD).done:
-                yield None
-                continue
             yield parameters, future.result()
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
@@ -65,11 +57,10 @@ def _run_all(campaign, executor):
 @contextlib.contextmanager
 def _on_this_machine(campaign, jobs):
     """Yield an executor with a process for each job."""
-    processors = len(os.sched_getaffinity(0))
-    processes = min(jobs or processors, MOST_JOBS * processors, campaign.count)
-    # Forked, a process has imported everything.
+    processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
+    # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
-            processes, multiprocessing.get_context('fork'), _end_without_a_word) as executor:
+            processes, multiprocessing.get_context('fork'), _reset_signals) as executor:
         try:
             yield executor
         except BaseException:
@@ -78,17 +69,17 @@ def _on_this_machine(campaign, jobs):
             raise
 
 
-def _end_without_a_word():
-    """Undo in a forked process what the sweep itself does on signals."""
+def _reset_signals():
+    """Restore the default signal handlers in a forked process."""
     for signum in (signal.SIGINT, signal.SIGTERM):
         signal.signal(signum, signal.SIG_DFL)
 
 
 @contextlib.contextmanager
 def _on_cluster(address):
-    """Yield an executor of the cluster whose scheduler is at an address, tcp://HOST:PORT."""
+    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT."""
     import distributed
-    logging.disable()  # Dask's own messages; ours are exceptions
+    logging.disable()  # Dask logs what its exceptions say
     try:
         client = distributed.Client(address, timeout=CONNECT_TIMEOUT)
     except (OSError, ValueError) as error:
@@ -99,7 +90,7 @@ def _on_cluster(address):
 
 
 def _check_workers(client):
-    """Have each worker do a short run: another version of anything shows in the last digits."""
+    """Compare a short run of each worker: other versions give other last digits."""
     try:
         client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
         results = client.run(run, *TRIAL)

@@ -1,4 +1,4 @@
-"""The page's address and names, from the parameters; needs no viser."""
+"""The page's address and host names, from the parameters; needs no viser."""
 
 import errno
 import os
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from odometry_common.parameters import ANY, Parameter, ParameterError, Parameters, between
 
-# A container sets it: there the page listens on the container's interface.
+# The container sets it, so that the page listens on the container's interface.
 HOST_VARIABLE = 'ODOMETRY_VIEW_HOST'
 ADDRESSES = 'a name or an address of this machine'
 LOOPBACK = {'localhost', '127.0.0.1', '[::1]'}
@@ -23,11 +23,11 @@ PARAMETERS = Parameters(
               f'variable {HOST_VARIABLE} sets another default'),
     Parameter('~allowed_hosts', '', '', ANY,
               'further names of the page, for a proxy, such as robots.example, lab:9000; without a '
-              'port, any will do'))
+              'port, any port is valid'))
 
 
 class Address(NamedTuple):
-    """Where the page listens, and the names it has there."""
+    """The address on which the page listens, and its host names."""
 
     ip: str
     port: int
@@ -36,7 +36,7 @@ class Address(NamedTuple):
 
 
 def read_address(source=None):
-    """Return the Address; raise ParameterError if it is impossible to listen there.
+    """Return the Address; raise ParameterError if the page cannot listen on it.
 
     :param source: as for Parameters.read()
     """
@@ -60,7 +60,7 @@ def _parse(allowed_hosts):
 
 
 def _find_ip(host, port):
-    """Return an address of the host that is free; viser would silently take another port."""
+    """Return a free address of the host; viser would silently take another port."""
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
     except OSError:
@@ -71,6 +71,5 @@ def _find_ip(host, port):
     except OSError as error:
         if error.errno == errno.EADDRNOTAVAIL:
             raise ParameterError('~host', host, ADDRESSES) from None
-        allowed = f'a port that can be listened on ({error.strerror})'
-        raise ParameterError('~port', port, allowed) from None
+        raise ParameterError('~port', port, f'a free port ({error.strerror})') from None
     return address[0]

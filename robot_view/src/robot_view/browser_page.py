@@ -1,4 +1,4 @@
-"""The page: the scene, the panel, the plots and the pad, alike in every browser."""
+"""The page: scene, panel, plots and pad, the same in every browser."""
 
 import math
 
@@ -15,17 +15,16 @@ from robot_view.server import start_server
 
 PANEL_WIDTH = 320  # pixels
 FIELD_OF_VIEW = 45  # degrees
-CAMERA_DISTANCE = 3.2  # m, from what it looks at
+CAMERA_DISTANCE = 3.2  # m, from the point at which it looks
 CAMERA_HEIGHT = 1.6  # m
 HALF_WAY = PlanarPose(TWO_METRES / 2, 0.0, 0.0)
 FAR = 3.0  # m
 
 
 class BrowserPage:
-    """The page in all browsers that show it."""
+    """The page in all browsers; served at an Address until the process exits."""
 
     def __init__(self, address):
-        """Serve the page at an Address until the process ends."""
         self._links = load_links()
         self._robots = {}  # RobotMonitor and RobotModel by namespace
         self._framed = set()
@@ -63,14 +62,14 @@ class BrowserPage:
 
     @property
     def chosen(self):
-        """Namespace of the robot whose readings are shown and which the pad drives."""
-        # viser also takes a value that is not an option.
+        """Namespace of the robot that the readings show and the pad drives."""
+        # viser also accepts a value that is not an option.
         options = self._choice.options
         name = self._choice.value if self._choice.value in options else options[0]
         return name and f'{name}/'
 
     def update_simulation(self, is_simulated, complaint):
-        """Show the controls of a simulator if there is one, and a complaint if there is one."""
+        """Show the simulator's controls if there is one, and a complaint unless it is empty."""
         self._simulation.update(is_simulated, complaint)
         self._placing.visible = is_simulated
 
@@ -92,12 +91,12 @@ class BrowserPage:
             self._readings.show({})
 
     def set_rotating(self, is_rotating):
-        """Take a function that returns whether rotate.py turns the robot in a namespace."""
+        """Set which robots rotate.py turns, by a function of their namespaces."""
         for namespace, (monitor, _) in self._robots.items():
             monitor.set_rotating(is_rotating(namespace))
 
     def move(self):
-        """Draw the robots where they are."""
+        """Draw the robots at their current poses."""
         with self._server.atomic():
             for _, monitor, model in self._known():
                 with monitor.lock:
@@ -105,7 +104,7 @@ class BrowserPage:
         self._frame_new_clients()
 
     def draw(self):
-        """Draw what changes more slowly: paths, scans, readings, plots."""
+        """Draw the parts that change more slowly: paths, scans, readings, plots."""
         for namespace, monitor, model in self._known():
             with monitor.lock:
                 model.draw_path(monitor)
@@ -122,7 +121,7 @@ class BrowserPage:
         return _clamped(self._linear), math.radians(_clamped(self._angular))
 
     def _frame_new_clients(self):
-        """Point the camera of a new browser at the robots, once they are known."""
+        """Point the camera of a new browser at the robots, once their poses are known."""
         places = [_middle(monitor) for _, monitor, _ in self._known()]
         if places:
             clients = self._server.get_clients()
@@ -131,19 +130,19 @@ class BrowserPage:
             self._framed = set(clients)
 
     async def _on_disconnect(self, client):
-        # Not in a thread: the last hold of the same browser must not come later.
+        # Not on a thread, or the last hold of the same browser could come later.
         self._pad.release(client.client_id)
 
 
 def _clamped(slider):
-    """Return the value of a slider; viser also takes values beyond its ends, and NaN."""
+    """Return the value of a slider; viser also accepts values beyond its ends, and NaN."""
     if not math.isfinite(slider.value):
         return 0.0
     return min(max(slider.value, slider.min), slider.max)
 
 
 def _middle(robot):
-    """Return x, y (m) of the middle of the first two metres, or of a robot far from there."""
+    """Return x, y (m) of the middle of the first two metres, or of a robot that is far away."""
     half_way, place = robot.trace.origin.then(HALF_WAY)[:2], robot.pose[0][:2]
     return half_way if math.dist(half_way, place) < FAR else place
 

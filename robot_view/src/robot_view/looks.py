@@ -1,7 +1,6 @@
-"""The robot's looks: the boxes and cylinders in its URDF.
+"""The shape of the robot: the boxes and cylinders in its URDF.
 
-yourdfpy reads all of URDF, but installs 350 MB with a second numpy, and the page would start 0.7 s
-later.
+yourdfpy reads all of URDF, but installs 350 MB and a second numpy, and takes 0.7 s to start.
 """
 
 from pathlib import Path
@@ -25,7 +24,7 @@ class Link(NamedTuple):
     """A link with its shapes, in its parent."""
 
     path: str  # names of the links from the root down to this one
-    joint: str  # that holds it; '' for the root
+    joint: str  # to its parent; '' for the root
     position: tuple  # x, y, z (m)
     rotation: tuple  # quaternion x, y, z, w; of a joint at zero
     axis: tuple  # about which the joint turns; None if it is fixed
@@ -33,7 +32,7 @@ class Link(NamedTuple):
 
 
 def load_links():
-    """Return the root and the visible Links of the URDF, in which parents come first."""
+    """Return the root and the visible Links of the URDF, parents first."""
     package = rospkg.RosPack().get_path('sim_turtlebot')
     urdf = ElementTree.parse(Path(package, 'urdf', 'turtlebot2.urdf'))
     joints = {joint.find('child').get('link'): joint for joint in urdf.iterfind('joint')}

@@ -19,21 +19,20 @@ from robot_view.path_trace import PathTrace
 
 TARGET = 'rotate_robot/target'  # topic and parameter of rotate.py
 EPOCH = 1e9  # s; stamps beyond this are wall time
-RATE_SAMPLES = 10  # readings, over which the real-time factor is measured
+RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 
 
 class RobotMonitor:
-    """The latest state of one robot. Take its `lock` to read it, once it `is_known`.
+    """The latest state of one robot. Once it `is_known`, hold its `lock` to read it.
 
-    A pose is a pair: x, y, z (m) and a quaternion w, x, y, z.
+    A pose is a pair: x, y, z (m) and a quaternion w, x, y, z. The namespace is '' or ends in a slash.
     """
 
     def __init__(self, namespace):
-        """Subscribe in a namespace, '' or one that ends in a slash."""
         self.lock = threading.Lock()
         self.trace = PathTrace()
         self.wheels = {}  # angles (rad) by joint
-        self.scan = None  # pose of the robot, and points: rows of x, y, z (m) from there
+        self.scan = None  # pose of the robot, and points in its frame: rows of x, y, z (m)
         self._target_topic = f'{namespace}{TARGET}'
         self._odometry = self._ground_truth = self._moved = self._target = None
         self._first_stamp = None
@@ -54,7 +53,7 @@ class RobotMonitor:
             subscriber.unregister()
 
     def set_rotating(self, rotating):
-        """Note whether rotate.py turns this robot; its first target is a parameter, if set."""
+        """Set whether rotate.py turns this robot; its first target is a parameter, if set."""
         if not rotating:
             self._target = None
         elif self._target is None:
@@ -62,7 +61,7 @@ class RobotMonitor:
 
     @property
     def is_known(self):
-        """Whether there has been odometry."""
+        """Whether odometry has arrived."""
         return self._odometry is not None
 
     @property
@@ -81,7 +80,7 @@ class RobotMonitor:
         return self._odometry.header.stamp.to_sec()
 
     def readings(self):
-        """Return the current values for panel.Readings by name, None where nothing is known."""
+        """Return the current values for panel.Readings by name; None if unknown."""
         return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
                 'speed': self._odometry.twist.twist.linear.x,
                 'heading': math.degrees(wrap_to_pi(self.trace.heading)),
@@ -89,7 +88,7 @@ class RobotMonitor:
                 'real_time_factor': self._real_time_factor()}
 
     def _real_time_factor(self):
-        """Return the robot's seconds per second; None until it is known, and after a reset."""
+        """Return the robot's seconds per second; None if unknown, as after a reset."""
         self._clocks.append((time.monotonic(), self.stamp))
         (start, first), (end, last) = self._clocks[0], self._clocks[-1]
         is_full = len(self._clocks) == RATE_SAMPLES
@@ -104,7 +103,7 @@ class RobotMonitor:
             if self._first_stamp is None:
                 self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
             self.trace.add_odometry(self.stamp, pose)
-            self.trace.note(self.stamp - self._first_stamp, self._moved, self._target)
+            self.trace.add_history(self.stamp - self._first_stamp, self._moved, self._target)
 
     def _on_ground_truth(self, message):
         pose = _planar_pose(message)
@@ -145,7 +144,7 @@ def _planar_pose(message):
     numbers = position.x, position.y, position.z, message.twist.twist.linear.x
     try:
         yaw = yaw_from_orientation(message.pose.pose.orientation)
-    except ValueError:  # it is no rotation
+    except ValueError:  # the quaternion is no rotation
         return None
     return PlanarPose(position.x, position.y, yaw) if all(map(math.isfinite, numbers)) else None
 
@@ -153,13 +152,13 @@ def _planar_pose(message):
 def scan_points(message):
     """Return the points of a LaserScan: rows of x, y, z (m) in the frame of the base.
 
-    Ranges that are infinite or NaN, as in REP-117, have no point. Nor have those of another sensor
-    than the depth camera, whose place on the robot is unknown.
+    Ranges that are infinite or NaN, as in REP-117, give no point. Nor does a sensor other than the
+    depth camera, since its place on the robot is unknown.
     """
     if message.header.frame_id.split('/')[-1] != DEPTH_CAMERA_FRAME:
         return numpy.empty((0, 3))
     ranges = numpy.array(message.ranges, dtype=float)
-    with numpy.errstate(invalid='ignore'):  # a message may contain any number
+    with numpy.errstate(invalid='ignore'):  # of any numbers in the message
         angles = message.angle_min + message.angle_increment * numpy.arange(len(ranges))
         is_seen = (ranges >= message.range_min) & (ranges <= message.range_max)
         points = numpy.column_stack(

@@ -1,4 +1,4 @@
-"""The viewer as a node: it finds robots and draws them on the page while a browser shows it."""
+"""The viewer node: it finds robots, and draws them on the page while a browser shows it."""
 
 import re
 import threading
@@ -12,25 +12,24 @@ from robot_view.browser_page import BrowserPage
 from robot_view.monitor import TARGET
 from robot_view.panel import NODE, SERVICES
 
-FRAME_PERIOD = 0.05  # s of wall time, between two pictures
-DRAWING_PERIOD = 0.2  # s, of trails, readings and plots
-SEARCH_PERIOD = 1.0  # s, for robots
-IDLE_PERIOD = 0.5  # s, between two looks for a browser
+FRAME_PERIOD = 0.05  # s of wall time between two pictures
+DRAWING_PERIOD = 0.2  # s between two updates of trails, readings and plots
+SEARCH_PERIOD = 1.0  # s between two searches for robots
+IDLE_PERIOD = 0.5  # s between two checks for a browser
 
 
 class Viewer:
     """Subscribes to the robots while a browser shows the page, and draws them."""
 
     def __init__(self, address):
-        """Serve the page at an Address until the process ends."""
         self._page = BrowserPage(address)
-        self._searched = self._drawn = 0.0  # when it last did (s)
+        self._searched = self._drawn = 0.0  # time of the last search and drawing (s)
         self._warning = ''
         self._warnings = rospy.Subscriber(f'{NODE}/warning', String, self._on_warning)
 
     def run(self):
         """View until shutdown."""
-        pause = threading.Event()  # lockstep would warn of a node that does nothing but time.sleep()
+        pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
         while not rospy.core.is_shutdown_requested():
             if self._page.is_open:
                 self._view()
@@ -63,7 +62,7 @@ class Viewer:
         robots = find_robots({topic for topic, _ in publications})
         if robots:
             self._page.set_robots(robots)
-        else:  # the last picture stays
+        else:  # keep the last picture
             complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
         names = {service for service, _ in services}
         is_simulated = names.issuperset(map(rospy.resolve_name, SERVICES.values()))

@@ -8,27 +8,27 @@ from odometry_common.velocity import VelocityPublisher
 from robot_view import steering
 from robot_view.pad_layout import LAYOUT
 
-LONGEST_CONNECTING = 10.0  # s; a robot that takes longer gets no zero
-SHORTEST_PERIOD = 0.01  # s, between two commands, however many pages send holds
+CONNECTING_TIMEOUT = 10.0  # s; a robot that takes longer gets no zero
+MIN_PERIOD = 0.01  # s between two commands, however many pages send holds
 
 
 class Pad:
     """Publishes velocities on the chosen robot's cmd_vel while a button is held.
 
-    It publishes nothing to robots that it has not driven, not even when the node exits.
+    It never publishes to robots that it has not driven, not even when the node exits.
     """
 
     def __init__(self, chosen, speeds):
-        """Take two functions.
+        """Start a thread that commands.
 
-        :param chosen: returns the namespace of the robot to drive; None if there is none
-        :param speeds: returns the linear (m/s) and the angular speed (rad/s)
+        :param chosen: function that returns the namespace of the robot to drive, or None
+        :param speeds: function that returns the linear (m/s) and the angular speed (rad/s)
         """
         self._chosen = chosen
         self._speeds = speeds
         self._steering = steering.Steering()
-        self._publishers = {}  # by namespace; None until the master has answered
-        self._unheard = {}  # until when (s) a robot that is not connected yet is to get its zero
+        self._publishers = {}  # by namespace; None until the master answers
+        self._unstopped = {}  # deadlines (s) for the zero of robots that are not connected yet
         self._lock = threading.Lock()
         self._changed = threading.Event()
         threading.Thread(target=self._drive, daemon=True).start()
@@ -49,20 +49,20 @@ class Pad:
 
     def _drive(self):
         while True:
-            is_idle = not (self._steering.is_driving or self._unheard)
+            is_idle = not (self._steering.is_driving or self._unstopped)
             self._changed.wait(None if is_idle else steering.COMMAND_PERIOD)
             self._changed.clear()
             now = time.monotonic()
             with self._lock:
                 commands = self._steering.commands(now)
-            self._unheard = {robot: until for robot, until in self._unheard.items() if until > now}
-            unheard = dict.fromkeys(self._unheard.keys() - commands.keys(), steering.STANDSTILL)
-            for namespace, shares in {**commands, **unheard}.items():
+            self._unstopped = {robot: until for robot, until in self._unstopped.items() if until > now}
+            zeros = dict.fromkeys(self._unstopped.keys() - commands.keys(), steering.STANDSTILL)
+            for namespace, shares in {**commands, **zeros}.items():
                 self._command(namespace, shares, now)
-            time.sleep(SHORTEST_PERIOD)
+            time.sleep(MIN_PERIOD)
 
     def _command(self, namespace, shares, now):
-        """Publish, or keep a zero until the robot is connected, for which the others do not wait."""
+        """Publish; keep a zero until the robot is connected. The other robots do not wait for that."""
         if namespace not in self._publishers:
             self._publishers[namespace] = None
             threading.Thread(target=self._advertise, args=[namespace], daemon=True).start()
@@ -70,9 +70,9 @@ class Pad:
         if publisher and publisher.get_num_connections():
             (forward, left), (linear, angular) = shares, self._speeds()
             publisher.publish(forward * linear, left * angular)
-            self._unheard.pop(namespace, None)
+            self._unstopped.pop(namespace, None)
         elif shares == steering.STANDSTILL:
-            self._unheard.setdefault(namespace, now + LONGEST_CONNECTING)
+            self._unstopped.setdefault(namespace, now + CONNECTING_TIMEOUT)
 
     def _advertise(self, namespace):
         self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')
@@ -86,8 +86,8 @@ def add_pad(gui, pad):
 
 
 def _add_button(gui, pad, name):
-    """Add a button, which drives while it is held; stop is only clicked."""
-    # These run on the event loop, in the order of the messages: no hold comes after its release.
+    """Add a button that drives while you hold it, or the stop button, which you click."""
+    # These run on the event loop in order of the messages, so no hold follows its release.
     async def hold(event):
         pad.hold(event.client_id, name)
 
@@ -95,7 +95,7 @@ def _add_button(gui, pad, name):
         pad.release(event.client_id, name)
 
     if name == steering.STOP:
-        # Held, it also reaches a robot that the pad has not driven before.
+        # A hold also stops a robot that the pad has not driven before.
         gui.add_button(name, color='red').on_click(hold)
     else:
         button = gui.add_button(name)

@@ -1,7 +1,7 @@
 """The HTML of the pad: the layout of its buttons, and the arrow keys.
 
-viser reports when a key goes down, but not when it comes up. So the page itself turns the arrow
-keys into presses of the buttons.
+viser reports that a key goes down, but not that it comes up, so the page itself maps the arrow keys
+to presses of the buttons.
 """
 
 import html

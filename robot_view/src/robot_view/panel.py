@@ -33,7 +33,7 @@ class Readings:
         self.show({})
 
     def show(self, values):
-        """Show values by the names in ROWS; one that is missing or None is a dash."""
+        """Show values by the names in ROWS; a dash for a value that is missing or None."""
         rows = ''.join(
             f'<tr><td>{label}</td><td id="{name}">{_format(values.get(name), *form)}</td></tr>'
             for name, label, *form in ROWS)
@@ -49,7 +49,7 @@ class SimulationButtons:
         self._buttons.on_click(self._call)
 
     def update(self, is_simulated, complaint):
-        """Show the buttons if there is a simulator, and a complaint if there is one."""
+        """Show the buttons if there is a simulator, and a complaint unless it is empty."""
         self._buttons.visible = is_simulated
         if not complaint and not is_simulated:
             complaint = 'no simulator here: no pause, resume and reset'
@@ -67,10 +67,10 @@ class SimulationButtons:
 
 
 def add_placing(gui, chosen):
-    """Add inputs for a place, and a button that puts a simulated robot there, at rest.
+    """Add inputs for a pose, and a button that places a simulated robot there, at rest.
 
     :param chosen: function that returns the namespace of the robot
-    :return: their folder, not yet visible
+    :return: the folder of the inputs, hidden
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
@@ -80,7 +80,7 @@ def add_placing(gui, chosen):
 
     @button.on_click
     def _(event):
-        # Read them before the wait: the user may type another place meanwhile.
+        # Before the wait: the user may type another pose meanwhile.
         pose = _pose(x.value, y.value, heading.value)
         publisher = _pose_publisher(f'{NODE}/{chosen()}set_pose')
         if has_subscriber_within(publisher, CONNECTING_TIMEOUT):
@@ -106,5 +106,5 @@ def _pose(x, y, heading):
 
 
 def _format(value, decimals, unit):
-    # Adding zero takes the sign from a zero.
+    # Adding zero turns -0.0 into 0.0.
     return '–' if value is None else f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'

@@ -1,22 +1,21 @@
-"""What follows from a robot's poses: its trail, its true distance, the drift of its odometry."""
+"""Compute a robot's trail, true distance and odometry drift from its poses."""
 
 import math
 
 import numpy
 from odometry_common.geometry import PlanarPose, wrap_to_pi
 
-TOP_SPEED = 5.0  # m/s; a pose that implies more is a reset, as for the movement detector
-STAMP_JITTER = 0.05  # s, by which stamps may misstate the time between two poses
+MAX_SPEED = 5.0  # m/s; a faster step is a reset, as for the movement detector
+STAMP_JITTER = 0.05  # s; error of the time between two poses, by their stamps
 TRAIL_SPACING = 0.01  # m
 HISTORY_SPACING = 0.1  # s
 ORIGIN = PlanarPose(0.0, 0.0, 0.0)
 
 
 class Samples:
-    """Rows of numbers along a run of any length, as evenly spaced as room allows."""
+    """At most `limit` rows of `width` numbers, evenly spaced along a run of any length."""
 
     def __init__(self, spacing, width, limit=1000):
-        """Keep rows of `width` numbers, at most `limit` of them."""
         self._spacing = spacing
         self._width = width
         self._limit = limit
@@ -24,7 +23,7 @@ class Samples:
         self._rows = []
 
     def add(self, at, row):
-        """Add a row at a time or place `at`, unless it is too close to the last one."""
+        """Add a row at a time or distance `at`, unless it is too close to the last one."""
         if at - self._last < self._spacing:
             return
         self._last = at
@@ -39,7 +38,7 @@ class Samples:
 
 
 class PathTrace:
-    """The path of one robot, by its ground truth if it has one, else by its odometry."""
+    """The path of one robot, by ground truth if there is any, else by odometry."""
 
     def __init__(self):
         self._restart()
@@ -50,7 +49,7 @@ class PathTrace:
         self.drift = ORIGIN  # from the odometry's pose to the true one
         self.heading = None  # rad, of the odometry, continuous
         self.trail = Samples(TRAIL_SPACING, 2)  # x, y (m)
-        self.history = Samples(HISTORY_SPACING, 5)  # as note() adds them
+        self.history = Samples(HISTORY_SPACING, 5)  # as add_history() adds them
         self._travelled = 0.0
         self._last_traced = None
         self._odometry = self._ground_truth = None  # stamp and pose
@@ -80,10 +79,10 @@ class PathTrace:
         self._trace(pose)
         self._compare()
 
-    def note(self, time, moved, target):
+    def add_history(self, time, moved, target):
         """Add a row to the history: time (s), moved and true distance (m), heading, target (deg).
 
-        :param target: heading to turn to (degrees) or None; the history has it plus whole turns,
+        :param target: heading to turn to (degrees) or None; whole turns are added to bring it
             nearest to the heading
         """
         heading = math.degrees(self.heading)
@@ -99,7 +98,7 @@ class PathTrace:
         self.trail.add(self._travelled, (pose.x, pose.y))
 
     def _compare(self):
-        """Compare the odometry with the ground truth if both are of the same moment."""
+        """Compare odometry and ground truth if both have the same stamp."""
         if not self._odometry or not self._ground_truth:
             return
         (stamp, odometry), (true_stamp, ground_truth) = self._odometry, self._ground_truth
@@ -107,17 +106,17 @@ class PathTrace:
             return
         if self.true_distance is None:
             self.origin = ground_truth.then(odometry.inverse())
-            # A page that opens late knows where the odometry began, but not the way since then.
+            # A page that opens late knows where the odometry started, but not the path since then.
             self.true_distance = _distance(ORIGIN, odometry)
         self.drift = self.origin.then(odometry).inverse().then(ground_truth)
 
 
 def _is_reset(last, stamp, pose):
-    """Return whether time goes back or the robot jumps from the last stamp and pose."""
+    """Return whether time went back, or the robot jumped, since the last stamp and pose."""
     if last is None:
         return False
     passed = stamp - last[0]
-    return _distance(last[1], pose) > TOP_SPEED * (passed + STAMP_JITTER)
+    return _distance(last[1], pose) > MAX_SPEED * (passed + STAMP_JITTER)
 
 
 def _distance(one, other):

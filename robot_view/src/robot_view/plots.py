@@ -44,7 +44,7 @@ class _Plot:
 
     def draw(self, time, columns):
         """Draw a column of values for each series; NaN where a value is unknown."""
-        # uPlot draws nothing at all if there is a NaN.
+        # uPlot draws nothing if there is a NaN.
         shown = [index for index, values in enumerate(columns) if not numpy.isnan(values).all()]
         data = (time, *(_fill(time, columns[index]) for index in shown))
         if shown == self._shown:

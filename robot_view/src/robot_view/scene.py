@@ -3,8 +3,8 @@
 import numpy
 from odometry_common.geometry import about, about_z, compose
 
-TWO_METRES = 2.0  # m, what the tutorial's robot drives
-GHOST_DISTANCE = 0.005  # m between odometry and ground truth from which on both are drawn
+TWO_METRES = 2.0  # m, the distance in the tutorial
+GHOST_DISTANCE = 0.005  # m between odometry and ground truth; draw both if they differ by more
 GHOST_ANGLE = 0.01  # rad
 GHOST_COLOUR = (30, 120, 220)
 GHOST_OPACITY = 0.35
@@ -26,7 +26,7 @@ SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 def add_floor_and_lights(scene):
     """Add lights, and a floor with a line at each metre, to an empty viser scene."""
     scene.set_up_direction('+z')
-    # Reflections and shadows would leave a computer without a graphics card one frame a second.
+    # With reflections and shadows, a computer without a graphics card draws one frame a second.
     scene.configure_environment_map(None)
     scene.configure_default_lights(cast_shadow=False)
     scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)
@@ -39,7 +39,7 @@ class RobotModel:
     """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
     def __init__(self, scene, name, links, labelled):
-        """Add it to viser's scene.
+        """Add the model to viser's scene.
 
         :param name: of the scene node, without slashes
         :param links: the robot's looks.Links
@@ -49,7 +49,7 @@ class RobotModel:
         self._root = f'/robots/{name}'
         self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
-        # The marks and the ghost are drawn in the odometry's frame.
+        # Marks and ghost are in the odometry's frame.
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
@@ -68,11 +68,11 @@ class RobotModel:
         self._drawn_scan = None
 
     def close(self):
-        """Remove it from the scene, with all its parts."""
+        """Remove the model from the scene."""
         self._node.remove()
 
     def move(self, robot):
-        """Draw it where a RobotMonitor has it."""
+        """Draw the robot at the pose of a RobotMonitor."""
         origin, drift = robot.trace.origin, robot.trace.drift
         self._body.position, self._body.wxyz = robot.pose
         self._odometry.position = (origin.x, origin.y, 0.0)
@@ -86,7 +86,7 @@ class RobotModel:
                 frame.wxyz = _wxyz(compose(link.rotation, about(link.axis, robot.wheels[link.joint])))
 
     def draw_path(self, robot):
-        """Draw where it has been, and its latest scan."""
+        """Draw the trail and the latest scan."""
         points = robot.trace.trail.array()
         if len(points) < 2:
             points = numpy.zeros((2, 2))
@@ -123,7 +123,7 @@ class RobotModel:
             self._scene.add_cylinder(name, *shape.size, **options)
 
     def _add_spokes(self, wheel, shape):
-        """Mark a wheel, so that you see it turn: little of it shows below the base."""
+        """Mark a wheel, so that you see it turn: most of it is hidden by the base."""
         radius, width = shape.size
         for number in range(SPOKES):
             rotation = compose(shape.rotation, about_z(numpy.pi * number / SPOKES))
@@ -141,5 +141,5 @@ class RobotModel:
 
 
 def _wxyz(quaternion):
-    """Return x, y, z, w in viser's order."""
+    """Return a quaternion x, y, z, w in viser's order."""
     return numpy.roll(quaternion, 1)

@@ -1,4 +1,4 @@
-"""The page's web server: viser's, which refuses connections from other pages.
+"""The page's web server: viser's, made to refuse connections from other pages.
 
 viser has no option for that. It calls websockets.asyncio.server.serve(), so start_server() adds
 serve()'s documented parameters to that call.
@@ -21,13 +21,13 @@ LOG_LENGTH = 100  # characters of a header
 
 
 def start_server(address):
-    """Return a viser.ViserServer at an Address that is free; it runs until the process ends.
+    """Return a viser.ViserServer at a free Address; it runs until the process exits.
 
     :raises StartError: if this version of viser starts its server in another way
     """
-    # viser prints its start and its end through rich, verbose or not.
+    # viser prints its start and its end through rich, even if it is not verbose.
     rich.get_console().quiet = True
-    # A browser may close at any moment, also during a write to it.
+    # A browser may close at any moment, even during a write to it.
     warnings.filterwarnings('ignore', 'Queued a .* on a closed connection')
     serve, calls = server.serve, []
 
@@ -44,14 +44,14 @@ def start_server(address):
     if not calls:
         raise StartError('this version of viser starts its server in another way than that in '
                          'robot_view/requirements.txt: pip install -r it')
-    # At exit viser would wait seconds for busy browsers.
+    # At exit viser would wait for busy browsers for seconds.
     atexit.unregister(started.stop)
     return started
 
 
 def _admit(names, process_request, connection, request):
     """Answer 403, unless the request is the page's own."""
-    # Joined, a header that occurs twice matches nothing.
+    # A header that occurs twice is joined, and then matches nothing.
     host, origin = (', '.join(request.headers.get_all(name)) for name in ('Host', 'Origin'))
     if is_own({*names, connection.local_address[0]}, host, origin):
         return process_request(connection, request)
@@ -62,15 +62,15 @@ def _admit(names, process_request, connection, request):
 
 
 def is_own(names, host, origin):
-    """Return whether the page itself sends a request, by two headers that no script can change.
+    """Return whether the page itself sent a request, by two headers that no script can change.
 
-    Origin is the address of the page that connects. Another page's differs from the Host to which
-    it connects. With a name that its owner has redirected here (DNS rebinding) both are equal,
-    but no name of this page. Any port will do, since `ssh -L 9000:localhost:8080` changes it.
+    Origin is the address of the page that connects. That of another page differs from the Host to
+    which it connects; after DNS rebinding both are equal, but no name of this page. Any port is
+    valid, since `ssh -L 9000:localhost:8080` changes it.
 
     :param names: host names of the page
     :param host: the Host header
-    :param origin: the Origin header, '' if there is none, as from a program that is no browser
+    :param origin: the Origin header; '' if there is none, as from a program that is no browser
     """
     host = host.lower()
     name = re.sub(r':\d+$', '', host)
@@ -79,5 +79,5 @@ def is_own(names, host, origin):
 
 
 def _forbid_framing(_, __, response):
-    # Clicks meant for a page around an invisible frame would drive the robot.
+    # Another page could show this one in an invisible frame, and the user's clicks would drive.
     response.headers['Content-Security-Policy'] = "frame-ancestors 'self'"

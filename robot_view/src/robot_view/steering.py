@@ -1,11 +1,11 @@
-"""The commands that follow from the held buttons of the pad."""
+"""Compute commands from the held buttons of the pad."""
 
-HOLD_RATE = 10.0  # Hz, at which a page repeats that a button is held
-HOLD_TIMEOUT = 0.5  # s without a repetition after which it counts as released
+HOLD_RATE = 10.0  # Hz, at which a page repeats its holds
+HOLD_TIMEOUT = 0.5  # s; without a repetition the button counts as released
 COMMAND_PERIOD = 0.05  # s
 
 FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
-# Shares of the greatest speed forwards and to the left.
+# Shares of the maximum speed, forwards and to the left.
 STANDSTILL = 0, 0
 DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
 
@@ -13,8 +13,8 @@ DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
 class Steering:
     """Decides what the held buttons command to which robot; times in seconds.
 
-    A robot gets commands while a button is held for it, then one zero and nothing more. A stop ends
-    every button that is held for the robot until it is released.
+    A robot gets commands while you hold a button for it, then one zero. Stop disables every button
+    that is held for the robot until it is released.
     """
 
     def __init__(self):
@@ -24,19 +24,19 @@ class Steering:
 
     @property
     def is_driving(self):
-        """Whether a robot has a command that is not yet followed by its zero."""
+        """Whether a robot has a command that no zero has followed yet."""
         return bool(self._driven)
 
     def hold(self, client, button, robot, now):
-        """Note that a client holds a button for a robot, or clicks stop."""
+        """Record that a client holds a button for a robot, or clicks stop."""
         if button == STOP:
-            # Also those past their deadline: a page that was silent may go on without a release.
+            # Also buttons past their deadline: a page that was silent may continue to hold them.
             self._stopped.update(held for held, (held_for, _) in self._held.items()
                                  if held_for == robot and held[1] != STOP)
         self._held[client, button] = robot, now + HOLD_TIMEOUT
 
     def release(self, client, button=None):
-        """Note that a client has released a button, or all of them."""
+        """Record that a client has released a button, or all of them."""
         self._held = {held: until for held, until in self._held.items()
                       if held[0] != client or button not in (None, held[1])}
         self._stopped &= set(self._held)
@@ -44,13 +44,13 @@ class Steering:
     def commands(self, now):
         """Return a dictionary of shares of speed, forwards and to the left, by robot.
 
-        While a robot is driven, ask again every COMMAND_PERIOD.
+        While a robot drives, call this every COMMAND_PERIOD.
         """
         buttons = {}
         for held, (robot, until) in self._held.items():
             if until > now and held not in self._stopped:
                 buttons.setdefault(robot, set()).add(held[1])
-        # First those that stop: no robot starts before the other one has been told to stop.
+        # Stops first: no robot starts before the other one has its zero.
         stopped = {robot: STANDSTILL for robot in self._driven - set(buttons)}
         self._driven = set(buttons)
         return {**stopped, **{robot: _shares(held) for robot, held in buttons.items()}}

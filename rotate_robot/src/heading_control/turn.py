@@ -1,4 +1,4 @@
-"""The angular speed to command at a heading."""
+"""Decide how fast to turn, from the heading."""
 
 import math
 
@@ -23,13 +23,13 @@ class Turn:
     """A P-controller on the heading."""
 
     def __init__(self, target, kp, max_angular_speed):
-        """Turn to `target` (degrees) with the gain `kp` (1/s), within a speed (rad/s)."""
+        """Turn to `target` (degrees) with the gain `kp` (1/s), at most at a speed (rad/s)."""
         self.target = target
         self.kp = kp
         self.max_angular_speed = max_angular_speed
 
     def error_at(self, yaw):
-        """Return the angle (rad) from a yaw (rad) to the target, the shorter way round."""
+        """Return the angle (rad) from a yaw (rad) to the target, the shorter way."""
         return wrap_to_pi(math.radians(self.target) - yaw)
 
     def speed_for(self, error):

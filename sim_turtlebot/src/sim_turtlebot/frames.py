@@ -1,4 +1,4 @@
-"""The frames of a robot for tf: its odometry's, and those that robot_state_publisher would publish."""
+"""The tf frames of a robot: odom, and the URDF's, as robot_state_publisher publishes them."""
 
 from geometry_msgs.msg import TransformStamped
 
@@ -9,7 +9,7 @@ class Frames:
     """The transforms from odom to base_footprint, and from each link of the URDF to its children."""
 
     def __init__(self, robot, namespace):
-        """Read the URDF; the names of all frames begin with the namespace."""
+        """Read the URDF; the namespace is the prefix of all frames."""
         self._robot = robot
         self._base = _new_transform(f'{namespace}odom', f'{namespace}base_footprint')
         self._fixed, self._wheels = [], {}

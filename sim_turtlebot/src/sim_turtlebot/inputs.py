@@ -1,4 +1,4 @@
-"""What the simulator receives: commands, poses and calls, as requests for its main thread."""
+"""The simulator's subscribers and services: each message or call becomes a request to its main thread."""
 
 from functools import partial
 
@@ -19,11 +19,11 @@ class Inputs:
 
         :param namespaces: of the robots, each '' or one that ends in a slash
         :param requests: sim_turtlebot.requests.RequestQueue
-        :param warn: function of a topic and the reason for which a pose on it is refused, or ''
+        :param warn: called with a topic and why a pose on it is refused, or '' if it is accepted
         """
         self._simulation, self._namespaces = simulation, namespaces
         self._requests, self._warn = requests, warn
-        self.obeys = True  # lockstep does not before time zero
+        self.obeys = True  # lockstep ignores commands before time zero
         self._pose_is_set = False
         topics = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
                   **{name: name for name in INPUTS}}
@@ -45,7 +45,7 @@ class Inputs:
 
     def _subscribe(self, topic, message_class, action, *arguments):
         """Have the main thread call action(message, *arguments) for each message."""
-        # Of what has arrived together rospy reads the latest only, so that a flood costs little.
+        # Of messages that arrive together rospy reads only the latest, so a flood costs little.
         rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
             _sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
 
@@ -58,7 +58,7 @@ class Inputs:
 
     def _command(self, twist, robot, mux_input):
         if not self.obeys:
-            # Whether one arrives so early depends on when the connection is made.
+            # Whether a command arrives so early depends on connection timing.
             rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
             return
         try:
@@ -84,6 +84,6 @@ class Inputs:
 
 
 def _sender_of(message):
-    """Return the sender of a message or request: the names of its node and of its topic or service."""
+    """Return the names of the node that sent a message or request, and of the topic or service."""
     header = message._connection_header
     return header['callerid'], header.get('topic') or header.get('service', '')

@@ -1,4 +1,4 @@
-"""Requests of rospy's threads, which the main thread serves: only it may touch the robots."""
+"""Requests from rospy's threads; the main thread serves them, since only it may touch the robots."""
 
 import itertools
 import threading
@@ -8,29 +8,29 @@ ANSWER_TIMEOUT = 5.0  # s
 
 
 class RequestQueue:
-    """Functions without arguments, with the names of their senders, for the main thread to serve.
+    """Functions without arguments, by sender, for the main thread to call.
 
-    Of a topic only the latest message of each sender waits, so that nobody's flood delays the others.
+    Only the latest message of each sender and topic waits, so a flood delays no other sender.
     """
 
     def __init__(self):
         self._changed = threading.Condition()
-        self._waiting = {}  # functions by their senders
+        self._waiting = {}  # functions by sender
         self._numbers = itertools.count()
 
     @property
     def nodes(self):
-        """The names of the nodes whose messages wait."""
+        """The names of the nodes whose messages are waiting."""
         with self._changed:
             return {sender[0] for sender in self._waiting if len(sender) == 2}
 
     def put(self, sender, request):
-        """Take a request in place of an earlier one of the same sender.
+        """Add a request; it replaces an earlier one of the same sender.
 
         :param sender: a tuple of names: of the node, and of its topic
         """
         with self._changed:
-            self._waiting.pop(sender, None)  # the new one has come after all others
+            self._waiting.pop(sender, None)  # the new one is the last in order
             self._waiting[sender] = request
             self._changed.notify()
 
@@ -38,8 +38,8 @@ class RequestQueue:
         """Add a request and return once it has been served.
 
         :param sender: a tuple of names: of the node, and of the service
-        :raises TimeoutError: after ANSWER_TIMEOUT; a request that has not begun by then is dropped,
-            one that has begun still takes effect
+        :raises TimeoutError: after ANSWER_TIMEOUT; a request that has started by then still takes
+            effect, another is dropped
         """
         answer = futures.Future()
 
@@ -62,10 +62,10 @@ class RequestQueue:
             return self._changed.wait_for(lambda: bool(self._waiting), timeout)
 
     def serve_all(self, by_name=False):
-        """Serve the requests that wait now, in the order in which they have come.
+        """Serve the waiting requests in order of arrival.
 
-        :param by_name: in the order of their senders' names instead
-        :return: whether a caller waited for one of them
+        :param by_name: in order of their senders' names instead
+        :return: whether a service call was among them
         """
         with self._changed:
             waiting, self._waiting = self._waiting, {}

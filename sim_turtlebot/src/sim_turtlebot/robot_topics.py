@@ -13,21 +13,21 @@ from sim_turtlebot.frames import fill_pose
 from sim_turtlebot.physics.description import WHEEL_JOINTS
 from sim_turtlebot.robot.scanner import is_scan_due
 
-# About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the greatest
-# number where nothing is measured: kobuki_node/src/library/slot_callbacks.cpp.
+# About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the largest
+# float where a Kobuki measures nothing: kobuki_node/src/library/slot_callbacks.cpp.
 IMU_VARIANCES = sys.float_info.max, sys.float_info.max, 0.005
 
 
 class Topic:
-    """A topic whose messages carry the number of the odometry period they belong to.
+    """A topic whose header.seq is the number of the odometry period.
 
-    rospy would count the messages that it sends. With our number, a message that is sent twice is
-    the same message, and two runs are the same bytes.
+    rospy would count the messages that it sends. With our number, a message that is sent twice stays
+    the same, and two runs give the same bytes.
     """
 
     def __init__(self, name, message_class, frame, /, **fields):
-        """Advertise; `message` is there to be filled before publish()."""
-        # Without _has_header rospy leaves header.seq alone.
+        """Advertise; fill `message` before publish()."""
+        # Without _has_header rospy does not set header.seq.
         numbered = type(f'Numbered{message_class.__name__}', (message_class,), {'_has_header': False})
         self.message = numbered(**fields)
         self.message.header.frame_id = frame
@@ -35,7 +35,7 @@ class Topic:
 
     @property
     def has_subscribers(self):
-        """Whether anyone receives the message."""
+        """Whether anyone subscribes."""
         return self._publisher.get_num_connections() > 0
 
     def publish(self, stamp, number):
@@ -101,7 +101,7 @@ class RobotTopics:
 
     def publish_scan(self, stamp, number):
         """Publish a scan if one is due, with the odometry of the same moment."""
-        # Rays cost more than all else that happens between two odometries.
+        # Casting the rays costs more than everything else in an odometry period.
         if (self._robot.scanner and self._scan.has_subscribers
                 and is_scan_due(number, *self._scan_rates)):
             self._scan.message.ranges = self._robot.scanner.scan(number).tolist()

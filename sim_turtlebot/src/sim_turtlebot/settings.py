@@ -17,8 +17,8 @@ from sim_turtlebot.robot import scanner
 from sim_turtlebot.robot.poses import MAX_COORDINATE
 
 LOCKSTEP_CLOCK_RATE = 100.0  # Hz; in lockstep a rospy.Rate of up to this keeps its rate
-CLOCK_RATE = 200.0  # Hz; a client that sleeps for a hundredth of a second gets just that
-MOST_TICKS = 1000.0  # per second of wall time; more keep a client busy with nothing but the clock
+CLOCK_RATE = 200.0  # Hz; a client that sleeps for 0.01 s sleeps just that long
+MAX_TICKS = 1000.0  # per second of wall time; more would keep clients busy with the clock alone
 
 FROM_0_TO_1 = between(0, 1)
 FACTOR = between(0.5, 2)
@@ -53,20 +53,20 @@ PARAMETERS = Parameters(
               'encoder: take the yaw from the gyro, as a Kobuki does, not from the wheels'),
     Parameter('~wheel_slip', 0.0, '',
               Range('from 0 to below 1', lambda value, _: 0 <= value < 1),
-              "encoder: share of the wheels' travel that moves nothing"),
+              "encoder: share of the wheels' travel that is lost"),
     Parameter('~wheel_noise', 0.0, 'm', FROM_0_TO_1,
               "encoder: standard deviation of a wheel's travel after one metre"),
     Parameter('~gyro_noise', 0.0, 'rad', FROM_0_TO_1,
               "standard deviation of the gyro's yaw after one second"),
     Parameter('~gyro_drift', 0.0, 'rad/s', between(-1, 1), 'bias of the gyro, also at rest'),
     Parameter('~wheel_diameter_ratio', 1.0, '', FACTOR,
-              'E_d of UMBmark: diameter of the right wheel divided by that of the left, with the '
-              'mean that the driver believes'),
+              'E_d of UMBmark: diameter of the right wheel divided by that of the left; their mean is '
+              'what the driver assumes'),
     Parameter('~wheel_separation_ratio', 1.0, '', FACTOR,
               'E_b of UMBmark: true distance between the wheels divided by the one that the driver '
-              'believes'),
+              'assumes'),
     Parameter('~gyro_scale_error', 0.0, '', between(-0.5, 0.5),
-              'share by which the gyro measures too much'),
+              'relative error of the rate that the gyro measures'),
     Parameter('~left_wheel_radius_multiplier', 1.0, '', FACTOR,
               "the driver's correction of that wheel, as diff_drive_controller's"),
     Parameter('~right_wheel_radius_multiplier', 1.0, '', FACTOR,
@@ -89,11 +89,11 @@ PARAMETERS = Parameters(
               Range('from 0.01 to 2 pi', lambda value, _: 0.01 <= value <= 2 * math.pi),
               'angle from the first beam to the last'),
     Parameter('~scan_range_min', scanner.RANGE_MIN, 'm', between(0, 100),
-              'what is nearer is -inf'),
+              'closer objects give -inf'),
     Parameter('~scan_range_max', scanner.RANGE_MAX, 'm',
               Range('above ~scan_range_min and up to 1000',
                     lambda value, earlier: earlier.scan_range_min < value <= 1000),
-              'where nothing is nearer, +inf'),
+              'farther objects give +inf'),
     Parameter('~scan_noise', 0.0, 'm', FROM_0_TO_1, 'standard deviation of a range'),
     Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise'),
     Parameter('~cmd_vel_timeout', CMD_VEL_TIMEOUT, 's', between(0, 3600),
@@ -109,7 +109,7 @@ USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are
 
 
 def read_settings(source=None):
-    """Return all parameters by their names; raise ParameterError for the first unusable one.
+    """Return all parameters by their names; raise ParameterError for the first wrong one.
 
     :param source: as for Parameters.read()
     """
@@ -122,7 +122,7 @@ def read_settings(source=None):
 
 
 def _default_clock_rate(settings):
-    """Return the rate (Hz) that clients need for their own loops; 0: the coarsest.
+    """Return the rate (Hz) that clients need for their own loops; 0: the lowest.
 
     With unpaced or wall time, more ticks would only cost time.
     """
@@ -131,11 +131,11 @@ def _default_clock_rate(settings):
         return LOCKSTEP_CLOCK_RATE
     if pace == 0 or not settings.use_sim_time:
         return 0.0
-    return min(CLOCK_RATE, MOST_TICKS / pace)
+    return min(CLOCK_RATE, MAX_TICKS / pace)
 
 
 def _check_wall_time(settings):
-    """Refuse what would make wall-clock stamps lie about the speed."""
+    """Raise ParameterError for settings with which wall-clock stamps would be wrong."""
     for name, needed in (('real_time_factor', 1), ('lockstep', False)):
         value = getattr(settings, name)
         if value != needed and not settings.use_sim_time:

@@ -1,4 +1,4 @@
-"""Robots in a world, stepped through simulated time. The only place where they step; no ROS."""
+"""Robots in a world, stepped through simulated time; the only place that steps them. No ROS."""
 
 import math
 
@@ -14,7 +14,7 @@ class Simulation:
     """TurtleBots that share a world and a timeline."""
 
     def __init__(self, settings, starts=None, build_world=World):
-        """Put robots down.
+        """Place the robots.
 
         :param settings: of sim_turtlebot.settings.read_settings()
         :param starts: x, y (m) and yaw (rad) of each robot; None: where the settings put them
@@ -32,7 +32,7 @@ class Simulation:
 
     @property
     def everything_rests(self):
-        """Whether nothing can move before the next command."""
+        """Whether nothing moves before the next command."""
         return self.world.only_robots_move and all(robot.resting for robot in self.robots)
 
     def command(self, linear, angular, robot=0, mux_input=None):
@@ -52,7 +52,7 @@ class Simulation:
         :return: whether there is new odometry
         """
         timeline, robots, step = self.timeline, self.robots, self.world.step
-        # A robot at rest is set in motion, and comes to rest, only where this begins or ends.
+        # Robots start and stop moving only at tick boundaries.
         moving = not self.everything_rests
         begin = timeline.steps
         timeline.advance(last_step)
@@ -72,7 +72,7 @@ class Simulation:
         return True
 
     def reset(self):
-        """Go back to the start: the same commands then have the same effect, to the last bit."""
+        """Return to the start; the same commands then give bit-identical results."""
         self.timeline.restart()
         self.world.rebuild()
         for robot, mux in zip(self.robots, self._muxes):

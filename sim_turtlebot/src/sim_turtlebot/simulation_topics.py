@@ -4,7 +4,7 @@ from copy import copy
 
 import rospy
 from odometry_common.publishing import advertise
-from odometry_common.transport import wait_for_subscribers
+from odometry_common.transport import wait_for_slow_subscribers
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
@@ -12,7 +12,7 @@ from tf2_msgs.msg import TFMessage
 from sim_turtlebot.frames import Frames
 from sim_turtlebot.robot_topics import RobotTopics
 
-PATIENCE = 2.0  # s of wall time, for a subscriber that is behind while time is not paced
+SLOW_SUBSCRIBER_BUDGET = 2.0  # s of wall time, while time is not paced
 
 
 class SimulationTopics:
@@ -29,7 +29,7 @@ class SimulationTopics:
         self._use_sim_time = settings.use_sim_time
         self._publish_tf = settings.publish_tf
         if settings.real_time_factor == 0 or settings.lockstep:
-            wait_for_subscribers(PATIENCE)
+            wait_for_slow_subscribers(SLOW_SUBSCRIBER_BUDGET)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage)
         self._robots = [RobotTopics(robot, namespace, settings.scan_rate, settings.odom_rate)
@@ -39,7 +39,7 @@ class SimulationTopics:
         self._tf_static.publish(TFMessage(
             [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
-        self._warnings = {}  # texts by their causes
+        self._warnings = {}  # texts by cause
         self.warn('', '')
 
     def publish_clock(self):
@@ -63,7 +63,7 @@ class SimulationTopics:
             self._tf.publish(TFMessage(transforms))
 
     def warn(self, cause, text):
-        """Publish a warning beside those of other causes; an empty text takes it back."""
+        """Publish a warning beside those of other causes; an empty text withdraws it."""
         self._warnings.pop(cause, None)
         if text:
             self._warnings[cause] = text

@@ -13,9 +13,9 @@ def start_guarded(*command, **popen_options):
 
     It runs in a new session, with an empty standard input.
 
-    :return: the subprocess.Popen of its reaper, which ends as the command has ended, once everything
-        has; its terminate() starts to end everything, and returns at once
+    :return: the subprocess.Popen of its reaper, which ends with the status that a shell shows of the
+        command, once everything has ended; its terminate() starts that, and returns at once
     """
-    # Nobody writes into this pipe. The reaper reads until it ends, with this process.
-    return subprocess.Popen([sys.executable, '-I', '-S', REAPER, *map(str, command)],
-                            stdin=subprocess.PIPE, start_new_session=True, **popen_options)
+    return subprocess.Popen(
+        ['setpriv', '--pdeathsig', 'TERM', sys.executable, '-I', '-S', REAPER, *map(str, command)],
+        stdin=subprocess.DEVNULL, start_new_session=True, **popen_options)

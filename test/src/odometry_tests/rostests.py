@@ -5,7 +5,7 @@ import sys
 import rospy
 import rostest
 from odometry_common.rospy_fixes import fix_rospy
-from odometry_common.transport import wait_for_subscribers
+from odometry_common.transport import wait_for_slow_subscribers
 
 from odometry_tests.waiting import PATIENCE, TIMEOUT
 
@@ -13,7 +13,7 @@ from odometry_tests.waiting import PATIENCE, TIMEOUT
 def join(name, **init_node_options):
     """Become a node that, unlike the nodes under test, waits for slow subscribers."""
     fix_rospy()
-    wait_for_subscribers(TIMEOUT * PATIENCE)
+    wait_for_slow_subscribers(TIMEOUT * PATIENCE)
     rospy.init_node(name, **init_node_options)
 
 

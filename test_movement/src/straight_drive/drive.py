@@ -1,4 +1,4 @@
-"""The speed to command after a distance."""
+"""Decide how fast to drive, from the moved distance."""
 
 import math
 
@@ -19,10 +19,10 @@ PARAMETERS = Parameters(
 
 
 class Drive:
-    """Decides how fast to go from the latest moved distance."""
+    """Decides how fast to drive, from the latest moved distance."""
 
     def __init__(self, distance, speed, relative=False):
-        """Go at `speed` (m/s) for `distance` (m), from zero or from the first distance seen."""
+        """Drive at `speed` (m/s) for `distance` (m); `relative`: from the first moved distance on."""
         self.distance = distance
         self.speed = speed
         self._start = None if relative else 0.0

@@ -1,4 +1,4 @@
-"""Which processes serve the XML-RPC addresses of nodes."""
+"""Find the processes that serve the XML-RPC addresses of nodes."""
 
 import socket
 from urllib.parse import urlparse
@@ -10,10 +10,10 @@ ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
 
 
 def pids_at(addresses):
-    """Return the process that serves each address, by name.
+    """Return the id of the process that serves each address, by name.
 
-    It is None where it cannot be seen, on another machine or of another user, and 0 where nobody serves it,
-    as of a node that was killed.
+    None: this process cannot see it, since it is on another machine or belongs to another user. 0:
+    nothing serves the address, as after a node was killed.
     """
     listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
                  if connection.status == psutil.CONN_LISTEN}

@@ -1,4 +1,4 @@
-"""What /proc shows of a process and its threads."""
+"""The state of a process and its threads, from /proc."""
 
 import contextlib
 import os
@@ -13,26 +13,27 @@ OF_PROCESS, OF_THREAD = 2, 6
 
 
 class Process:
-    """A process, without the thread that looks if it is this one.
+    """A process; of this one, all threads but the one that waits for the others.
 
-    Whatever asks for its state raises OSError if it, or a thread of it, has ended.
+    Every query raises OSError once the process, or a thread of it, has ended.
     """
 
-    def __init__(self, name, pid, longest_poll, patience):
-        """Open its folder; OSError: it has ended, or may not be seen.
+    def __init__(self, name, pid, longest_poll, cpu_budget):
+        """Open its folder.
 
         :param name: for the user
-        :param longest_poll: how long the naps are (s) after which its threads may find work; 0: none
-        :param patience: how much CPU time it may use before it rests (s)
+        :param longest_poll: the longest sleep (s) after which its threads may find work; 0: none
+        :param cpu_budget: CPU time that it may use before it is idle (s)
+        :raises OSError: if it has ended, or belongs to another user
         """
         self.name, self.pid = name, pid
-        self.longest_poll, self.patience = longest_poll, patience
-        self._looker = threading.get_native_id() if pid == os.getpid() else None
+        self.longest_poll, self.cpu_budget = longest_poll, cpu_budget
+        self._own_thread = threading.get_native_id() if pid == os.getpid() else None
         with open(f'/proc/{pid}/maps', encoding='utf-8', errors='replace') as maps:
             self.is_cpp = any(CPP_LIBRARY in line for line in maps)
         self._folder = os.open(f'/proc/{pid}/task', os.O_RDONLY)
         self.threads = {}  # by id
-        self._settled_at = None  # CPU time
+        self._idle_cpu_time = None  # its CPU time (ns) when all threads were idle
 
     def close(self):
         """Close its files."""
@@ -42,35 +43,35 @@ class Process:
 
     def cpu_time(self):
         """Return its CPU time (ns)."""
-        if self._looker:
+        if self._own_thread:
             return sum(time.clock_gettime_ns(~tid << 3 | OF_THREAD) for tid in self.threads)
         return time.clock_gettime_ns(~self.pid << 3 | OF_PROCESS)
 
-    def settle(self):
-        """Return whether each thread has settled; those that poll need not."""
+    def check_idle(self):
+        """Return whether each thread is idle, except those that may run."""
         cpu_time = self.cpu_time()
-        if cpu_time != self._settled_at:
-            self._settled_at = cpu_time if all(
-                thread.is_free or thread.settle() for thread in self.threads.values()) else None
-        return self._settled_at is not None
+        if cpu_time != self._idle_cpu_time:
+            self._idle_cpu_time = cpu_time if all(
+                thread.may_run or thread.check_idle() for thread in self.threads.values()) else None
+        return self._idle_cpu_time is not None
 
-    def is_asleep(self):
-        """Return whether no thread is awake."""
+    def check_asleep(self):
+        """Return whether each thread sleeps, except those that may run."""
         return not self.awake_thread()
 
-    def is_settled(self):
-        """Return whether no thread has run since settle(); those that poll may have."""
-        if not all(thread.is_free or thread.is_settled() for thread in self.threads.values()):
-            self._settled_at = None
-        return self._settled_at is not None
+    def is_still_idle(self):
+        """Return whether no thread has run since check_idle(), except those that may."""
+        if not all(thread.may_run or thread.is_still_idle() for thread in self.threads.values()):
+            self._idle_cpu_time = None
+        return self._idle_cpu_time is not None
 
     def awake_thread(self):
-        """Return a thread that does not sleep, or None; those that poll may be awake."""
+        """Return a thread that is awake and may not run, or None."""
         links = os.fstat(self._folder).st_nlink  # two more than there are threads
-        if links - 2 != len(self.threads) + bool(self._looker):
+        if links - 2 != len(self.threads) + bool(self._own_thread):
             self.list_threads()
         return next((thread for thread in self.threads.values()
-                     if not thread.look() and not thread.is_free), None)
+                     if not thread.check_asleep() and not thread.may_run), None)
 
     def is_stopped(self):
         """Return whether a signal or a debugger has stopped it."""
@@ -78,8 +79,8 @@ class Process:
         return thread is not None and thread.state in STOPPED
 
     def list_threads(self):
-        """Take the threads that have begun, and forget those that have ended."""
-        tids = {int(tid) for tid in os.listdir(self._folder)} - {self._looker}
+        """Add the threads that have started, and remove those that have ended."""
+        tids = {int(tid) for tid in os.listdir(self._folder)} - {self._own_thread}
         for tid in self.threads.keys() - tids:
             self.threads.pop(tid).close()
         for tid in tids - self.threads.keys():

@@ -1,139 +1,134 @@
-"""What /proc shows of a thread."""
+"""The state of a thread, from /proc."""
 
 import os
 import time
 
-# Functions of the kernel in which time.sleep() sleeps; Python to 3.10 selects, as servers do, too
+# The kernel functions of time.sleep(); Python to 3.10 selects instead, as servers do
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
 SLEEPING, STOPPED, ENDED = b'S', b'tT', b'ZX'  # states in /proc/PID/task/TID/stat
-NOT_TOLD = b'0'  # in place of a function of the kernel: the thread runs, or this kernel tells nothing
-LONGEST_LINE = 128  # bytes, of wchan and of schedstat
-SLEEPS = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
-SURVEY_TIME = 0.05  # s of wall time in which a thread did not wait for a processor
-POLL_RUNS = 20  # in that time, without work; ros::Rate and ros::Timer poll every millisecond
+NO_FUNCTION = b'0'  # in wchan: the thread runs, or this kernel does not report functions
+MAX_LINE = 128  # bytes, of wchan and schedstat; in stat, the state is among the first
+SWITCHES = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
+SAMPLE_TIME = 0.05  # s of wall time, not counting the time that a thread waited for a processor
+MIN_POLLS = 20  # in SAMPLE_TIME, without work; ros::Rate and ros::Timer poll every millisecond
 
-_waits = set()  # functions of the kernel in which threads have been seen asleep
+_wait_functions = set()  # kernel functions in which threads have been seen asleep
 
 
 class Thread:
-    """A thread of any process; whatever asks for its state raises OSError if it has ended."""
+    """A thread of any process; every query raises OSError once the thread has ended."""
 
     def __init__(self, pid, tid):
-        """Open the files that each look reads."""
+        """Open the files that each check reads."""
         self.pid, self.tid = pid, tid
-        self._path, self._wait = f'/proc/{pid}/task/{tid}', None
-        self._schedstat, self._wchan = self._open('schedstat'), self._open('wchan')
-        self.ignored = False  # whether it need not rest
-        self.polls = None  # whether it looks for work all the time, as timers of roscpp do
-        self.is_asleep = False  # when it was looked at last
-        self.settled = None  # its usage when it had fallen asleep
-        self.naps_seen = 0
-        self._nap, self._nap_begin, self._nap_time, self._nap_is_long = 0, 0.0, 0.0, False
+        self._path, self._function = f'/proc/{pid}/task/{tid}', None
+        self._schedstat, self._wchan, self._stat = (
+            os.open(f'{self._path}/{name}', os.O_RDONLY) for name in ('schedstat', 'wchan', 'stat'))
+        self.ignored = False  # whether lockstep does not wait for it
+        self.always_polls = None  # whether it polls even without work, as timers of roscpp do
+        self.is_asleep = False  # at the last check
+        self.idle_usage = None  # its usage when it was last seen asleep
+        self.sleeps_seen = 0
+        self._runs, self._sleep_begin, self._sleep_time, self._sleep_is_long = 0, 0.0, 0.0, False
 
     def close(self):
         """Close its files."""
         os.close(self._schedstat)
         os.close(self._wchan)
+        os.close(self._stat)
 
     @property
     def name(self):
         """The name that its process gave it."""
         return self._read('comm').decode(errors='replace').strip()
 
-    def look(self):
+    def check_asleep(self):
         """Return whether it sleeps."""
-        self._wait = os.pread(self._wchan, LONGEST_LINE, 0)
-        self.is_asleep = self._wait in _waits or self._is_asleep_in(self._wait)
+        self._function = os.pread(self._wchan, MAX_LINE, 0)
+        self.is_asleep = self._function in _wait_functions or self._is_asleep_by_state()
         return self.is_asleep
 
-    def _is_asleep_in(self, wait):
-        state = self.state
-        if state == SLEEPING and wait != NOT_TOLD:
-            _waits.add(wait)
-        # One that has begun to sleep since the first question will be asked once more.
-        return state in ENDED or state == SLEEPING and (wait != NOT_TOLD or not _waits)
+    def _is_asleep_by_state(self):
+        state, has_function = self.state, self._function != NO_FUNCTION
+        if state == SLEEPING and has_function:
+            _wait_functions.add(self._function)
+        # A thread that fell asleep between the two reads is asleep at the next check.
+        return state in ENDED or state == SLEEPING and (has_function or not _wait_functions)
 
     @property
     def state(self):
         """Its state, as in /proc/PID/task/TID/stat."""
-        return self._read('stat').rpartition(b')')[2][1:2]
+        return os.pread(self._stat, MAX_LINE, 0).rpartition(b')')[2][1:2]
 
-    def settle(self):
+    def check_idle(self):
         """Return whether it sleeps, or has not run since it was last seen asleep."""
-        usage = os.pread(self._schedstat, LONGEST_LINE, 0)
-        if usage != self.settled:
-            if not self.look():
+        usage = os.pread(self._schedstat, MAX_LINE, 0)
+        if usage != self.idle_usage:
+            if not self.check_asleep():
                 return False
-            self.settled = usage
+            self.idle_usage = usage
         return True
 
-    def is_settled(self):
-        """Return whether it has not run since settle(); its CPU time alone may not tell.
+    def is_still_idle(self):
+        """Return whether it has not run since check_idle(), by all figures of its usage.
 
-        A virtual machine that was kept from its processor counts the next time on it as lost.
+        Its CPU time is not enough: a virtual machine that loses its processor may not count the
+        time that runs next.
         """
-        return os.pread(self._schedstat, LONGEST_LINE, 0) == self.settled
+        return os.pread(self._schedstat, MAX_LINE, 0) == self.idle_usage
 
     @property
-    def is_free(self):
-        """Whether nobody waits until it rests."""
-        return self.polls or self.ignored
+    def may_run(self):
+        """Whether nobody waits until it is idle."""
+        return self.always_polls or self.ignored
 
     @property
-    def naps(self):
-        """Whether it slept by wall time, or selected, when it was looked at last."""
-        return self._wait in (SLEEP, SELECT)
+    def may_poll(self):
+        """Whether, at the last check, it slept by wall time, or selected."""
+        return self._function in (SLEEP, SELECT)
 
     @property
     def sleeps_by_wall_time(self):
-        """Whether it certainly did."""
-        return self._wait == SLEEP
+        """Whether, at the last check, it slept by wall time."""
+        return self._function == SLEEP
 
     @property
     def usage(self):
         """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
-        return tuple(map(int, os.pread(self._schedstat, LONGEST_LINE, 0).split()))
-
-    @property
-    def runs(self):
-        """How often it has run."""
-        return self.usage[2]
+        return tuple(map(int, os.pread(self._schedstat, MAX_LINE, 0).split()))
 
     @property
     def sleeps(self):
-        """How often it has begun to sleep."""
-        return int(self._read('status').partition(SLEEPS)[2].split(maxsplit=1)[0])
+        """How often it has gone to sleep."""
+        return int(self._read('status').partition(SWITCHES)[2].split(maxsplit=1)[0])
 
-    def survey(self):
-        """Find out, once and while all others rest, whether it polls."""
-        if self.polls is not None:
+    def sample_polling(self):
+        """Set `always_polls`, once, while all other threads are idle."""
+        if self.always_polls is not None:
             return
         begin, (_, waited, runs), passed, runs_now = time.monotonic(), self.usage, 0.0, 0
-        while runs_now < POLL_RUNS and passed <= SURVEY_TIME:
-            time.sleep(SURVEY_TIME)
+        while runs_now < MIN_POLLS and passed <= SAMPLE_TIME:
+            time.sleep(SAMPLE_TIME)
             _, waited_now, runs_in_all = self.usage
             runs_now = runs_in_all - runs
             passed = time.monotonic() - begin - (waited_now - waited) / 1e9
-        self.polls = runs_now >= POLL_RUNS
+        self.always_polls = runs_now >= MIN_POLLS
 
-    def naps_longer_than(self, limit, runs, asleep_at):
-        """Return whether its nap takes longer than `limit` (s).
+    def sleeps_longer_than(self, limit, asleep_at):
+        """Return whether its current sleep takes longer than `limit` (s).
 
-        :param runs: how often it has run
         :param asleep_at: a time at which it slept (monotonic, s)
         """
-        if runs != self._nap:
-            # If it did no more than look, this nap takes as long as the one before.
-            self._nap_is_long = runs - 1 == self._nap and self._nap_time > 1.5 * limit
-            self._nap, self._nap_begin = runs, time.monotonic()
-            self.naps_seen += 1
-        self._nap_time = asleep_at - self._nap_begin
-        self._nap_is_long |= self._nap_time > limit
-        return self._nap_is_long
-
-    def _open(self, name):
-        return os.open(f'{self._path}/{name}', os.O_RDONLY)
+        runs = self.usage[2]
+        if runs != self._runs:
+            # If it only polled in between, this sleep takes as long as the one before.
+            self._sleep_is_long = runs - 1 == self._runs and self._sleep_time > 1.5 * limit
+            self._runs, self._sleep_begin = runs, time.monotonic()
+            self.sleeps_seen += 1
+        self._sleep_time = asleep_at - self._sleep_begin
+        self._sleep_is_long |= self._sleep_time > limit
+        return self._sleep_is_long
 
     def _read(self, name):
-        with open(self._open(name), 'rb') as file:
+        with open(f'{self._path}/{name}', 'rb') as file:
             return file.read()

@@ -12,6 +12,7 @@ URDF = next(folder / 'urdf' / 'turtlebot2.urdf'
             for folder in (Path(__file__).parents[3],
                            Path(__file__).parents[5] / 'share/sim_turtlebot')
             if (folder / 'urdf').is_dir())
+BASE_JOINT = 'base_joint'
 WHEEL_JOINTS = ['wheel_left_joint', 'wheel_right_joint']
 BODY = 'inertial', 'collision', 'visual'
 

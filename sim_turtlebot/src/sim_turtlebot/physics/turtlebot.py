@@ -6,7 +6,7 @@ from functools import partial
 
 from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
 
-from sim_turtlebot.physics.description import URDF, WHEEL_JOINTS, without_frames
+from sim_turtlebot.physics.description import BASE_JOINT, URDF, WHEEL_JOINTS, without_frames
 from sim_turtlebot.physics.native_output import suppress_native_output
 
 with suppress_native_output():
@@ -16,6 +16,7 @@ LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more woul
 UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
 HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
 AIR = 10.0  # m, above whatever a robot touches
+CONTACT_PROCESSING_THRESHOLD = 1e-3  # m; the solver skips the floor below the base and a raised caster
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
 
@@ -40,6 +41,8 @@ class TurtleBot:
                               localInertiaDiagonal=[FOOTPRINT_MASS * WHEEL_RADIUS**2] * 3)
         joints = {client.getJointInfo(self._body, index)[1].decode(): index
                   for index in range(client.getNumJoints(self._body))}
+        client.changeDynamics(self._body, joints[BASE_JOINT],
+                              contactProcessingThreshold=CONTACT_PROCESSING_THRESHOLD)
         self._wheels = [joints[name] for name in WHEEL_JOINTS]
         # Bound once: the client creates such a function at each access.
         self._get_pose = partial(client.getBasePositionAndOrientation, self._body)

@@ -1,11 +1,15 @@
 """The physics: a floor and TurtleBots in PyBullet, driven by their wheel motors.
 
-The solver was chosen by measurement. Millimetres from the straight line after 10 m at 0.5 m/s, of the
-centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m radius; us per step:
+The solver and its settings were chosen by measurement. Millimetres from the straight line after 10 m
+at 0.5 m/s, of the centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m radius;
+us per step, at 0.1 to 0.7 m/s and in spins of 1 and 3 rad/s, all measured in one run:
 
-    direct (Dantzig), 240 Hz            0.5   0.05   0.9   10 to 37
-    direct (Dantzig), 120 Hz            1.0   0.14   1.8   11 to 37
-    iterative, 50 iterations, 240 Hz    2.1   0.08   2.5   18 to 51
+    direct (Dantzig), 240 Hz                       0.0   0.01   2.3   15
+    without constraint force mixing                0.5   0.04   3.0   25 to 41
+    without the two contact thresholds             0.0   0.01   2.3   22 to 47
+    without either                                 0.1   0.04   3.0   22 to 86
+    direct (Dantzig), 120 Hz                       0.0   0.01   1.1   15 to 29
+    iterative, 50 iterations, 240 Hz               1.9   0.19   4.9   35 to 58
 """
 
 import contextlib
@@ -22,6 +26,12 @@ with suppress_native_output():
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
+# Constraint force mixing, next to none. Two wheels on one axle hold the robot sideways twice; without
+# it the solver searches, at each step, for one of infinitely many solutions.
+CFM = 1e-9
+# Share of a shape's size. With PyBullet's 0.02 up to four old contact points stay on a rolling wheel, and
+# the solver's cost grows with the cube of their number.
+CONTACT_BREAKING_THRESHOLD = 0.05
 FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it saves
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
@@ -118,6 +128,7 @@ class World:
             client.setPhysicsEngineParameter(
                 fixedTimeStep=1 / self._step_rate, numSubSteps=0,
                 constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,
+                globalCFM=CFM, contactBreakingThreshold=CONTACT_BREAKING_THRESHOLD,
                 minimumSolverIslandSize=1)
 
     def _set_steps_at_once(self, steps):

@@ -1,1 +1,1 @@
-"""What a Kobuki's firmware, sensors and driver do, in physics steps. No ROS."""
+"""A Kobuki's firmware, sensors and driver, in physics steps. No ROS."""

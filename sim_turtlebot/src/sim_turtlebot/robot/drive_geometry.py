@@ -1,4 +1,4 @@
-"""The wheels as the driver of the base believes them to be."""
+"""The wheel geometry that the base driver assumes."""
 
 from typing import NamedTuple
 
@@ -6,26 +6,26 @@ from odometry_common.kobuki import WHEEL_SEPARATION
 
 
 class DriveGeometry(NamedTuple):
-    """What the driver believes, where the wheels are as the URDF has them.
+    """The wheel geometry that the driver assumes; the URDF has the true one.
 
-    The driver turns commands into wheel speeds, and wheel travel into odometry, by the same numbers:
-    a Kobuki's are built into its firmware and its driver (kobuki_driver/src/driver/diff_drive.cpp). So
-    a wrong belief bends the true path, and the wheels' odometry does not show it (Borenstein and Feng,
+    The driver converts commands to wheel speeds, and wheel travel to odometry, by the same numbers: a
+    Kobuki's are built into its firmware and its driver (kobuki_driver/src/driver/diff_drive.cpp). A
+    wrong value bends the true path, and the wheels' odometry does not show it (Borenstein and Feng,
     Measurement and correction of systematic odometry errors in mobile robots, IEEE Transactions on
     Robotics and Automation 12(6), 1996).
     """
 
-    left: float  # believed radius of the left wheel, as a share of the true one
+    left: float  # assumed radius of the left wheel, divided by the true one
     right: float
-    separation: float  # believed distance between the wheels (m)
+    separation: float  # assumed distance between the wheels (m)
     speed_ratio: float  # share of the commanded speed that the motors reach; the encoders show it
 
     @classmethod
     def from_settings(cls, settings):
-        """Return it for the settings of sim_turtlebot.settings.read_settings().
+        """Return the geometry for the settings of sim_turtlebot.settings.read_settings().
 
-        With E_d = D_right / D_left and the average diameter kept, UMBmark has D_left = 2 / (E_d + 1)
-        and D_right = 2 / (1 / E_d + 1) of what the driver assumes for both.
+        With E_d = D_right / D_left and the mean diameter kept, UMBmark gives D_left = 2 / (E_d + 1)
+        and D_right = 2 / (1 / E_d + 1) of the diameter that the driver assumes for both.
         """
         diameters = settings.wheel_diameter_ratio
         return cls(settings.left_wheel_radius_multiplier * (diameters + 1) / 2,
@@ -39,6 +39,6 @@ class DriveGeometry(NamedTuple):
         return (linear - difference) / self.left, (linear + difference) / self.right
 
     def motion(self, left, right):
-        """Return the believed travel (m) and rotation (rad) of wheels that roll this far (m)."""
+        """Return the assumed travel (m) and rotation (rad) for the true roll of each wheel (m)."""
         left, right = self.left * left, self.right * right
         return (left + right) / 2, (right - left) / self.separation

@@ -1,9 +1,9 @@
-"""Which of several controllers a TurtleBot obeys, as yocs_cmd_vel_mux decides it on the robot."""
+"""Choose which of several controllers drives, as yocs_cmd_vel_mux does on a TurtleBot."""
 
 import math
 
-# Priorities by topic, and what each has as its timeout: turtlebot_bringup/param/mux.yaml in
-# github.com/turtlebot/turtlebot, but for the safety controller, which needs bumpers.
+# Priorities by topic, and the timeout of each: turtlebot_bringup/param/mux.yaml in
+# github.com/turtlebot/turtlebot, without the safety controller, which needs bumpers.
 INPUTS = {'cmd_vel_mux/input/teleop': 7, 'cmd_vel_mux/input/navi': 5}
 TIMEOUT = 10**9  # ns
 
@@ -16,11 +16,10 @@ class VelocityMux:
     """
 
     def __init__(self):
-        """Let every input through."""
         self.restart()
 
     def restart(self):
-        """Let every input through again."""
+        """Let every input through."""
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):

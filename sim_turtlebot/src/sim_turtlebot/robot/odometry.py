@@ -1,4 +1,4 @@
-"""Where the robot is, and where it believes it is."""
+"""The true motion of a robot, and its odometry."""
 
 import math
 from typing import NamedTuple
@@ -6,7 +6,7 @@ from typing import NamedTuple
 from odometry_common.geometry import about_z, compose, inverse, mean_twist, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
-LONGEST_MEAN = 0.1  # s; the mean velocity of a longer time says little of the present one
+MAX_MEAN_TIME = 0.1  # s; over a longer time, the mean velocity says little about the current one
 
 
 class Motion(NamedTuple):
@@ -27,18 +27,18 @@ def true_motion(body):
 
 
 class WorldOdometry:
-    """The true motion, as a simulator's drive plugin reports it, from a start at zero.
+    """The true motion relative to the start, as a simulator's drive plugin reports it.
 
-    The velocity is the mean since the last message, as a Kobuki's driver reports it. A robot that
-    tips onto its rear caster loses its grip for a hundredth of a second: its velocity at that very
-    moment may be half of what it is before and after.
+    The velocity is the mean since the last message, as a Kobuki's driver reports it. When a robot
+    tips onto its rear caster, its wheels slip for 0.01 s, and its velocity at that moment may be half
+    of the velocity before and after.
     """
 
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
 
     def reset(self, ground_truth):
-        """Call this place zero; return the Motion in the odom frame."""
+        """Set the odom frame to this pose; return the Motion in it."""
         self._origin = ground_truth.position[:2]
         self._to_odom = about_z(-yaw_of(ground_truth.orientation))
         self._last = ground_truth
@@ -48,12 +48,12 @@ class WorldOdometry:
         """Return the Motion in the odom frame, `duration` seconds after the last call."""
         last, self._last = self._last, ground_truth
         twist = ground_truth[2:]
-        if twist != (STILL, STILL) and duration <= LONGEST_MEAN:
+        if twist != (STILL, STILL) and duration <= MAX_MEAN_TIME:
             twist = mean_twist(last[:2], ground_truth[:2], duration)
         return self._in_odom(ground_truth, twist)
 
-    def carry(self, ground_truth):
-        """Return the Motion in the odom frame of a robot that was moved in no time."""
+    def teleport(self, ground_truth):
+        """Return the Motion in the odom frame after ~set_pose has moved the robot."""
         self._last = ground_truth
         return self._in_odom(ground_truth, (STILL, STILL))
 
@@ -65,10 +65,10 @@ class WorldOdometry:
 
 
 class EncoderOdometry:
-    """Dead reckoning from what the sensors measured last; methods as those of WorldOdometry."""
+    """Dead reckoning from the last sensor readings; the methods are those of WorldOdometry."""
 
     def __init__(self, encoders, gyro, geometry, use_gyro):
-        """Read these sensors, Encoders and a Gyro of sim_turtlebot.robot.sensors.
+        """Read Encoders and a Gyro of sim_turtlebot.robot.sensors.
 
         :param geometry: sim_turtlebot.robot.drive_geometry.DriveGeometry
         :param use_gyro: take the yaw from the gyro, as kobuki_node's use_imu_heading does by
@@ -82,7 +82,7 @@ class EncoderOdometry:
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if use_gyro else 0.2)
 
     def reset(self, _ground_truth):
-        """Call this place zero."""
+        """Set pose and velocity to zero."""
         self._x = self._y = self._yaw = 0.0
         return Motion((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), STILL, STILL)
 
@@ -96,8 +96,8 @@ class EncoderOdometry:
         self._yaw = math.remainder(self._yaw + rotation, 2 * math.pi)
         return self._motion((travel / duration, 0.0, 0.0), (0.0, 0.0, rotation / duration))
 
-    def carry(self, _ground_truth):
-        """Add only the rotation, which a gyro measures: no wheel has turned."""
+    def teleport(self, _ground_truth):
+        """Add only the rotation that the gyro measures: no wheel has turned."""
         if self._use_gyro:
             self._yaw = math.remainder(self._yaw + self._gyro.rotation, 2 * math.pi)
         return self._motion(STILL, STILL)

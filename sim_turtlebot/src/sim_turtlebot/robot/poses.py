@@ -1,11 +1,11 @@
-"""Check poses that users request for a robot."""
+"""Check the poses that users request."""
 
 import math
 
-FRAMES = 'world', ''  # empty: not said
-MAX_COORDINATE = 1e4  # m; farther away, single precision shows
+FRAMES = 'world', ''  # empty: not given
+MAX_COORDINATE = 1e4  # m; PyBullet's single precision is too coarse beyond
 COORDINATES = f'from {-MAX_COORDINATE:.0f} to {MAX_COORDINATE:.0f} m'
-SHORTEST = 1e-100  # of a quaternion; shorter ones count as zero
+MIN_LENGTH = 1e-100  # of a quaternion
 
 
 def checked_pose(frame, position, orientation):
@@ -14,7 +14,7 @@ def checked_pose(frame, position, orientation):
     :param frame: frame_id of the pose
     :param position: x, y, z (m)
     :param orientation: quaternion x, y, z, w of any length
-    :raises ValueError: if a robot cannot be there; the message says why, and what is allowed
+    :raises ValueError: if the pose is not possible; the message says why, and what is allowed
     """
     if frame not in FRAMES:
         raise ValueError(f'frame_id is {frame!r}, but must be world, or empty')
@@ -22,7 +22,7 @@ def checked_pose(frame, position, orientation):
         if not abs(value) <= MAX_COORDINATE:
             raise ValueError(f'{name} is {value:g} m, but must be {COORDINATES}')
     length = math.hypot(*orientation)
-    if not SHORTEST < length < math.inf:
+    if not MIN_LENGTH < length < math.inf:
         numbers = ' '.join(f'{number:g}' for number in orientation)
         raise ValueError(f'the orientation is [{numbers}], but must be a quaternion, finite and '
                          'not zero')

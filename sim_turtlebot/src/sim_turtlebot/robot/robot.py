@@ -1,4 +1,4 @@
-"""What a Kobuki's firmware does: obey within limits, stop when commands cease, keep odometry."""
+"""A Kobuki's firmware: speed limits, watchdog, odometry."""
 
 import math
 import random
@@ -13,23 +13,23 @@ from sim_turtlebot.robot.sensors import Encoders, Gyro
 
 REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep with idle motors
 REST_ANGULAR_SPEED = 1e-2  # rad/s
-REST_TIME = 0.25  # s, until a slow robot counts as standing
-HOLD_SPEED = 1e-3  # m/s; a standing robot that is moved faster than this was pushed
-STANDING_HEIGHT = 1e-4  # m; a robot that is placed this near to the floor and
-STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this straight (0.08 degrees), stands
+REST_TIME = 0.25  # s, until a slow robot is at rest
+HOLD_SPEED = 1e-3  # m/s; a robot at rest that moves faster was pushed
+STANDING_HEIGHT = 1e-4  # m; a robot that is placed this close to the floor and
+STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this upright (0.08 degrees) is at rest
 
 
 class Robot:
     """One TurtleBot: commands in, motion, sensors and odometry out.
 
-    Times are counted in physics steps. Once per odometry period update() takes the ground truth
-    from the body, lets the sensors measure it and the odometry read the sensors.
+    Times are counted in physics steps. Once per odometry period update() reads the ground truth from
+    the body, then updates the sensors, then the odometry.
     """
 
     def __init__(self, body, step_rate, settings, index=0):
-        """Take over a body.
+        """Start at rest.
 
-        :param body: sim_turtlebot.physics.turtlebot.TurtleBot, settled
+        :param body: sim_turtlebot.physics.turtlebot.TurtleBot, at rest on the floor
         :param step_rate: physics steps per second (Hz)
         :param settings: of sim_turtlebot.settings.read_settings()
         :param index: of the robot; each has its own random numbers
@@ -59,7 +59,7 @@ class Robot:
 
     @property
     def resting(self):
-        """Whether the robot stands, with no command to do otherwise."""
+        """Whether the robot is at rest, without a command to move."""
         return self._anchor is not None
 
     @property
@@ -68,9 +68,9 @@ class Robot:
         return self._anchor[1] if self._anchor else self.body.wheels()
 
     def command(self, linear, angular, now):
-        """Move at `linear` m/s and `angular` rad/s, or as fast as the robot can.
+        """Move at `linear` m/s and `angular` rad/s, within the limits of the base.
 
-        :raises ValueError: if one of them is not finite; the robot stops then
+        :raises ValueError: if one of them is not finite; the robot then stops
         """
         if not (math.isfinite(linear) and math.isfinite(angular)):
             self.stop()
@@ -85,11 +85,11 @@ class Robot:
         self._obey(0.0, 0.0)
 
     def is_steady_until(self, end):
-        """Return whether before_step() would do nothing until step `end`."""
+        """Return whether before_step() does nothing until step `end`."""
         return self._driven == self._commanded and end <= self._watchdog_expires + 1
 
     def before_step(self, now):
-        """Accelerate, brake or time out; call it before each physics step."""
+        """Check the watchdog, and accelerate or brake; call this before each physics step."""
         if now > self._watchdog_expires:
             self.timed_out = self._commanded != (0.0, 0.0)
             self.stop()
@@ -97,12 +97,12 @@ class Robot:
             self._accelerate()
 
     def update(self, now, duration):
-        """Update ground truth, sensors and odometry, `duration` seconds after the last time."""
+        """Update ground truth, sensors and odometry, `duration` seconds after the last call."""
         self.ground_truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
         elif self._commanded == self._driven == (0.0, 0.0):
-            self._settle(now)
+            self._detect_rest(now)
         if self._encoders:  # reading the wheels takes as long as a physics step
             self._encoders.update(self.wheels[0])
         self.gyro.update(self.ground_truth.orientation, duration)
@@ -111,9 +111,9 @@ class Robot:
     def set_pose(self, position, orientation):
         """Place the robot at rest, without turning its wheels.
 
-        :param position: x, y, z (m) in the world; z is 0 where it stands on the floor
+        :param position: x, y, z (m) in the world; z is 0 on the floor
         :param orientation: quaternion x, y, z, w of length 1
-        :raises ValueError: if there is no room; the robot stays where it is, at rest
+        :raises ValueError: if something is in the way; the robot stops where it is
         """
         wheel_angles = self.wheels[0]
         self._forget_commands()
@@ -122,16 +122,16 @@ class Robot:
         stands = (abs(position[2]) <= STANDING_HEIGHT
                   and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z)
         self._anchor = self._standing() if stands else None
-        self.gyro.carry(self.ground_truth.orientation)
-        self.odometry = self._estimator.carry(self.ground_truth)
+        self.gyro.teleport(self.ground_truth.orientation)
+        self.odometry = self._estimator.teleport(self.ground_truth)
 
     def reset_odometry(self):
-        """Let odometry and gyro start from zero at the last known place."""
+        """Reset odometry and gyro to zero at the current pose."""
         self.gyro.reset(self.ground_truth.orientation)
         self.odometry = self._estimator.reset(self.ground_truth)
 
     def begin(self):
-        """Start at rest where the body is, with the random numbers of the start."""
+        """Start at rest where the body is, and seed the random numbers."""
         self._rng.seed(self._seed)
         self._forget_commands()
         self.ground_truth = true_motion(self.body)
@@ -141,10 +141,10 @@ class Robot:
         self.reset_odometry()
 
     def _forget_commands(self):
-        """Forget commands and timeout, and stop driving."""
+        """Reset command, speed and watchdog."""
         self._commanded = self._driven = (0.0, 0.0)
         self._watchdog_expires = math.inf
-        self.timed_out = False  # whether the watchdog has stopped a robot that drove
+        self.timed_out = False  # whether the watchdog has stopped a moving robot
         self._slow_since = None
 
     def _obey(self, linear, angular):
@@ -153,7 +153,7 @@ class Robot:
             self._anchor = self._slow_since = None
 
     def _accelerate(self):
-        """Change both wheels' speeds towards the command, each by the same share."""
+        """Move both wheel speeds towards the command, in proportion."""
         linear, angular = (wanted - now for wanted, now in zip(self._commanded, self._driven))
         change = abs(linear) + abs(angular) * kobuki.WHEEL_SEPARATION / 2  # of the faster wheel
         if change <= self._speed_step:
@@ -163,8 +163,8 @@ class Robot:
             self._driven = (self._driven[0] + share * linear, self._driven[1] + share * angular)
         self.body.drive(*self._geometry.wheel_speeds(*self._driven))
 
-    def _settle(self, now):
-        """Hold the robot once it has come to rest."""
+    def _detect_rest(self, now):
+        """Hold the robot once it has been slow for REST_TIME."""
         slow = (math.hypot(*self.ground_truth.linear) < REST_LINEAR_SPEED
                 and math.hypot(*self.ground_truth.angular) < REST_ANGULAR_SPEED)
         if not slow:
@@ -180,7 +180,7 @@ class Robot:
         return self.ground_truth, (angles, (0.0, 0.0), torques)
 
     def _hold(self, duration):
-        """Undo the creep with idle motors, as static friction would; release the robot if pushed."""
+        """Undo creep, as static friction would; release the robot if it was pushed."""
         ground_truth, wheels = self._anchor
         if math.dist(self.ground_truth.position, ground_truth.position) > HOLD_SPEED * duration:
             self._anchor = self._slow_since = None
@@ -190,7 +190,7 @@ class Robot:
 
 
 def _whole_steps(duration, step_rate):
-    """Return how many steps fit into a duration (s)."""
+    """Return how many whole steps fit into a duration (s)."""
     # The small term keeps a duration of whole steps from being rounded down.
     return int(duration * step_rate + 1e-6)
 

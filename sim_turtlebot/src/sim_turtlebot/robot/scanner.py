@@ -5,12 +5,11 @@ import math
 import numpy
 from odometry_common.kobuki import DEPTH_CAMERA
 
-# As turtlebot_description has it in Gazebo (turtlebot_gazebo.urdf.xacro): images 640 pixels wide,
-# 10 of them in a second.
+# As turtlebot_description's camera in Gazebo (turtlebot_gazebo.urdf.xacro): 640 pixels wide, 10 Hz.
 BEAMS = 640
 RATE = 10.0  # Hz
-# rad; 60.2 degrees. The camera in Gazebo has 60, the data sheet of the Asus Xtion Pro 58. The rest is
-# for clients that count 30 degrees in beams to each side: rounded, the last one must be in the scan.
+# rad; 60.2 degrees. The camera in Gazebo has 60, the data sheet of the Asus Xtion Pro 58. The margin
+# is for clients that count 30 degrees in beams to each side, and round up.
 FIELD_OF_VIEW = 1.05
 RANGE_MIN = 0.45  # m; turtlebot_bringup/launch/3dsensor.launch
 RANGE_MAX = 10.0  # m; the default of depthimage_to_laserscan
@@ -21,7 +20,7 @@ class Scanner:
 
     def __init__(self, body, beams=BEAMS, field_of_view=FIELD_OF_VIEW, range_min=RANGE_MIN,
                  range_max=RANGE_MAX, noise=0.0, seed=(0,)):
-        """Choose the beams, which are evenly spread over the field of view (rad).
+        """Spread the beams evenly over the field of view (rad).
 
         :param body: sim_turtlebot.physics.turtlebot.TurtleBot
         :param range_min, range_max: m
@@ -40,17 +39,17 @@ class Scanner:
         self._ends = (DEPTH_CAMERA + range_max * directions).tolist()
 
     def scan(self, number):
-        """Return the ranges (m) from right to left: infinite as REP-117 says it, never NaN.
+        """Return the ranges (m) from right to left, as REP-117 defines them.
 
-        +inf where there is nothing up to range_max, -inf where something is nearer than range_min.
+        +inf: nothing up to range_max. -inf: something nearer than range_min.
 
-        :param number: of the odometry period, from 0. It alone seeds the noise: a repeated scan is
-            the same, whatever scans came before.
+        :param number: of the odometry period, from 0; it alone seeds the noise, so a repeated scan
+            is the same
         """
         shares = numpy.array(self._cast_rays(self._starts, self._ends))
         ranges = self.range_max * shares
         if self._noise:
-            # numpy guarantees the sequence of this generator only.
+            # numpy guarantees a stable sequence for this generator only.
             rng = numpy.random.RandomState([*self._seed, number])
             ranges += rng.normal(0.0, self._noise, self.beams)
         ranges[(shares == 1.0) | (ranges > self.range_max)] = math.inf
@@ -59,10 +58,10 @@ class Scanner:
 
 
 def is_scan_due(odometry_count, scan_rate, odom_rate):
-    """Return whether an odometry is the first at or after a multiple of 1/scan_rate.
+    """Return whether this odometry period is the first at or after a multiple of 1 / scan_rate.
 
     :param odometry_count: how many odometry periods have passed
-    :param scan_rate, odom_rate: Hz; no scan is taken between two odometries
+    :param scan_rate, odom_rate: Hz; scans are taken with odometry only
     """
     before, now = (_whole_scans(count, scan_rate / odom_rate)
                    for count in (odometry_count - 1, odometry_count))
@@ -70,5 +69,5 @@ def is_scan_due(odometry_count, scan_rate, odom_rate):
 
 
 def _whole_scans(count, share):
-    # The small term keeps a multiple that falls on an odometry from being rounded off it.
+    # The small term keeps a scan at its odometry despite rounding.
     return math.floor(count * share + 1e-6)

@@ -1,4 +1,4 @@
-"""The sensors of a Kobuki that its odometry reads: wheel encoders and gyro, with their errors."""
+"""The sensors of a Kobuki's odometry: wheel encoders and gyro, with their errors."""
 
 import math
 
@@ -9,10 +9,10 @@ METRES_PER_TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN
 
 
 class Encoders:
-    """Count the ticks of the left and right wheel."""
+    """Counts the ticks of the left and right wheel."""
 
     def __init__(self, slip, noise, rng):
-        """Choose the errors.
+        """Start without a reading; reset() takes the first.
 
         :param slip: share of each wheel's travel that does not move the robot
         :param noise: standard deviation of a wheel's travel after one metre (m); it grows with the
@@ -24,12 +24,12 @@ class Encoders:
         self._rng = rng
 
     def reset(self, wheel_angles):
-        """Count from these angles (rad)."""
+        """Start counting at these angles (rad)."""
         self._ticks = [_ticks(angle) for angle in wheel_angles]
         self.travel = 0.0, 0.0  # m, of each wheel in the last odometry period
 
     def update(self, wheel_angles):
-        """Measure how far the wheels have turned since the last call; angles in rad."""
+        """Measure the travel of each wheel since the last call; angles in rad."""
         before, self._ticks = self._ticks, [_ticks(angle) for angle in wheel_angles]
         self.travel = tuple(self._measured((ticks - last) * METRES_PER_TICK)
                             for ticks, last in zip(self._ticks, before))
@@ -39,15 +39,15 @@ class Encoders:
 
 
 class Gyro:
-    """Integrates the robot's rotation, at rest too."""
+    """Integrates the robot's rotation, also at rest."""
 
     def __init__(self, noise, drift, scale_error, correction, rng):
-        """Choose the errors.
+        """Start without a reading; reset() takes the first.
 
         :param noise: angle random walk (rad after one second)
         :param drift: bias (rad/s) that remains after the calibration at power-on
-        :param scale_error: share by which it measures too much
-        :param correction: what the driver multiplies the measured rate by
+        :param scale_error: relative error of the measured rate
+        :param correction: the factor that the driver applies to the measured rate
         :param rng: random.Random
         """
         self._noise = noise
@@ -57,7 +57,7 @@ class Gyro:
         self._rng = rng
 
     def reset(self, orientation):
-        """Call this orientation (x, y, z, w) heading zero, as the driver does."""
+        """Set the heading to zero at this orientation (x, y, z, w), as the driver does."""
         self.heading = self.rate = 0.0  # rad, from -pi to pi; rad/s
         self.rotation = 0.0  # rad, since the call before the last one
         self._true_yaw = yaw_of(orientation)
@@ -68,8 +68,8 @@ class Gyro:
         self._turn(orientation, error)
         self.rate = self.rotation / duration
 
-    def carry(self, orientation):
-        """Measure the rotation of a robot that was moved in no time."""
+    def teleport(self, orientation):
+        """Measure the rotation after ~set_pose has moved the robot."""
         self._turn(orientation, 0.0)
         self.rate = 0.0
 

@@ -9,9 +9,8 @@ import time
 
 import pytest
 from odometry_tests.waiting import PATIENCE
-from sim_turtlebot.lockstep import rest
+from sim_turtlebot.lockstep.idle import CPU_BUDGET, IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
-from sim_turtlebot.lockstep.rest import Rest
 
 ROUNDS = 100
 # Each reads a number, works, and answers with its successor.
@@ -68,20 +67,20 @@ NAPPING_THREADS = MANY_THREADS.replace('print', 'time.sleep(0.01) or print').rep
 
 
 @pytest.fixture
-def restless():
+def busy():
     """Return a list for the Processes that did not rest."""
     return []
 
 
 @pytest.fixture
-def resting(restless):
-    """Return a Rest without processes."""
-    with contextlib.closing(Rest(lambda: False, restless.append)) as resting:
-        yield resting
+def waiter(busy):
+    """Return an IdleWaiter without processes."""
+    with contextlib.closing(IdleWaiter(lambda: False, busy.append)) as waiter:
+        yield waiter
 
 
 @pytest.fixture
-def start(resting):
+def start(waiter):
     """Return a function that starts Python code as a process and has it waited for."""
     started = []
 
@@ -89,7 +88,7 @@ def start(resting):
         process = subprocess.Popen([sys.executable, '-c', code], stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE, text=True, bufsize=1)
         started.append(process)
-        resting.add(code, process.pid)
+        waiter.add(code, process.pid)
         return process
 
     yield start
@@ -98,83 +97,83 @@ def start(resting):
         process.communicate()
 
 
-def answers_after_rest(resting, process, rounds=ROUNDS):
+def answers_after_rest(waiter, process, rounds=ROUNDS):
     """Ask again and again; return what has been answered whenever the process rests."""
     answers = []
     reader = threading.Thread(
         target=lambda: [answers.append(int(line)) for line in process.stdout], daemon=True)
     reader.start()
-    resting.add('this process', os.getpid())
+    waiter.add('this process', os.getpid())
     for number in range(rounds):
         process.stdin.write(f'{number}\n')
-        resting.wait()
+        waiter.wait()
         yield list(answers)
 
 
 @pytest.mark.parametrize('code', [READER, HAND_OVER, POLLER, MANY_THREADS, NAPPING_THREADS],
                          ids=['reader', 'hand over', 'poller', 'many threads', 'napping threads'])
-def test_who_rests_has_answered(resting, start, restless, code):
+def test_who_rests_has_answered(waiter, start, busy, code):
     """Whatever threads the work goes through, in that process and in this one."""
-    for number, answers in enumerate(answers_after_rest(resting, start(code))):
+    for number, answers in enumerate(answers_after_rest(waiter, start(code))):
         assert answers == list(range(1, number + 2))
-    assert not restless
+    assert not busy
 
 
-def test_work_that_costs_no_cpu_time_is_waited_for(resting, start, monkeypatch):
+def test_work_that_costs_no_cpu_time_is_waited_for(waiter, start, monkeypatch):
     """A virtual machine that was kept from its processor does not count what runs next on it."""
     monkeypatch.setattr(Process, 'cpu_time', lambda _: 0)
-    for number, answers in enumerate(answers_after_rest(resting, start(RING), 300)):
+    for number, answers in enumerate(answers_after_rest(waiter, start(RING), 300)):
         assert answers == list(range(1, number + 2))
 
 
-def test_a_process_that_never_rests_is_named_and_waited_for_once(resting, start, restless):
+def test_a_process_that_never_rests_is_named_and_waited_for_once(waiter, start, busy):
     """After two seconds of computing; not those beside it that wake now and then, whatever the order."""
     for code in SLOW_POLLER, BUSY, SLOW_POLLER:
         start(code)
     begin = time.monotonic()
-    resting.wait()
-    assert time.monotonic() - begin >= rest.PATIENCE
-    process, = restless
+    waiter.wait()
+    assert time.monotonic() - begin >= CPU_BUDGET
+    process, = busy
     assert process.name == BUSY and process.awake_thread().name.startswith('python')
     begin = time.monotonic()
-    resting.wait()
-    assert time.monotonic() - begin < rest.PATIENCE
-    assert len(restless) == 1
+    waiter.wait()
+    assert time.monotonic() - begin < CPU_BUDGET
+    assert len(busy) == 1
 
 
-def test_what_a_process_has_computed_before_is_not_held_against_it(resting, start, restless):
+def test_what_a_process_has_computed_before_is_not_held_against_it(waiter, start, busy):
     """Also if its threads are seen for the first time after others have been waited for."""
     first, veteran = start(COMPUTES.format(0.0, 0.3)), start(COMPUTES.format(2.5, 0.8))
     for process in first, veteran:
         assert process.stdout.readline() == 'ready\n'
     for process in first, veteran:
         process.stdin.write('go\n')
-    resting.wait()
-    assert not restless
+    waiter.wait()
+    assert not busy
 
 
-def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(resting, start):
+def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(waiter, start):
     """It would hold up everybody each time that it has heard something."""
     start(SLOW_POLLER)
     time.sleep(0.5)
-    resting.wait()
+    waiter.wait()
     begin = time.monotonic()
     for _ in range(20):
-        resting.wait()
+        waiter.wait()
     assert time.monotonic() - begin < PATIENCE
 
 
-def test_a_process_that_ends_is_forgotten(resting, start):
+def test_a_process_that_ends_is_forgotten(waiter, start):
     """Also while it is waited for."""
     ending, staying = start(BUSY), start(READER)
     threading.Timer(0.3, ending.kill).start()
-    resting.wait()
+    waiter.wait()
     ending.wait()
-    resting.wait()
-    assert list(resting.processes) == [staying.pid]
+    waiter.wait()
+    assert list(waiter.processes) == [staying.pid]
 
 
-def test_what_is_no_process_is_refused(resting):
+def test_what_is_no_process_is_refused(waiter):
     """With the error of the system."""
     with pytest.raises(FileNotFoundError):
-        resting.add('nobody', 2**22 + 1)
+        waiter.add('nobody', 2**22 + 1)

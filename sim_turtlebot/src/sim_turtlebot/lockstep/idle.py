@@ -1,0 +1,200 @@
+"""Wait for a moment at which every thread of some processes sleeps, as /proc shows it.
+
+A thread that was seen asleep and has not run since either sleeps or waits for a processor. If that
+holds for all threads, and the next check finds each asleep, no thread is left to wake another: over
+loopback, a message has arrived when the sender's write returns.
+
+Only a thread that polls may still have work: rospy.wait_for_message(), ros::Rate and ros::Timer
+sleep by wall time, and then check. If another thread of its process has run, it has to poll once
+more when all others are idle.
+"""
+
+import contextlib
+import errno
+import os
+import time
+
+from sim_turtlebot.lockstep.processes import Process
+
+LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
+CPU_BUDGET = 2.0  # s of CPU time that a process may use before it is idle
+BUSY_SHARE = 0.1  # of that, for the main thread of a busy node; rospy.spin() uses nothing
+STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugger has stopped
+STALL_TIMEOUT = 60.0  # s of wall time, for one that neither computes nor sleeps
+SPIN_TIME = 0.001  # s of wall time
+CHECK_PERIOD = 2e-5  # s of wall time, after that
+
+
+class IdleWaiter:
+    """Waits until all processes are idle at once."""
+
+    def __init__(self, is_over, on_busy, is_flooded=lambda process: False):
+        """Start without processes.
+
+        :param is_over: function that returns whether to stop waiting
+        :param on_busy: called with a Process that exceeds its CPU budget; it is not awaited any more
+        :param is_flooded: function that returns whether such a busy process keeps a Process awake
+        """
+        self._is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
+        self.processes = {}  # by id
+        # By Process: the usage of its threads that do not poll, when all were last idle
+        self.idle_usage = {}
+        self._awaited = []
+        self.stopped = set()  # Processes that are not awaited until they continue
+
+    def add(self, name, pid, longest_poll=LONGEST_POLL, cpu_budget=CPU_BUDGET):
+        """Wait for one more process; parameters and errors are those of Process."""
+        self.processes[pid] = Process(name, pid, longest_poll, cpu_budget)
+        self._awaited.append(self.processes[pid])
+
+    def wait(self, only_clock=False):
+        """Return when all processes are idle, except those that have exceeded their budget.
+
+        :param only_clock: whether the processes received only a tick of the clock, each on one thread
+        """
+        begin, first_cpu_times, usage, polls = time.monotonic(), {}, None, {}
+        while not self._is_over():
+            check_begin = time.monotonic()
+            try:
+                self._await_continued()
+                # Before the check: a thread that sleeps later may have received work in between.
+                polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
+                busy = self._find_busy()
+                if not busy:
+                    before, (usage, polling) = usage, self._classify(check_begin, int(only_clock))
+                    polls = {thread: polls.get(thread, sleeps) for thread, sleeps in polling.items()
+                             if thread in polls or self._has_news(thread, usage, before)}
+                    if not polls:
+                        self.idle_usage = usage
+                        return
+                    busy = self.processes[next(iter(polls)).pid]
+                if check_begin - begin < SPIN_TIME:
+                    # These checks may take the processor from those that have work.
+                    os.sched_yield()
+                    continue
+                first_cpu_times = first_cpu_times or {
+                    thread: thread.usage[0] for process in self._awaited
+                    for thread in process.threads.values()}
+                if self._gives_up(busy, first_cpu_times, check_begin - begin):
+                    begin, first_cpu_times = check_begin, {}
+            except OSError as error:
+                if error.errno == errno.EMFILE:
+                    raise
+                self._remove_ended()
+                usage, polls = None, {}
+                continue
+            time.sleep(CHECK_PERIOD)
+
+    def wait_for_polls(self, pid):
+        """Return when each thread of a process that polls by wall time has polled once more."""
+        begin, polling = time.monotonic(), {}
+        with contextlib.suppress(OSError, KeyError):  # it has ended
+            polling = {thread: thread.sleeps for thread in self.processes[pid].threads.values()
+                       if thread.may_poll}
+            while polling and not self._is_over() and time.monotonic() - begin < STALL_TIMEOUT:
+                time.sleep(LONGEST_POLL)
+                polling = {thread: sleeps for thread, sleeps in polling.items()
+                           if thread.sleeps == sleeps}
+
+    def remove(self, pid):
+        """Do not wait for a process any more."""
+        process = self.processes.pop(pid)
+        process.close()
+        self.stopped.discard(process)
+        if process in self._awaited:
+            self._awaited.remove(process)
+
+    def close(self):
+        """Remove all processes."""
+        for pid in list(self.processes):
+            self.remove(pid)
+
+    def _find_busy(self):
+        """Return a Process that is not idle, or None."""
+        for is_idle in Process.check_idle, Process.check_asleep, Process.is_still_idle:
+            for process in self._awaited:
+                if not is_idle(process):
+                    # The next check begins with it, and is short while it is awake.
+                    self._awaited.remove(process)
+                    self._awaited.insert(0, process)
+                    return process
+        return None
+
+    def _gives_up(self, process, first_cpu_times, passed):
+        """If a process exceeds its budget, stop waiting for the busiest; return True.
+
+        :param process: is not idle
+        :param first_cpu_times: CPU time (ns) by Thread at the start of the wait; new ones are added
+        :param passed: s of wall time since then
+        """
+        def used(thread):
+            now = thread.usage[0]
+            return (now - first_cpu_times.setdefault(thread, now)) / 1e9
+
+        def used_by_main(process):
+            return sum(used(thread) for thread in process.threads.values() if thread.tid == process.pid)
+
+        is_stopped = passed > STOPPED_TIMEOUT and process.is_stopped()
+        if not is_stopped and (sum(map(used, process.threads.values())) <= process.cpu_budget
+                               and passed <= STALL_TIMEOUT):
+            return False
+        busiest = max((node for node in self._awaited if node.longest_poll), key=used_by_main, default=None)
+        if is_stopped:
+            self.stopped.add(process)
+        elif busiest and used_by_main(busiest) > BUSY_SHARE * process.cpu_budget:
+            process = busiest
+        elif not process.longest_poll or self._is_flooded(process):
+            # It reads what another node sends without a pause: the fault is not its own.
+            max(process.threads.values(), key=used).ignored = True
+            return True
+        self._awaited.remove(process)
+        self._on_busy(process)
+        return True
+
+    def _await_continued(self):
+        continued = {process for process in self.stopped if not process.is_stopped()}
+        self.stopped -= continued
+        self._awaited += continued
+
+    def _classify(self, check_begin, receivers):
+        """Tell working threads from those that only poll.
+
+        :param check_begin: when the check began (monotonic, s)
+        :param receivers: how many threads of a process may have run without work for those that poll
+        :returns: the usage of the working threads, by Process; and, by thread that polls, how often
+            it has slept once it has polled again
+        """
+        usage, polling = {}, {}
+        for process in self._awaited:
+            limit, threads = process.longest_poll, process.threads.values()
+            for thread in threads if process.is_cpp else ():
+                thread.sample_polling()
+            usage[process] = {thread: thread.idle_usage for thread in threads
+                              if not (thread.may_poll or thread.may_run)}
+            # ros::Rate and ros::Timer poll for the clock.
+            if limit and (process.is_cpp or self._count_new(process, usage[process]) > receivers):
+                polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
+                                for thread in threads if not (
+                                    thread in usage[process] or thread.ignored or thread.is_asleep
+                                    and thread.sleeps_longer_than(limit, check_begin))})
+        return usage, polling
+
+    def _count_new(self, process, usages):
+        """Return how many threads of a process have run since all were last idle."""
+        earlier = self.idle_usage.get(process, {})
+        return sum(earlier.get(thread) != usage for thread, usage in usages.items())
+
+    def _has_news(self, thread, usage, before):
+        """Return whether another node, which may have sent something, has run since `before`."""
+        return before is None or any(
+            process.longest_poll and process.pid != thread.pid and usages != before.get(process)
+            for process, usages in usage.items())
+
+    def _remove_ended(self):
+        for pid, process in list(self.processes.items()):
+            try:
+                process.list_threads()
+                if pid != os.getpid():  # a thread of this process may have ended just now
+                    process.cpu_time()
+            except OSError:
+                self.remove(pid)
