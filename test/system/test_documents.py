@@ -86,6 +86,7 @@ NOT_HERE = {
     r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
     r'^(docker|podman) ': 'test_container types them',
     r'^\./ws sweep --replay ': 'is of a sweep that is not here; test_sweep_replay replays others',
+    r'^\./ws check (?!heading rotate_robot)': 'is of a node that is not here',
     r'^\./ws (dask|sweep .*--cluster) ': 'needs more machines; test_sweep_cluster makes a cluster',
 }
 IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')

@@ -1,6 +1,6 @@
 """Regenerate docs/reference.md: ./ws python3 test/tools/reference.py.
 
-What stands under a heading that names a node, a launch file, the demo or the sweep comes from there.
+What stands under a heading that names a node, a launch file, the demo, the sweep or the check comes from there.
 """
 
 import argparse
@@ -9,12 +9,13 @@ import re
 from xml.etree import ElementTree
 
 from odometry_common.parameters import Parameters
+from odometry_check.options import make_parser as make_check_parser
 from odometry_launch import options as demo_options
 from odometry_sweep.options import make_parser as make_sweep_parser
 from odometry_tests.scripts import ROOT, load_script
 
 PAGE = ROOT / 'docs' / 'reference.md'
-GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep)\n.*?(?=^## |\Z)',
+GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep|\./ws check)\n.*?(?=^## |\Z)',
                        re.DOTALL | re.MULTILINE)
 KINDS = {'Subscribes': 'sub', 'Publishes': 'pub', 'Calls': 'calls', 'Services': 'srv'}
 SECTION = re.compile(rf'^({"|".join(KINDS)}):\n((?: +.*\n?)+)', re.MULTILINE)
@@ -25,7 +26,8 @@ BASE_LAUNCH = 'sim.launch'
 LAUNCHED_NODE = {'sim.launch': 'sim_turtlebot_node.py',
                  'move_two_meters.launch': 'test_movement.py',
                  'rotate.launch': 'rotate.py'}
-PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parser}
+PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parser,
+           './ws check': make_check_parser}
 
 
 def main():

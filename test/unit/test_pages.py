@@ -69,10 +69,10 @@ def test_every_parameter_of_the_simulator_is_an_argument_of_sim_launch():
 def test_every_node_and_launch_file_has_a_heading():
     """A new one needs a heading, and no more; movers.launch is only included by another.
 
-    demo.py and sweep.py are ./ws demo and ./ws sweep; rosout.py stands in for ROS's own.
+    check.py, demo.py and sweep.py are ./ws check, ./ws demo and ./ws sweep; rosout.py stands in for ROS's own.
     """
     nodes = {path.name for folder in ('src', 'script') for path in ROOT.glob(f'*/{folder}/*.py')}
     launched = {path.name for path in ROOT.glob('launch/*.launch')} - {'movers.launch'}
-    nodes -= {'demo.py', 'sweep.py', 'rosout.py'}
+    nodes -= {'check.py', 'demo.py', 'sweep.py', 'rosout.py'}
     headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}
     assert nodes | launched | {*reference.PARSERS} <= headings

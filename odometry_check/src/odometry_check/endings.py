@@ -6,7 +6,7 @@ from odometry_common.geometry import wrap_to_pi
 
 from odometry_check.scenarios import ROUTE
 
-PATIENCE, WALL_PATIENCE = 10.0, 3.0  # simulated and wall s for a node that does not begin
+PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node that does not begin
 REST, REST_TIME = 2e-3, 3.0  # m/s and rad/s; s
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m; who goes on at two metres is far beyond

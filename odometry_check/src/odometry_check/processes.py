@@ -13,6 +13,7 @@ import psutil
 MARK = 'ODOMETRY_CHECK'  # in the environment of a process and its descendants, wherever they hide
 # How a process is asked to end, and how long it then may take (s of wall time).
 ASKING = (signal.SIGINT, 6.0), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
+LAST = 2**20  # bytes
 LOOK_PERIOD = 0.1  # s
 
 
@@ -35,9 +36,9 @@ class Started:
 
     @property
     def output(self):
-        """What it has printed so far."""
+        """What it has printed last."""
         size = os.fstat(self._output.fileno()).st_size
-        return os.pread(self._output.fileno(), min(size, 2**20), 0).decode(errors='replace')
+        return os.pread(self._output.fileno(), LAST, max(0, size - LAST)).decode(errors='replace')
 
     def family(self):
         """Return this process and all descendants that still run."""

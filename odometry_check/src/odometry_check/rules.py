@@ -73,6 +73,7 @@ NOTES = {
     'no_sleep': lambda m: m.run.unawaited and m.sent / m.duration > 200,
     'wall_time': lambda m: m.run.unawaited and m.sent / m.duration <= 200,
     'hidden_error': lambda m: m.bad_callback and m.passed,
+    'forked': lambda m: m.run.forked,
     'ctrl_c': lambda m: not m.run.ends and m.run.interrupted is None}
 DRIVE_NOTES = {
     'mux': lambda m: m.mux,

@@ -12,7 +12,7 @@ from odometry_common.orientation import yaw_from_orientation
 from odometry_check.scenarios import PERIOD
 
 ZERO = 1e-3  # m/s, rad/s; a slower command is none
-UNAWAITED = re.compile(r'lockstep does not wait for (\S+), so that .*: it (.*)')
+UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')
 
 
 class Pose(NamedTuple):
@@ -59,6 +59,7 @@ class Run:
         # What the nodes that the learner's process contains have announced to the master.
         self.nodes, self.publishes, self.subscribes = set(), set(), set()
         self.types, self.published = {}, set()  # of all topics; topics that anybody publishes
+        self.forked = False  # whether its process has ended, and another that it started goes on
         self.refused = set()  # topics whose publisher takes no connection
         self.walls = []  # s of wall time of the commands
         self.pace = None

@@ -14,7 +14,7 @@ from odometry_check.endings import Drive, Route
 from odometry_check.processes import Started
 from odometry_check.run import Run
 
-OURS = {'/sim_turtlebot', '/view', '/check_detector'}
+OURS = {'/sim_turtlebot', '/view', '/check_detector', '/rosout'}  # roslaunch starts the last
 TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 LOOK_PERIOD = 0.05  # s of wall time, while time stands still
@@ -48,6 +48,11 @@ class Runner:
         run.unawaited = self._unawaited
         return run
 
+    def run_in_real_time(self, scenario):
+        """Return the Run of a Scenario, at a pace at which no machine is too slow for a node."""
+        self.pace = Pace(False, 1.0)
+        return self.run(scenario)
+
     def _run(self, scenario):
         self._bench.prepare(scenario, self.pace)
         ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
@@ -64,7 +69,7 @@ class Runner:
             self._await_ready(node, run)
             if run.nodes:
                 self._begin(run, node)
-            run.finish(output=node.output)
+            run.finish(output=node.output, forked=node.status is not None and bool(node.family()))
             self._look_at_graph(run)
             run.refused = {topic for topic in run.publishes if self._bench.is_refused(topic)}
         finally:
