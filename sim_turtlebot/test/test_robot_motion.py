@@ -44,6 +44,17 @@ def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
     assert abs(math.degrees(yaw_of(orientation))) <= 1e-4
 
 
+@pytest.mark.parametrize('source', ['world', 'encoder'])
+def test_a_slow_base_reaches_a_share_of_what_is_commanded_and_its_odometry_shows_it(source):
+    """Forwards and in a spin."""
+    simulation = Simulation(speed_ratio=0.7, odometry_source=source)
+    for command in (0.5, 0.0), (0.0, 1.0):
+        simulation.drive(*command, 2.0)
+        reached = [0.7 * part for part in command]
+        for motion in simulation.robot.ground_truth, simulation.robot.odometry:
+            assert [motion.linear[0], motion.angular[2]] == pytest.approx(reached, abs=0.005)
+
+
 @pytest.mark.parametrize('speed, turn_speed', [(0.1, 0.0), (0.3, 0.0), (0.5, 0.0), (-0.7, 0.0), (0.0, 1.0),
                                                (0.0, 3.0), (0.2, 0.5)])
 def test_each_wheel_touches_the_floor_in_one_point(speed, turn_speed):

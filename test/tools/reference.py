@@ -8,8 +8,8 @@ import inspect
 import re
 from xml.etree import ElementTree
 
-from odometry_common.parameters import Parameters
 from odometry_check.options import make_parser as make_check_parser
+from odometry_common.parameters import Parameters
 from odometry_launch import options as demo_options
 from odometry_sweep.options import make_parser as make_sweep_parser
 from odometry_tests.scripts import ROOT, load_script

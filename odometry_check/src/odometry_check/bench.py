@@ -15,8 +15,8 @@ from odometry_common.publishing import advertise
 from odometry_launch.following import join
 from odometry_launch.launch import Launch
 from odometry_launch.output import DemoError
-from roslib.packages import find_node
 from rosgraph_msgs.msg import Log
+from roslib.packages import find_node
 from std_msgs.msg import Float64
 from std_srvs.srv import Empty
 

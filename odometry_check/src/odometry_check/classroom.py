@@ -27,16 +27,17 @@ def judge_all(options):
     width = max(len(path.name) for path in submissions)
     rows = []
     with concurrent.futures.ThreadPoolExecutor(min(AT_ONCE, os.cpu_count())) as pool:
+        futures = [pool.submit(_judge, options, path) for path in submissions]
         try:
-            for path, found in zip(submissions, pool.map(
-                    lambda path: _judge(options, path), submissions)):
+            for path, future in zip(submissions, futures):
+                found = future.result()
                 failed = [f'{row["scenario"]} {row["rule"]}'.strip() for row in found if row['verdict'] != PASSED]
-                passed = len(found) - len(failed)
-                print(f'{path.name:{width}}  {passed} of {len(found)} passed  {", ".join(failed)}'.rstrip(), flush=True)
+                print(f'{path.name:{width}}  {len(found) - len(failed)} of {len(found)} passed  '
+                      f'{", ".join(failed)}'.rstrip(), flush=True)
                 rows += found
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+        finally:
+            for future in futures:
+                future.cancel()
     return rows
 
 
@@ -72,5 +73,5 @@ def _node_of(package):
 
 
 def _not_judged(options, path, reason):
-    return dict.fromkeys(COLUMNS, '') | {'submission': path.name, 'exercise': options.exercise,
-                                         'verdict': 'not judged', 'rule': 'not_judged', 'sentence': str(reason)}
+    return {**dict.fromkeys(COLUMNS, ''), 'submission': path.name, 'exercise': options.exercise,
+            'verdict': 'not judged', 'rule': 'not_judged', 'sentence': str(reason)}

@@ -1,7 +1,6 @@
 """Judge a node, or each of a folder, and report."""
 
 import contextlib
-import os
 import signal
 import socket
 import sys

@@ -22,7 +22,8 @@ class Started:
 
     def __init__(self, command, on_end=lambda status: None):
         """Start a command (a list); call a function of its exit status on another thread."""
-        self._mark, self._output = str(uuid.uuid4()), tempfile.TemporaryFile()
+        self._mark = str(uuid.uuid4())
+        self._output = tempfile.TemporaryFile()  # noqa: SIM115
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=self._output, stderr=subprocess.STDOUT,
             start_new_session=True, env={**os.environ, MARK: self._mark, 'PYTHONUNBUFFERED': '1'})
