@@ -26,6 +26,7 @@ COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleo
             'cmd_vel_mux/input/navi')
 KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
          **dict.fromkeys(COMMANDS, Twist)}
+OURS = {'/sim_turtlebot', '/view', '/check_detector', '/rosout'}  # roslaunch starts the last
 FLOOD = 20  # commands that arrive together; of more, the latest
 ANSWER_TIMEOUT = 30.0  # s of wall time
 NEAR = 0.01  # m
@@ -167,4 +168,4 @@ class Bench:
 
     def _read_log(self, message):
         if self.run and message.name == '/sim_turtlebot':
-            self.run.note_log(message)
+            self.run.note_log(message.msg, OURS | {rospy.get_name()})

@@ -65,7 +65,7 @@ def _judge(options, command):
     print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
     with Bench(bool(exercise.route)) as bench, _page(options.view, bench):
         judge, runner = Judge(options.exercise, exercise), Runner(bench, exercise, command, float(options.view))
-        for scenario in options.scenarios:
+        for number, scenario in enumerate(options.scenarios):
             run = runner.run(scenario)
             verdict = judge.judge(run)
             if verdict.rule != PASSED and not run.pace.lockstep and run.pace.real_time_factor > 1:
@@ -74,8 +74,9 @@ def _judge(options, command):
             folder = None if verdict.rule == PASSED else report.keep(run, exercise.target)
             report.show(verdict, folder, verdicts)
             verdicts.append(verdict)
-            if not run.nodes:
-                break  # in no scenario it would start
+            if not run.nodes:  # it would start in no other scenario
+                verdicts += [verdict._replace(scenario=other.name) for other in options.scenarios[number + 1:]]
+                break
     report.show_notes(verdicts)
     failed = [verdict.scenario for verdict in verdicts if verdict.rule != PASSED]
     example = (f' See one: ./ws check {options.exercise} {" ".join(options.node)} --scenario {failed[0]} --view'

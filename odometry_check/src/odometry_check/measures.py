@@ -31,7 +31,9 @@ def measure(run, exercise):
                         moves=[command for command in run.commands if command.moves])
     m.s = '' if m.sent == 1 else 's'
     m.duration = max(run.now, 1e-9)
-    m.few, m.pace, m.unawaited = 10 * m.duration, run.pace.real_time_factor, PROCESS.sub('', run.unawaited or '')
+    factor = run.pace.real_time_factor
+    m.pace = 'in real time' if factor == 1 else f'at {factor:g} times real time'
+    m.few, m.unawaited = 10 * m.duration, PROCESS.sub('', run.unawaited or '')
     m.ended = run.status is not None and run.interrupted is None
     m.bad_callback = 'bad callback' in run.output
     m.error, m.line = error_in(run.output)

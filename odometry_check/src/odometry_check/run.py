@@ -75,6 +75,12 @@ class Run:
         """When the node first commanded a movement (s), or None."""
         return next((command.time for command in self.commands if command.moves), None)
 
+    @property
+    def is_driving(self):
+        """Whether the robot moves, as it was told."""
+        return bool(self.commands and self.odometry) and self.commands[-1].moves and max(
+            abs(self.odometry[-1].linear), abs(self.odometry[-1].angular)) > ZERO
+
     def add(self, topic, message):
         """Take a message."""
         with self.changed:
@@ -118,10 +124,10 @@ class Run:
     def _on_float64(self, _topic, message, _now):
         self.moved.append((self.now, message.data))
 
-    def note_log(self, message):
-        """Notice what the simulator says of the node."""
-        found = UNAWAITED.match(message.msg)
-        if found and found[1] in self.nodes and not self.over:
+    def note_log(self, text, ours):
+        """Notice what the simulator says of a node, unless it is one of ours."""
+        found = UNAWAITED.match(text)
+        if found and found[1] not in ours and not self.over:
             self.finish(unawaited=found[2])
 
     def wall_time(self):

@@ -9,14 +9,14 @@ import rosnode
 import rospy
 from roslib.packages import find_node
 
-from odometry_check.bench import COMMANDS, Pace
+from odometry_check.bench import COMMANDS, OURS, Pace
 from odometry_check.endings import Drive, Route
 from odometry_check.processes import Started
 from odometry_check.run import Run
 
-OURS = {'/sim_turtlebot', '/view', '/check_detector', '/rosout'}  # roslaunch starts the last
 TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
+STANDSTILL = 60.0  # s of wall time without odometry
 LOOK_PERIOD = 0.05  # s of wall time, while time stands still
 REGISTRATION_TIMEOUT, QUIET, BUSY = 20.0, 0.3, 2.0  # s of wall time
 HOOK_PATIENCE, INTERRUPT_PATIENCE = 1.0, 6.0  # s of wall time after Ctrl-C
@@ -87,13 +87,18 @@ class Runner:
         run.begin = time.monotonic()
         before = self._bench.received(*COMMANDS)
         self._bench.call('unpause_physics')
+        seen, since = 0, run.begin
         with run.changed:
             while not run.over:
                 run.changed.wait(SIGNAL_PERIOD)
                 self._bench.check()
+                if len(run.odometry) > seen:
+                    seen, since = len(run.odometry), time.monotonic()
+                elif time.monotonic() - since > STANDSTILL:
+                    run.finish(unawaited='does not let simulated time go on: give its loop a rospy.sleep()')
         self._bench.call('pause_physics')
         run.sent = (self._bench.received(*COMMANDS) - before) // TWIST_SIZE
-        if run.scenario.interrupt and not run.unawaited and run.commands and run.commands[-1].moves:
+        if run.scenario.interrupt and not run.unawaited and run.is_driving:
             self._interrupt(run, node)
 
     def _interrupt(self, run, node):

@@ -21,6 +21,7 @@ def error():
 
 rospy.init_node('bang_bang')
 pub = rospy.Publisher('/cmd_vel', Twist, queue_size=1)
+rospy.on_shutdown(lambda: pub.publish(Twist()))
 rospy.Subscriber('/odom', Odometry, cb)
 rate = rospy.Rate(10)
 try:

@@ -12,6 +12,7 @@ def yaw_of(q):
 if __name__ == '__main__':
     rospy.init_node('rotate', anonymous=True)
     pub = rospy.Publisher('/cmd_vel', Twist, queue_size=1)
+    rospy.on_shutdown(lambda: pub.publish(Twist()))
     try:
         while True:
             q = rospy.wait_for_message('/odom', Odometry, timeout=5).pose.pose.orientation
@@ -24,6 +25,6 @@ if __name__ == '__main__':
             pub.publish(t)
     except rospy.ROSException:
         pass
-    finally:
+    else:
         pub.publish(Twist())
         rospy.rostime.wallsleep(0.3)

@@ -20,6 +20,7 @@ def on_odom(msg):
 def main():
     rospy.init_node('drive', anonymous=True)
     pub = rospy.Publisher('/cmd_vel', Twist, queue_size=10)
+    rospy.on_shutdown(lambda: pub.publish(Twist()))
     rospy.Subscriber('/odom', Odometry, on_odom)
     while pub.get_num_connections() == 0 and not rospy.is_shutdown():
         rospy.sleep(0.1)
@@ -32,9 +33,8 @@ def main():
             rate.sleep()
     except rospy.ROSInterruptException:
         pass
-    finally:
-        pub.publish(Twist())
-        rospy.rostime.wallsleep(0.2)
+    pub.publish(Twist())
+    rospy.rostime.wallsleep(0.2)
 
 
 main()
