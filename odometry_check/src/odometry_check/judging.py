@@ -35,18 +35,22 @@ class Judge:
     def __init__(self, name, exercise):
         """Judge an Exercise, which has a name."""
         self._name, self._exercise = name, exercise
+        self._seen = set()  # rules that held in earlier scenarios
         path = Path(rospkg.RosPack().get_path('odometry_check'), 'sentences.yaml')
         self._sentences = yaml.safe_load(path.read_text(encoding='utf-8'))
 
     def judge(self, run):
         """Return the Verdict on a Run."""
         m = measure(run, self._exercise)
+        m.seen = self._seen
         is_drive = run.odometry and not self._exercise.route
         notes = dict(self._held(m, 'notes', *(['drive_notes'] if is_drive else [])))
         if m.passed:
             praise = self._sentences['praise'][self._name if run.interrupted is None else 'interrupt']
             return Verdict(m.name, PASSED, praise.format(**vars(m)), notes)
-        return Verdict(m.name, *next(self._held(m, *GROUPS[self._name])), notes)
+        rule, sentence = next(self._held(m, *GROUPS[self._name]))
+        self._seen.add(rule)
+        return Verdict(m.name, rule, sentence, notes)
 
     def _held(self, m, *groups):
         """Yield names and sentences of the rules that hold."""

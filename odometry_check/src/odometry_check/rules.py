@@ -34,16 +34,17 @@ DISTANCE = {
     'one_axis': lambda m: m.name == 'moved_start' and m.stop and min(
         abs(m.moved_x - 2), abs(m.moved_y - 2)) < 0.06,
     'sum_of_axes': lambda m: m.name == 'moved_start' and m.stop and abs(m.moved_x + m.moved_y - 2) < 0.06,
-    'elapsed_time': lambda m: m.stop and m.early and abs(m.commanded - 2) < 0.12,
+    'elapsed_time': lambda m: m.stop and m.early and abs(m.commanded - 2) < 0.12 and m.gone < 1.8,
     'early': lambda m: m.stop and m.early,
     'too_slow': lambda m: m.early,
+    'passed_by': lambda m: not m.stop and (m.name in ('plain', 'slow_base') or 'passed_by' in m.seen),
     'window': lambda m: not m.stop and m.name == 'odom_5hz',
-    'goal_point': lambda m: not m.stop and m.name == 'moved_start',
-    'passed_by': lambda m: not m.stop,
+    'goal_point': lambda m: not m.stop,
     'late': lambda m: True}
 HEADING = {
     'ceased': lambda m: m.ceased,
-    'window': lambda m: m.name == 'odom_5hz' and m.turned > m.shortest + 180 and m.is_constant and m.flips < 5,
+    'window': lambda m: m.name == 'odom_5hz' and m.turned > m.shortest + 180 and m.is_constant and (
+        m.flips < 5 and 'equality' not in m.seen),
     'degrees': lambda m: m.spins and m.typical > 3.1,
     'equality': lambda m: m.spins and m.is_constant,
     'quaternion': lambda m: m.spins,
