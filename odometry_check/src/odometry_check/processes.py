@@ -11,8 +11,9 @@ import uuid
 import psutil
 
 MARK = 'ODOMETRY_CHECK'  # in the environment of a process and its descendants, wherever they hide
+INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
 # How a process is asked to end, and how long it then may take (s of wall time).
-ASKING = (signal.SIGINT, 6.0), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
+ASKING = (signal.SIGINT, INTERRUPT_PATIENCE), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
 LAST = 2**20  # bytes
 LOOK_PERIOD = 0.1  # s
 

@@ -11,7 +11,7 @@ from roslib.packages import find_node
 
 from odometry_check.bench import COMMANDS, OURS, Pace
 from odometry_check.endings import Drive, Route
-from odometry_check.processes import Started
+from odometry_check.processes import INTERRUPT_PATIENCE, Started
 from odometry_check.run import Run
 
 TWIST_SIZE = 52  # bytes on the wire
@@ -19,7 +19,7 @@ SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the chec
 STANDSTILL = 60.0  # s of wall time without odometry
 LOOK_PERIOD = 0.05  # s of wall time, while time stands still
 REGISTRATION_TIMEOUT, QUIET, BUSY = 20.0, 0.3, 2.0  # s of wall time
-HOOK_PATIENCE, INTERRUPT_PATIENCE = 1.0, 6.0  # s of wall time after Ctrl-C
+HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
 ARRIVAL = 0.1  # s of wall time, for the last commands of a node that has ended
 NAP_SHARE = 0.25  # s of simulated time that may go by while a node sleeps by wall time
 FASTEST = 5.0  # times real time at which a loop without a sleep copes
@@ -106,7 +106,7 @@ class Runner:
         node.interrupt()
         if not node.wait(HOOK_PATIENCE):  # it may sleep by simulated time before it ends
             self._bench.call('unpause_physics')
-            run.ends = node.wait(INTERRUPT_PATIENCE)
+            run.ends = not self._is_stubborn and node.wait(INTERRUPT_PATIENCE)
             self._bench.call('pause_physics')
         time.sleep(ARRIVAL)
 
