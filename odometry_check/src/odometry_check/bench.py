@@ -26,7 +26,7 @@ COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleo
             'cmd_vel_mux/input/navi')
 KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
          **dict.fromkeys(COMMANDS, Twist)}
-OURS = {'/sim_turtlebot', '/view', '/check_detector', '/rosout'}  # roslaunch starts the last
+OURS = {'/sim_turtlebot', '/check_view', '/check_detector', '/rosout'}  # roslaunch starts the last
 FLOOD = 20  # commands that arrive together; of more, the latest
 ANSWER_TIMEOUT = 30.0  # s of wall time
 NEAR = 0.01  # m
@@ -116,7 +116,7 @@ class Bench:
     def has_spectator(self):
         """Return whether a browser shows the page."""
         _, subscribers, _ = self.master.getSystemState()
-        return any(topic == '/odom' and '/view' in names for topic, names in subscribers)
+        return any(topic == '/odom' and '/check_view' in names for topic, names in subscribers)
 
     def is_refused(self, topic):
         """Return whether nobody sends on a topic that this subscribes to."""

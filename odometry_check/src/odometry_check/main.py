@@ -63,7 +63,7 @@ def _judge(options, command):
     use_writable_logs()
     exercise, verdicts = EXERCISES[options.exercise], []
     print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
-    with Bench(bool(exercise.route)) as bench, _page(options.view, bench):
+    with Bench(bool(exercise.route)) as bench, _page(options, bench):
         judge, runner = Judge(options.exercise, exercise), Runner(bench, exercise, command, float(options.view))
         for number, scenario in enumerate(options.scenarios):
             run = runner.run(scenario)
@@ -86,21 +86,23 @@ def _judge(options, command):
 
 
 @contextlib.contextmanager
-def _page(is_wanted, bench):
+def _page(options, bench):
     """Show the robot on a page while the context lasts, which begins when a browser is there."""
-    if not is_wanted:
+    if not options.view:
         yield
         return
+    from odometry_check.bench import Pace
     from odometry_check.processes import Started
     try:
         path = find_node('robot_view', 'view.py')[0]
     except rospkg.ResourceNotFound:
         raise StartError('--view needs the package robot_view') from None
     port = next_port(PAGE_PORT)
-    viewer = Started([path, f'_port:={port.number}'])
+    viewer = Started([path, '__name:=check_view', f'_port:={port.number}'])
     try:
         bench.wait_for(lambda: socket.create_connection((HOST, port.number)).close() or True,
                        'the page does not answer')
+        bench.prepare(options.scenarios[0], Pace(True, 1.0))
         print(f'open http://{HOST}:{port.number}: it begins when the page is there', flush=True)
         end = time.monotonic() + PAGE_PATIENCE
         while not bench.has_spectator() and time.monotonic() < end:

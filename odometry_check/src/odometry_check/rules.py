@@ -48,7 +48,8 @@ HEADING = {
     'degrees': lambda m: m.spins and m.typical > 3.1,
     'equality': lambda m: m.spins and m.is_constant,
     'quaternion': lambda m: m.spins,
-    'sign': lambda m: m.first * m.error_at_start < 0 and not (m.settled and m.off < 25),
+    'sign': lambda m: m.first * m.error_at_start < 0 and (
+        'sign' in m.seen or m.name == 'plain' and not (m.settled and m.off < 25)),
     'chatter': lambda m: m.rings and m.is_constant and m.off < 25,
     'gain_high': lambda m: m.rings or m.turned - abs(m.net) > 60,
     'wrap': lambda m: m.turned > m.shortest + 90 and m.off < 25,
