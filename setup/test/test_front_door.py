@@ -86,7 +86,8 @@ def test_a_variable_that_stops_python_is_named_or_of_no_effect(tmp_path, variabl
     ('echo --gui', ''), ('rosrun robot_view view.py', VIEW), ('demo rotate --view', VIEW), ('demo --view', VIEW),
     ('roslaunch odometry_launch sim.launch view:=true', VIEW), ('roslaunch odometry_launch sim.launch gui:=false', ''),
     ('rviz', 'rviz'), ('demo --gui --view', f'libgl1 libx11-6 {VIEW}'), ('rosrun tf tf_echo odom base_link', 'libtf-dev tf-tools'),
-    ('pre-commit run', f'catkin-lint {TESTS}'), ('sweep move', SWEEP)])
+    ('pre-commit run', f'catkin-lint {TESTS}'), ('sweep move', SWEEP),
+    ('check heading my.py', ''), ('check heading my.py --view', VIEW)])
 def test_a_word_installs_something_only_where_it_means_that(fresh, command, extras):
     run = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}')
     assert run.stdout.split() == extras.split(), run.output

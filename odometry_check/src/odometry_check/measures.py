@@ -37,6 +37,7 @@ def measure(run, exercise):
     m.ended = run.status is not None and run.interrupted is None
     m.bad_callback = 'bad callback' in run.output
     m.error, m.line = error_in(run.output)
+    m.crashed = m.ended and m.status != 0 and not (m.error or '').startswith('ROSInterruptException')
     m.why = f'{m.error}, line {m.line}' if m.error else (run.output.split('\n')[-2:-1] or ['it said nothing'])[0]
     m.topic, m.wanted, heard = (('/moved_distance', 'std_msgs/Float64', run.moved) if exercise.route else
                                 ('/cmd_vel', 'geometry_msgs/Twist', run.commands))
@@ -55,7 +56,7 @@ def measure(run, exercise):
         (_measure_distance if exercise.target is None else _measure_heading)(m, run, exercise.target)
         if run.interrupted is not None:
             m.passed = run.ends and not run.commands[-1].moves
-    m.passed = m.passed and not (m.ended and m.status != 0)
+    m.passed = m.passed and not m.crashed
     return m
 
 

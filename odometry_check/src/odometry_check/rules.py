@@ -13,7 +13,7 @@ START = {
     'keyboard': lambda m: _starts(m.error, 'EOFError'),
     'syntax': lambda m: not m.run.nodes and _starts(m.error, 'SyntaxError', 'IndentationError', 'TabError'),
     'unregistered': lambda m: not m.run.nodes and not m.ended,
-    'crash': lambda m: m.ended and m.status != 0,
+    'crash': lambda m: m.crashed,
     'callback': lambda m: m.bad_callback,
     'type': lambda m: m.type not in (None, m.wanted),
     'elsewhere': lambda m: m.silent and m.elsewhere,

@@ -74,6 +74,8 @@ class Runner:
             run.refused = {topic for topic in run.publishes if self._bench.is_refused(topic)}
         finally:
             status = run.status  # before Ctrl-C
+            if detector:
+                detector.interrupt()  # both end at once
             run.ends = node.end(self._is_stubborn) and run.ends
             self._is_stubborn = not run.ends
             if detector:
