@@ -14,8 +14,8 @@ NODES = Path(__file__).with_name('nodes')
 # The rules by scenario, of each node and exercise; a scenario that is not named is passed.
 EXPECTED = yaml.safe_load((NODES / 'expected.yaml').read_text())
 TIMEOUT, CLASS_TIMEOUT = 120.0, 1800.0  # s
-# A loop without a sleep is judged in paced time, where the last digit may differ.
-BUSY = re.compile('no_sleep|ignores|python2')
+# These are judged in paced time, where the last digit may differ.
+BUSY = re.compile('no_sleep|wall_sleep|busy_wait|forks')
 PORTS = {'moved_distance': ('odom_movement_detector', 'odom_movement_detector.py'),
          'two_meters': ('test_movement', 'test_movement.py'), 'heading': ('rotate_robot', 'rotate.py')}
 
@@ -86,6 +86,7 @@ def test_a_failure_leaves_its_recording_and_says_where(tmp_path):
     assert (folder / 'run.bag').exists()
 
 
+@pytest.mark.nightly
 def test_nothing_of_a_node_reaches_the_next_scenario(tmp_path):
     """A child in a session of its own drives on until it is killed."""
     file = tmp_path / 'rows.csv'
