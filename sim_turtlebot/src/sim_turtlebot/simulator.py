@@ -53,8 +53,8 @@ class Simulator:
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
         self._lockstep = None
-        if settings.lockstep:
-            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep  # a tenth of all imports
+        if settings.lockstep:  # its import takes a tenth of the start
+            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
             self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate)
             # Whoever unpauses it knows that all nodes are there.
             self._stable_time = 0.0 if settings.paused else STABLE_TIME
