@@ -7,6 +7,7 @@ from sim_turtlebot.simulation import Simulation
 
 ODOM_RATE = 20.0  # Hz, the simulator's default
 SPEED = 0.1  # m/s, as test_movement drives
+FAST, SPIN = 0.5, 3.0  # m/s, rad/s
 
 
 def speed_of(run_to_odometry, window):
@@ -43,11 +44,12 @@ class BareWorld:
 class RobotWorld:
     """A robot that is commanded after each odometry, as a controller in lockstep would."""
 
-    def __init__(self):
+    def __init__(self, speed=SPEED, turn_speed=0.0):
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
+        self._command = speed, turn_speed
 
     def run_to_odometry(self):
-        self._simulation.command(SPEED, 0.0)
+        self._simulation.command(*self._command)
         while not self._simulation.advance():
             pass
 
