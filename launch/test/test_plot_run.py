@@ -48,6 +48,12 @@ def plot(*arguments, **options):
     return run
 
 
+def legend_of(figure):
+    """Return the texts of a figure's legend."""
+    legend, = figure.legends
+    return [text.get_text() for text in legend.get_texts()]
+
+
 def test_it_draws_any_bag_with_odometry(tmp_path):
     """A real robot's bag has neither truth nor commands. Jupyter and editors set MPLBACKEND.
 
@@ -89,10 +95,9 @@ def test_the_picture_names_the_bag_and_what_it_shows(tmp_path):
     """Nobody knows from a bag where its robot should have stopped."""
     messages = [odometry(x=0.005 * step, stamp=START + PERIOD * step) for step in range(401)]
     figure = make_figure(read_run(record(tmp_path / 'kitchen.bag', messages)))
-    assert figure.get_suptitle() == f'{tmp_path.name}/kitchen.bag'
-    path, distance, *_ = ([text.get_text() for text in axes.get_legend().get_texts()]
-                          for axes in figure.axes)
-    assert path == ['odometry', 'start', 'end'] and distance == ['odometry']
+    assert [text.get_text() for text in figure.texts] == ['2.000 m in 40.0 s', f'{tmp_path.name}/kitchen.bag']
+    assert legend_of(figure) == ['odometry', 'start', 'end']
+    assert [axes.get_ylabel() for axes in figure.axes] == ['y (m)', 'distance (m)', 'speed (m/s)']
 
 
 def test_an_empty_twist_is_no_speed_and_an_empty_orientation_no_rotation(tmp_path):
@@ -116,15 +121,25 @@ def test_the_summary_says_how_far_odometry_and_truth_end_apart(tmp_path):
     assert 'off truth   0.050 m, 1.15 degrees' in read_run(path, end=START + 5.0).summary()
 
 
-def test_noise_does_not_look_like_motion_and_a_target_is_where_the_robot_turns_to(tmp_path):
-    """A robot that turned right by 90 degrees was told to turn to 270."""
+def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
+    """A robot that turned right by 90 degrees was told to turn to 270: its panels hold no path."""
     messages = [odometry(x=1e-4 * (step % 2), yaw=-step * math.pi / 200, stamp=START + PERIOD * step)
                 for step in range(101)]
     figure = make_figure(read_run(record(tmp_path / 'turn.bag', messages)), heading_target=270.0)
+    assert figure.get_suptitle() == 'turned -90.0 degrees in 10.0 s, target 270 degrees'
+    labels = [axes.get_ylabel() for axes in figure.axes]
+    assert labels == ['heading (degrees)', 'error (degrees)', 'turn rate (rad/s)']
+    drawn, target = figure.axes[0].lines
+    assert target.get_ydata()[0] == pytest.approx(drawn.get_ydata()[-1]) == -90
+    assert 'target' in legend_of(figure)
+
+
+def test_noise_does_not_look_like_motion(tmp_path):
+    messages = [odometry(x=1e-4 * (step % 2), stamp=START + PERIOD * step) for step in range(101)]
+    figure = make_figure(read_run(record(tmp_path / 'still.bag', messages)))
     figure.draw_without_rendering()  # which gives the path equal scales
-    path, *_, heading = figure.axes
+    path = figure.axes[0]
     assert numpy.ptp(path.get_xlim()) >= 0.5 and numpy.ptp(path.get_ylim()) >= 0.5
-    assert 'target, -90' in [text.get_text() for text in heading.get_legend().get_texts()]
 
 
 @pytest.mark.parametrize('write, lines', [

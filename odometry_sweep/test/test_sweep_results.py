@@ -41,15 +41,24 @@ def test_a_limit_is_for_the_size_of_a_metric(limits, lines):
     assert [*Combination('kp 1', rows([0.1, 0.1, -0.2], 'late')).exceeded(limits)] == lines
 
 
-def test_the_picture_has_a_diagram_for_each_metric_and_a_line_for_each_combination():
-    """Also where all runs are the same."""
+def test_the_picture_has_a_diagram_for_each_metric_that_varies_and_a_line_for_each_combination():
     settings = [Combination('kp 1', rows([0.25, 0.25])), Combination('kp 2', rows([0.1, 0.2, 0.3]))]
     figure = make_figure('move', settings)
-    assert [axes.get_title() for axes in figure.axes] == [name.replace('_', ' ') for name in SHOWN['move']]
+    assert [axes.get_title().partition(' (')[0].replace(' ', '_') for axes in figure.axes] == [*SHOWN['move']]
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == ['kp 1', 'kp 2']
     medians = [line.get_xdata()[0] for line in figure.axes[0].get_lines()
-               if line.get_color() == 'black']
+               if line.get_label() == 'median']
     assert medians == [0.25, 0.2]
+    constant = make_figure('move', [Combination('kp 1', rows([0.25, 0.25]))])
+    assert len(constant.axes) == 1, 'nothing varies; an empty picture would be no better'
+
+
+def test_values_on_a_grid_fall_evenly_into_the_bins_of_the_picture():
+    """Else some bins hold one step of the grid, and others two, which looks like a pattern of the robot."""
+    times = [19.45 + 0.05 * step for step in range(21)]
+    figure = make_figure('move', [Combination('kp 1', rows(times))])
+    heights, *_ = figure.axes[0].patches[0].get_data()
+    assert len({height for height in heights.round(6) if height}) == 1, heights
 
 
 @pytest.mark.parametrize('jobs, seeds, processes', [(None, 100, 4), (6, 3, 3)])

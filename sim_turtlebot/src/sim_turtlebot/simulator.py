@@ -151,7 +151,7 @@ class Simulator:
     def _publish_robots(self):
         self._topics.publish_robots()
         self._report_timeouts()
-        for name, warning in self._falls.look():
+        for name, warning in self._falls.changes():
             log = rospy.logwarn if warning else rospy.loginfo
             log(warning or f'{name} stands upright again')
             self._topics.warn(name, warning)
