@@ -45,7 +45,6 @@ class Simulator:
     """Advances a Simulation, paced by the wall clock, or by the nodes in lockstep."""
 
     def __init__(self, simulation, settings):
-        """Advertise and subscribe; time starts with run()."""
         self._settings = settings
         self._simulation = simulation
         self._timeline = simulation.timeline
