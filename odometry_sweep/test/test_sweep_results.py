@@ -1,6 +1,5 @@
 """What a sweep starts, shows, keeps and draws, without physics."""
 
-
 import pytest
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.picture import make_figure
