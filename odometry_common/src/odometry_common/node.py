@@ -24,6 +24,7 @@ EXIT_BAD_PARAMETER = 2
 LONGEST_WAIT = 0.5
 MASTER_RETRY_PERIOD = 0.5  # s
 UNREGISTER_TIMEOUT = 0.4  # s, for a master that does not answer
+NO_PARAMETERS = Parameters()
 
 _failures = []  # exit status and text
 _hooks_have_run = threading.Event()  # the final command has been sent
@@ -32,7 +33,7 @@ _exit_lock = threading.Lock()
 _pythons_excepthook = threading.excepthook  # Python before 3.10 has no threading.__excepthook__
 
 
-def run_node(name, main, documentation, parameters=Parameters(), **init_node_options):
+def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_options):
     """Run a node from start to end and exit the process.
 
     :param name: node name
