@@ -20,19 +20,16 @@ MANY = ['move', '--seeds', '100000', '--set', 'distance=0.1', '--jobs', '2']
 
 
 def sweep(*arguments):
-    """Run ./ws sweep to its end and return its process."""
     process = Process(ROOT / 'ws', 'sweep', *arguments)
     process.wait(TIMEOUT)
     return process
 
 
 def folder_of(output):
-    """Return the folder that a sweep names."""
     return Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', output)[0])
 
 
 def rows_in(folder):
-    """Return the rows of a sweep: dictionaries of texts."""
     with open(folder / 'runs.csv', newline='', encoding='utf-8') as file:
         return list(csv.DictReader(file))
 
@@ -60,7 +57,6 @@ def test_a_sweep_leaves_a_row_for_each_run_and_prints_a_table(monkeypatch):
 
 
 def test_a_limit_that_does_not_hold_is_one_line_and_status_1(tmp_path):
-    """test_sweep_results has those that hold."""
     file = tmp_path / 'limits.yaml'
     file.write_text('tutorial: move\nseeds: 2\nset: {distance: 0.1, speed: 0.3}\n'
                     'limits: {moved_error_p95: 0.001, not_arrived: 0}\n')
@@ -83,7 +79,6 @@ def test_what_makes_no_sense_gets_one_line_and_status_2(arguments, line):
 
 
 def test_ctrl_c_keeps_what_is_done():
-    """Every row that was shown as done, and no process goes on running."""
     with Terminal(ROOT, {**os.environ, 'TERM': 'xterm'}) as terminal:
         terminal.type(' '.join(['./ws sweep', *MANY]))
         terminal.wait_for_output(' of 100000 runs, ', TIMEOUT)

@@ -1,21 +1,16 @@
 """What a sweep starts, shows, keeps and draws, without physics."""
 
-import contextlib
-
 import pytest
 from odometry_sweep.campaign import Campaign
 from odometry_sweep.picture import make_figure
 from odometry_sweep.results import METRICS, SHOWN, Combination, read_rows, table, write_results
-from odometry_sweep.running import side_by_side
 
 
 def rows(values, ended='arrived'):
-    """Return runs, each with a value for all of its metrics."""
     return [{**dict.fromkeys(METRICS['move'], value), 'ended': ended} for value in values]
 
 
 def test_before_the_first_run_there_are_no_rows(tmp_path):
-    """Ctrl-C may come so early."""
     assert read_rows(tmp_path) == []
 
 
@@ -37,7 +32,6 @@ def test_a_table_has_a_block_for_each_metric_and_a_line_for_each_combination():
         'time_p5 is 0.1, over its limit of 0.01, with kp 1',
         'not_arrived is 3, over its limit of 2, with kp 1'])])
 def test_a_limit_is_for_the_size_of_a_metric(limits, lines):
-    """The limit itself is allowed."""
     assert [*Combination('kp 1', rows([0.1, 0.1, -0.2], 'late')).exceeded(limits)] == lines
 
 
@@ -61,20 +55,7 @@ def test_values_on_a_grid_fall_evenly_into_the_bins_of_the_picture():
     assert len({height for height in heights.round(6) if height}) == 1, heights
 
 
-@pytest.mark.parametrize('jobs, seeds, processes', [(None, 100, 4), (6, 3, 3)])
-def test_there_are_never_more_processes_than_runs(monkeypatch, jobs, seeds, processes):
-    """There are four processors here."""
-    started = []
-    monkeypatch.setattr('os.sched_getaffinity', lambda _: range(4))
-    monkeypatch.setattr('concurrent.futures.ProcessPoolExecutor',
-                        lambda number, *_: started.append(number) or contextlib.nullcontext())
-    with side_by_side(Campaign('move', seeds, {}, {}), jobs):
-        pass
-    assert started == [processes]
-
-
 def test_a_full_disk_is_named_by_the_file_that_is_on_it(tmp_path):
-    """Here only the file of the runs is."""
     (tmp_path / 'runs.csv').symlink_to('/dev/full')
     with pytest.raises(OSError, match=f'No space left on device: .{tmp_path}/runs.csv'):
         next(write_results(tmp_path, Campaign('move', 1, {}, {}), []))

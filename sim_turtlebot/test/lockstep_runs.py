@@ -44,14 +44,12 @@ def record(starts, topics, arguments=()):
 
 
 def bytes_of(message):
-    """Return a message as it is sent."""
     buffer = io.BytesIO()
     message.serialize(buffer)
     return buffer.getvalue()
 
 
 def assert_same_bytes(first, second):
-    """Assert that two runs have the same messages, each to the byte."""
     for topic, messages in first.items():
         different = [index for index, pair in enumerate(zip(messages, second[topic]))
                      if bytes_of(pair[0]) != bytes_of(pair[1])]
@@ -60,7 +58,6 @@ def assert_same_bytes(first, second):
 
 
 def compile_client(path):
-    """Compile the client in C++, unless it is there, and return its path."""
     if not path.exists():
         flags = subprocess.run(['pkg-config', '--cflags', '--libs', 'roscpp'], check=True, text=True,
                                stdout=subprocess.PIPE).stdout.split()

@@ -33,7 +33,6 @@ ROTATE = [rotator], {'/odom': (Odometry, 20 * SHORT), '/cmd_vel': (Twist, 10 * S
 @pytest.mark.parametrize('tutorial', [
     pytest.param(MOVE, marks=pytest.mark.nightly), ROTATE, SENSORS], ids=['move', 'rotate', 'sensors'])
 def test_two_runs_are_the_same_bytes(tutorial):
-    """Each message on each topic, from the first to the last."""
     assert_same_bytes(*(record(*tutorial) for _ in range(2)))
 
 
@@ -48,7 +47,6 @@ def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres():
 
 
 def test_a_mover_that_is_killed_does_not_stop_the_time():
-    """Nor does it have to be named."""
     with simulator_in_step(UNPACED) as simulation, detector(), \
             mover('_distance:=100') as driver:
         odometry = Recorder('odom', Odometry)

@@ -37,7 +37,6 @@ def main():
 
 
 def measure(figure, options):
-    """Measure a figure, print its row, and return it with all digits."""
     pairs = figure.measure(options)
     value, limit, ratio = map(median, zip(*((value, limit, value / limit) for value, limit in pairs)))
     is_met = ratio >= figure.bound if figure.relation == '>=' else ratio <= figure.bound
@@ -55,7 +54,6 @@ def machine():
 
 
 def parse(arguments):
-    """Return the options; without the name of a figure all are measured."""
     parser = argparse.ArgumentParser(prog='./ws bench', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('only', nargs='*', metavar='FIGURE', help=f'only these: {", ".join(sorted(FIGURES))}')

@@ -132,7 +132,6 @@ def readers(request, tmp_path_factory):
 
 
 def read(key, home):
-    """Follow the commands of a session; return why not, or None."""
     commands = SESSIONS[key]
     text = '\n'.join(command.text for command in commands)
     if NEEDS_SCREEN.search(text) and 'DISPLAY' not in os.environ:
@@ -154,7 +153,6 @@ def read(key, home):
 
 
 def follow(reader, command):
-    """Follow a command, unless it cannot be followed here."""
     if any(re.search(pattern, command.text) for pattern in NOT_HERE):
         return
     text = typed(command.text)
@@ -163,7 +161,6 @@ def follow(reader, command):
 
 
 def typed(text):
-    """Return what is typed here for a command of a document."""
     for pattern, replacement, _ in IN_PLACE:
         text = re.sub(pattern, replacement, text)
     for word, value in PLACEHOLDERS.items():
@@ -172,7 +169,6 @@ def typed(text):
 
 
 def make_home(home):
-    """Make what a reader has: a bag of a robot's."""
     with rosbag.Bag(str(home / 'run.bag'), 'w') as bag:
         for step in range(50):
             bag.write('/odom', odometry(x=0.01 * step, stamp=100 + 0.1 * step),
@@ -180,7 +176,6 @@ def make_home(home):
 
 
 def environment(port, page_port):
-    """Return a login's environment, with ports for a ROS master and for a page."""
     return {'PATH': '/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin',
             'TERM': 'xterm', 'LANG': 'C.UTF-8', 'DISPLAY': os.environ.get('DISPLAY', ''),
             'LIBGL_ALWAYS_SOFTWARE': '1', 'ROS_MASTER_URI': f'http://localhost:{port}',
@@ -190,7 +185,6 @@ def environment(port, page_port):
 @pytest.mark.parametrize('key', [
     pytest.param(key, marks=[] if key.startswith('README.md: ') else pytest.mark.nightly) for key in SESSIONS])
 def test_what_is_typed_does_what_is_shown(key, readers):
-    """Each command ends well or is at work, and prints what the document shows."""
     if error := readers[key].exception():
         pytest.fail(f'{error}', pytrace=False)
     if reason := readers[key].result():

@@ -61,7 +61,7 @@ class Run(NamedTuple):
         duration = track.time[-1] - track.time[0]
         mean = track.distance[-1] / duration if duration else 0.0
         top = numpy.abs(track.speed).max()
-        left_out = [f'{_in_words(number, thing)} {how}' for number, thing, how in (
+        left_out = [f'{number} {thing}{"s" * (number > 1)} {how}' for number, thing, how in (
             (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')) if number]
         return '\n'.join([f'odometry    {self.topic}',
                           f'distance    {track.distance[-1]:.3f} m',
@@ -153,10 +153,6 @@ def _track(rows, start):
         speed[:] = math.nan
     return Track(time - start, x, y, numpy.unwrap(yaw), speed, turn_rate, distance, jumps,
                  len(rows) - len(kept))
-
-
-def _in_words(number, thing):
-    return f'{number} {thing}' if number == 1 else f'{number} {thing}s'
 
 
 def _yaw(orientation):

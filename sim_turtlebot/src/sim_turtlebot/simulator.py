@@ -44,7 +44,6 @@ class Simulator:
     """Advances a Simulation, paced by the wall clock, or by the nodes in lockstep."""
 
     def __init__(self, simulation, settings):
-        """Advertise and subscribe; time starts with run()."""
         self._settings, self._simulation = settings, simulation
         self._timeline = simulation.timeline
         self._pacer = Pacer(settings.real_time_factor, self._report_pace)
