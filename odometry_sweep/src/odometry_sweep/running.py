@@ -15,6 +15,7 @@ from sim_turtlebot.physics.world_file import WorldFileError
 from odometry_sweep.closed_loop import run
 
 MAX_AHEAD = 1000  # runs that may be done before an earlier one
+CHECK_PERIOD = 1.0  # s
 CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
@@ -43,6 +44,9 @@ def _run_all(campaign, executor):
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
         while ahead:
             parameters, future = ahead[0]
+            # Dask does not wake result() if the scheduler is gone.
+            while not concurrent.futures.wait([future], CHECK_PERIOD).done:
+                pass
             yield parameters, future.result()
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
