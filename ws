@@ -74,5 +74,8 @@ case $1 in
     test) cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
     shell) exec bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
 esac
-type -P -- "$1" >/dev/null || refuse "there is no command $1"
+type -P -- "$1" >/dev/null || case $1 in
+    rqt*) refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
+    *) refuse "there is no command $1" ;;
+esac
 exec "$@"

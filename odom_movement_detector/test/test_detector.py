@@ -109,3 +109,12 @@ def test_it_says_each_second_that_it_waits(ns):
         wait_until(lambda: len(complaints()) >= 2, 10.0, 'two complaints')
         Talk(ns).meet()
     assert complaints()[0].name.startswith(f'{ns}movement_detector_node_')
+
+
+def test_a_topic_of_another_type_is_named_while_it_waits(ns):
+    """The master knows it; the two are never connected."""
+    publisher = rospy.Publisher(f'{ns}odom', Float64, queue_size=1)
+    with detector() as node:
+        node.wait_for_output(
+            f'waiting for odometry: {ns}odom has the type std_msgs/Float64, not nav_msgs/Odometry')
+    publisher.unregister()

@@ -2,6 +2,7 @@
 
 import pytest
 from odometry_sweep.campaign import Campaign
+from odometry_sweep.main import with_progress
 from odometry_sweep.picture import make_figure
 from odometry_sweep.results import METRICS, SHOWN, Combination, read_rows, table, write_results
 
@@ -59,3 +60,10 @@ def test_a_full_disk_is_named_by_the_file_that_is_on_it(tmp_path):
     (tmp_path / 'runs.csv').symlink_to('/dev/full')
     with pytest.raises(OSError, match=f'No space left on device: .{tmp_path}/runs.csv'):
         next(write_results(tmp_path, Campaign('move', 1, {}, {}), []))
+
+
+def test_a_sweep_gives_a_sign_of_life_before_its_first_run_is_done(monkeypatch, capsys):
+    """A single run may take minutes."""
+    monkeypatch.setattr('odometry_sweep.main.LINE_PERIOD', 0.0)
+    assert [*with_progress([None, 1, None, 2], 2)] == [1, 2]
+    assert capsys.readouterr().out.splitlines()[0].endswith('] 0 of 2 runs after 0:00:00')

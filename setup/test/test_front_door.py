@@ -66,9 +66,11 @@ def test_help_installs_nothing(fresh, option):
     assert not run.stderr
 
 
-def test_a_command_that_is_not_there():
-    run = Process(ROOT / 'ws', 'foo')
-    assert (run.wait(), run.output.strip()) == (2, './ws: there is no command foo')
+@pytest.mark.parametrize('command, hint', [
+    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
+def test_a_command_that_is_not_there(command, hint):
+    run = Process(ROOT / 'ws', command)
+    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
 
 
 @pytest.mark.parametrize('variable, status, answer', [

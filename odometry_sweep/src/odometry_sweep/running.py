@@ -28,6 +28,8 @@ class LostError(RuntimeError):
 def side_by_side(campaign, jobs=None, cluster=None):
     """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
 
+    While none is done it yields None every CHECK_PERIOD.
+
     :param jobs: number of processes; None: one for each processor
     :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine
     :raises StartError: if the workers cannot start
@@ -45,8 +47,9 @@ def _run_all(campaign, executor):
         while ahead:
             parameters, future = ahead[0]
             # Dask does not wake result() if the scheduler is gone.
-            while not concurrent.futures.wait([future], CHECK_PERIOD).done:
-                pass
+            if not concurrent.futures.wait([future], CHECK_PERIOD).done:
+                yield None
+                continue
             yield parameters, future.result()
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
