@@ -20,11 +20,13 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws sweep             run a tutorial many times without ROS
   ./ws shell             open a shell in the workspace
   ./ws --set-up COMMAND  only install what that command needs
-  ./ws COMMAND...        run any command in the workspace, for example ./ws rostopic echo /odom -n1
+  ./ws COMMAND...        run any command in the workspace, for example
+                         ./ws rostopic echo /odom -n1
 
-demo, test, bench and sweep have a --help of their own. The first use installs what is missing. ROS
-listens on this machine only; --host ADDRESS lets other machines connect to this address of this machine.
-ROS 1 has no passwords: anyone who can connect can drive the robot.
+demo, test, bench and sweep have a --help of their own. The first use installs
+what is missing. ROS listens on this machine only; --host ADDRESS lets other
+machines connect to this address of this machine. ROS 1 has no passwords:
+anyone who can connect can drive the robot.
 TEXT
 }
 

@@ -65,6 +65,12 @@ def test_bad_options_get_one_clear_line(arguments, capsys):
     assert capsys.readouterr().err.splitlines()[-1].startswith('./ws demo: error: argument')
 
 
+def test_an_unknown_option_is_named_and_not_its_value(capsys):
+    with pytest.raises(SystemExit):
+        parse(['--distnce', '3'])
+    assert 'unrecognized arguments: --distnce' in capsys.readouterr().err
+
+
 def test_a_held_port_is_given_to_nobody_else():
     """But its server can listen on it; after close() it is free at once."""
     held = HeldPort(0)

@@ -4,6 +4,7 @@ import contextlib
 import sys
 import tempfile
 import time
+from functools import partial
 from pathlib import Path
 from typing import Callable, NamedTuple
 
@@ -17,7 +18,7 @@ from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
-from worlds import FAST, SPEED, SPIN, BareWorld, RobotWorld
+from worlds import SPEED, BareWorld, RobotWorld
 
 SLICES = 4  # of a window
 FOLDER = Path(__file__).parent
@@ -102,22 +103,14 @@ def latency(options):
         return in_turns(options, answers.latency, relayed.latency)
 
 
-@figure(f'robot without ROS, {SPEED} m/s', 'simulated s/s', '>=', 0.85)
-def robot(options):
+def robot(drive, options):
     """Compare the simulator's robot, commanded after each odometry, with PyBullet alone at 0.1 m/s."""
-    return in_slices(options, RobotWorld().speed, BareWorld().speed)
+    return in_slices(options, RobotWorld(*drive).speed, BareWorld().speed)
 
 
-@figure(f'the same, {FAST} m/s', 'simulated s/s', '>=', 0.85)
-def robot_fast(options):
-    """Compare a fast robot with the same limit."""
-    return in_slices(options, RobotWorld(FAST).speed, BareWorld().speed)
-
-
-@figure(f'the same, spin of {SPIN:g} rad/s', 'simulated s/s', '>=', 0.85)
-def robot_spin(options):
-    """Compare a robot that turns on the spot with the same limit."""
-    return in_slices(options, RobotWorld(0.0, SPIN).speed, BareWorld().speed)
+for name, drive in {'robot': (SPEED, 0.0), 'robot_fast': (0.5, 0.0), 'robot_spin': (0.0, 3.0)}.items():
+    FIGURES[name] = Figure('robot without ROS, {} m/s, {:g} rad/s'.format(*drive), 'simulated s/s', '>=', 0.85,
+                           partial(robot, drive))
 
 
 @figure(f'cost per robot of {ROBOTS} robots', 'ms/simulated s/robot', '<=', 1.1)

@@ -1,7 +1,7 @@
 """Measure speed, latency, start and end, each beside the limit of this machine.
 
-The limit of each figure is measured in turns with it; their ratio is what tells, since absolute values
-belong to the machine. The exit status is 1 if a target was missed.
+Each figure is measured in turns with its limit. Compare ratios: the values
+depend on the machine. The exit status is 1 if a target was missed.
 """
 
 import argparse

@@ -7,7 +7,6 @@ from sim_turtlebot.simulation import Simulation
 
 ODOM_RATE = 20.0  # Hz, the simulator's default
 SPEED = 0.1  # m/s, as test_movement drives
-FAST, SPIN = 0.5, 3.0  # m/s, rad/s
 
 
 def speed_of(run_to_odometry, window):

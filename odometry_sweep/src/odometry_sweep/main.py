@@ -124,4 +124,6 @@ def _report(campaign, combinations, folder):
     lines = [line for combination in combinations for line in combination.exceeded(campaign.limits)]
     for line in lines:
         complain(line, PROGRAM)
+    if campaign.limits and not lines:
+        print(f'limits          all {len(campaign.limits)} hold', flush=True)
     return EXIT_FAILURE if lines else 0
