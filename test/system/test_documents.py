@@ -30,11 +30,12 @@ SIMULATIONS = 'docs/simulator.md: Many robots, any world'
 WORKSPACE = 'docs/workspace.md: What the packages need'
 SCAN = 'docs/scan.md: See the wall'
 REAL_ROBOT = 'docs/real_robot.md: Two machines'
-CALIBRATION = 'docs/calibration.md: A robot that errs'
+CALIBRATION = 'docs/calibration.md: A robot with errors'
 # Where a reader goes on with what is running, by heading or by single command.
 GOES_ON = {
     'Has the robot moved one metre?': TUTORIALS,
     'Rotate the robot to a heading': TUTORIALS,
+    'By hand': TUTORIALS,
     'rosrun robot_view view.py': TUTORIALS,
     'Drive up to it': SCAN,
     'Drive the robot': REAL_ROBOT,
@@ -82,6 +83,8 @@ NOT_HERE = {
     r'^\./ws rostest one_metre ': 'is for test_example_workflow',
     r'^ssh\b': 'there is no other machine',
     r'^rosnode kill$': 'names a command, not a node',
+    r'^rosnode kill -a$': 'would end what the reader goes on with',
+    r'^rqt_plot ': 'Debian has no rqt',
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
     r'^(docker|podman) ': 'test_container types them',
