@@ -16,12 +16,13 @@ NOT_AWAITED = 'lockstep does not wait for'
 UNPACED = '_real_time_factor:=0'
 
 
-def record(starts, topics, arguments=()):
+def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
     :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic
     :param arguments: for the simulator
+    :param begin: function that lets time pass
     """
     with contextlib.ExitStack() as stack:
         simulation = stack.enter_context(simulator_in_step(UNPACED, '_paused:=true', *arguments))
@@ -36,7 +37,7 @@ def record(starts, topics, arguments=()):
             wait_until(graph.is_graph_stable, RUN_TIME, 'nodes at rest before time begins')
         for recorder in recorders.values():
             recorder.clear()
-        call('unpause_physics')
+        begin()
         for topic, (_, count) in topics.items():
             recorders[topic].wait_for_count(count, RUN_TIME)
         assert NOT_AWAITED not in simulation.output, simulation.output

@@ -3,6 +3,7 @@
 import signal
 
 import pytest
+import rospy
 from geometry_msgs.msg import Twist
 from lockstep_runs import NOT_AWAITED, UNPACED, assert_same_bytes, record
 from nav_msgs.msg import Odometry
@@ -11,6 +12,7 @@ from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
+from std_srvs.srv import Trigger
 
 TWO_METRES, SHORT = 24, 5  # s of simulated time
 
@@ -44,6 +46,26 @@ def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres():
     following = next(m for m in odometry if m.header.seq == arrived.header.seq + 1)
     assert following.twist.twist.linear.x < 0.05, 'still driving one period later'
     assert 2.0 <= two_metres['/moved_distance'][-1].data <= 2.006
+
+
+def test_steps_from_outside_move_the_robot_as_lockstep_does_by_itself():
+    """To the byte, and each answers with the stamp of the odometry that it has published."""
+    stamps = []
+
+    def step_by_step():
+        step = rospy.ServiceProxy('/sim_turtlebot/step', Trigger)
+        stamps.extend(step().message for _ in range(20 * SHORT))
+
+    stepped = record(*ROTATE, begin=step_by_step)
+    assert_same_bytes(record(*ROTATE), stepped)
+    assert stamps == [f'{message.header.stamp.to_sec():.9f}' for message in stepped['/odom']]
+
+
+def test_only_a_paused_simulation_can_be_stepped():
+    with simulator_in_step():
+        rospy.wait_for_service('/sim_turtlebot/step')
+        answer = rospy.ServiceProxy('/sim_turtlebot/step', Trigger)()
+    assert (answer.success, answer.message) == (False, 'call ~pause_physics first')
 
 
 def test_a_mover_that_is_killed_does_not_stop_the_time():
