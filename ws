@@ -21,11 +21,13 @@ usage: ./ws [--host ADDRESS | --set-up] COMMAND [ARGUMENT...]
   ./ws check             judge your own node for a tutorial
   ./ws shell             open a shell in the workspace
   ./ws --set-up COMMAND  only install what that command needs
-  ./ws COMMAND...        run any command in the workspace, for example ./ws rostopic echo /odom -n1
+  ./ws COMMAND...        run any command in the workspace, for example
+                         ./ws rostopic echo /odom -n1
 
-demo, test, bench, sweep and check have a --help of their own. The first use installs what is missing. ROS
-listens on this machine only; --host ADDRESS lets other machines connect to this address of this machine.
-ROS 1 has no passwords: anyone who can connect can drive the robot.
+demo, test, bench, sweep and check have a --help of their own. The first use
+installs what is missing. ROS listens on this machine only; --host ADDRESS lets
+other machines connect to this address of this machine. ROS 1 has no passwords:
+anyone who can connect can drive the robot.
 TEXT
 }
 
@@ -76,5 +78,8 @@ case $1 in
     test) cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
     shell) exec bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
 esac
-type -P -- "$1" >/dev/null || refuse "there is no command $1"
+type -P -- "$1" >/dev/null || case $1 in
+    rqt*) refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
+    *) refuse "there is no command $1" ;;
+esac
 exec "$@"

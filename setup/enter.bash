@@ -13,6 +13,9 @@ setup=$ODOMETRY_ROOT/.ws/devel/setup.bash
     exit 1
 }
 export PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
+# Where a processor has FMA, glibc's sin, cos and atan2 use it, and differ in the last bit: the same motion
+# on each x86-64.
+[ "$HOSTTYPE" != x86_64 ] || export GLIBC_TUNABLES=${GLIBC_TUNABLES-glibc.cpu.hwcaps=-FMA,-FMA4}
 
 variable=ROS_IP
 [ -z "${ROS_HOSTNAME:-}" ] || variable=ROS_HOSTNAME

@@ -8,7 +8,9 @@ fingerprint() {
 # is_done FILE FINGERPRINT: whether a step is done, by the file that it writes last.
 is_done() { [ "$(cat "$1" 2>/dev/null)" = "$2" ]; }
 
-python_is_ready() { [ -x "$VENV/bin/python3" ] && has_requirements requirements.txt; }
+python_is_ready() {
+    [ -x "$VENV/bin/python3" ] && has_requirements requirements-fork.txt && has_requirements requirements.txt
+}
 
 # has_requirements FILE: whether they are installed, or the package has been deleted.
 has_requirements() { [ ! -e "$1" ] || is_done "$VENV/ready-${1//\//-}" "$(fingerprint "$1")"; }
@@ -19,6 +21,7 @@ make_python() {
     "$PYTHON" -c 'import ensurepip, nav_msgs, rospy, rostest, tf'
     "$PYTHON" -m venv --system-site-packages "$VENV"
     printf '%s\n' "$ROS" "$PYTHON" >"$VENV/ros"
+    add_requirements requirements-fork.txt  # apart: pip asks for a hash of each line where one has it
     add_requirements requirements.txt
 }
 

@@ -74,7 +74,7 @@ make_ready() {
         flock 9
     }
     need_parts "${PARTS[@]}"
-    python_is_ready || run_step 'installing PyBullet; where PyPI has no wheel, pip compiles it for minutes' make_python
+    python_is_ready || run_step 'installing PyBullet, 100 MB; on arm64 pip compiles it for minutes' make_python
     for file in "${REQUIREMENTS[@]}"; do
         has_requirements "$file" || run_step "installing $file" add_requirements "$file"
     done

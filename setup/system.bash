@@ -14,8 +14,7 @@ end_by_signals() {
 
 # run_step TEXT COMMAND...: run a command with its output in the log, and show progress.
 run_step() {
-    local text=$1 start=$SECONDS pid status=0 before
-    before=$(wc -l 2>/dev/null <"$LOG" || echo 0)
+    local text=$1 start=$SECONDS pid status=0
     [ -t 2 ] || announce "$text ..."
     { load_ros && "${@:2}"; } >>"$LOG" 2>&1 &
     pid=$!
@@ -28,7 +27,7 @@ run_step() {
     end_by_signals
     [ ! -t 2 ] || echo >&2
     [ $status = 0 ] || {
-        tail -n "+$((before + 1))" "$LOG" | tail -n 20 >&2
+        tail -n 20 "$LOG" >&2
         fail "$text failed; the whole output is in $LOG. The next call tries again."
     }
 }

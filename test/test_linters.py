@@ -15,7 +15,6 @@ SLOW = {'vermin', 'roslaunch-check'}
 @pytest.mark.parametrize('hook', [
     pytest.param(hook, marks=pytest.mark.nightly if hook in SLOW else []) for hook in HOOKS])
 def test_a_linter_finds_nothing(hook, tmp_path, monkeypatch):
-    """In any file that git knows."""
     monkeypatch.setenv('PRE_COMMIT_HOME', str(tmp_path))
     run = subprocess.run(['pre-commit', 'run', '--all-files', '--color=never', hook], cwd=ROOT,
                          check=False, capture_output=True, text=True)

@@ -51,7 +51,6 @@ ORDERS = [-30, -1, 0, 1, 30]
 
 @pytest.mark.parametrize('error', [-0.01, 0.01])
 def test_a_robot_that_is_not_where_its_odometry_says_is_an_error(run, error):
-    """A centimetre in two metres."""
     moved = [*DRIVE, *AT_ONCE]
     monitor = run(moved, [distance + error for distance in moved])
     assert monitor.result()[1] == 'the two distances do not agree'

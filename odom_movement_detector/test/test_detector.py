@@ -25,7 +25,6 @@ class Talk(Partner):
         super().__init__(f'{ns}odom', Odometry, f'{ns}moved_distance', Float64)
 
     def meet(self):
-        """Return once it has counted FIRST, at that x and 1 s, and nothing is on its way."""
         self.say_until(odometry, lambda m: m.data == 0.0, 'a distance')
         self.say(odometry(x=FIRST, stamp=1.0))
         self.answers.wait_for(lambda m: m.data == FIRST, what=f'{FIRST} m')
@@ -73,7 +72,6 @@ def test_a_reset_counts_from_zero(talk, ns):
 
 
 def test_a_jump_is_not_counted_and_warned_of(talk, node):
-    """It is faster than 5 m/s; the step after it counts."""
     assert talk.walk(TELEPORT, TELEPORT + 0.05) == pytest.approx([FIRST, FIRST + 0.05])
     node.wait_for_output('faster than ~max_speed')
 
@@ -102,7 +100,6 @@ def test_strange_odometry_is_ignored_and_the_sum_stays_finite_and_never_falls(no
 
 
 def test_it_says_each_second_that_it_waits(ns):
-    """On the log, until the first odometry; its name is anonymous."""
     log = Recorder('/rosout', Log)
 
     def complaints():
@@ -112,3 +109,12 @@ def test_it_says_each_second_that_it_waits(ns):
         wait_until(lambda: len(complaints()) >= 2, 10.0, 'two complaints')
         Talk(ns).meet()
     assert complaints()[0].name.startswith(f'{ns}movement_detector_node_')
+
+
+def test_a_topic_of_another_type_is_named_while_it_waits(ns):
+    """The master knows it; the two are never connected."""
+    publisher = rospy.Publisher(f'{ns}odom', Float64, queue_size=1)
+    with detector() as node:
+        node.wait_for_output(
+            f'waiting for odometry: {ns}odom has the type std_msgs/Float64, not nav_msgs/Odometry')
+    publisher.unregister()

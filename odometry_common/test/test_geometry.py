@@ -37,7 +37,6 @@ def close(values, scale=1.0):
 
 @given(angles, angles, angles, st.floats(0.99, 1.01))
 def test_the_angles_are_those_of_the_tutorial_to_the_last_bit(roll, pitch, yaw, length):
-    """The original gives tf what is in the message."""
     parts = [length * part for part in tf.quaternion_from_euler(roll, pitch, yaw)]
     assert euler_from_orientation(Quaternion(*parts)) == tf.euler_from_quaternion(parts)
 
@@ -71,7 +70,6 @@ def test_rotations_are_those_of_tf(outer, inner, vector):
 
 @given(angles, angles, angles)
 def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
-    """About the fixed axes, roll first."""
     expected = tf.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
     for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
         assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)

@@ -27,7 +27,6 @@ def warnings(node, text):
 
 
 def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_its_robot(ns):
-    """It names both."""
     names = f'{ns}rotate_robot', f'{ns}test_movement'
     rospy.set_param(f'{names[0]}/tolerence', 1)
     with mover('_distence:=5', '_speed:=-1e-1', '--foo') as one, rotator() as two:

@@ -66,7 +66,6 @@ def test_the_help_says_everything_about_each_parameter():
     '_speed:=-0.2', '_speed:=2147483647', '_speed:=-2147483648', '_list:=[1, 2.0, text]', '_map:={a: 1}',
     '__name:=[1', '/odom:=/robot_1/odom', '_speed', ''])
 def test_what_ros_can_store_and_what_is_no_parameter_is_accepted(argument, monkeypatch):
-    """Whether a value suits the node is for the node to say."""
     monkeypatch.setattr('sys.argv', ['node.py', argument])
     check_command_line()
 
@@ -87,5 +86,4 @@ def test_what_ros_cannot_store_is_refused_in_one_line(argument, monkeypatch):
     ('1e4', 1e4), ('-1e-1', -0.1), ('+2E3', 2000.0), ('.5e1', 5.0), (2, 2.0), ('5', None), ('e4', None),
     (' 1e4', None), ('1e4\n', None), ('\u0661e4', None), ('nan', None), (True, None), ([1.0], None)])
 def test_a_number_is_one_though_yaml_takes_it_for_a_string(value, number):
-    """In quotes it is a string."""
     assert as_number(value) == number

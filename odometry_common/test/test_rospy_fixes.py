@@ -80,7 +80,6 @@ def test_the_master_forgets_a_node_that_has_ended(master, disabled):
 
 
 def test_a_subscriber_counts_as_connected_once_it_misses_nothing(master, monkeypatch):
-    """Rospy counts the connection before."""
     may_connect, heard = threading.Event(), threading.Event()
     connect = TCPROSTransport.connect
 

@@ -48,11 +48,3 @@ def test_a_value_is_at_rest_once_it_has_stayed_for_the_duration(rows, rests):
     """Rows of time and value; the numbers of those at which it is at rest."""
     detector = RestDetector(BAND, DURATION)
     assert [number for number, row in enumerate(rows) if detector.at_rest(*row)] == rests
-
-
-def test_a_reset_forgets_the_rest():
-    detector = RestDetector(BAND, DURATION)
-    detector.at_rest(0.0, 0.0)
-    detector.reset()
-    assert not detector.at_rest(0.6, 0.0)
-    assert detector.at_rest(1.1, 0.0)

@@ -86,15 +86,6 @@ def test_only_one_thread_sends_a_backlog(connection):
     assert numbers == sorted(set(numbers))
 
 
-def test_one_that_reads_again_loses_nothing_more(connection, warnings):
-    link, far = connection
-    write(link, range(COUNT))
-    read(far, COUNT - 1)
-    link.wait_until_sent(TIMEOUT * PATIENCE)
-    write(link, range(COUNT, COUNT + BACKLOG))
-    assert read(far, COUNT + BACKLOG - 1) == list(range(COUNT, COUNT + BACKLOG))
-
-
 def test_a_publisher_that_waits_loses_nothing_for_one_that_reads(connection, warnings):
     wait_for_slow_subscribers(TIMEOUT * PATIENCE)
     link, far = connection

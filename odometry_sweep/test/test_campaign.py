@@ -11,7 +11,6 @@ GRID, HUNDRED = ['speed', 'distance', 'x', 'y', 'yaw'], [step / 100 for step in 
 
 @pytest.fixture
 def written(tmp_path):
-    """Return a function that writes a campaign file and returns its path."""
     def write(content):
         path = tmp_path / 'campaign.yaml'
         path.write_text(content if isinstance(content, str) else yaml.safe_dump(content))
@@ -20,7 +19,6 @@ def written(tmp_path):
 
 
 def test_every_combination_is_run_with_every_seed_once():
-    """In this order: the number of a row says which run it was."""
     campaign = Campaign('rotate', 2, {'kp': [1, 2], 'x': [0], 'target': [90, -45]}, {})
     assert [tuple(run.values()) for run in campaign.runs()] == [
         (1, 0, 90, 0), (1, 0, 90, 1), (1, 0, -45, 0), (1, 0, -45, 1),
@@ -54,7 +52,6 @@ def test_the_command_line_and_a_file_say_the_same(written):
     (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
     (['move', '--campaign', 'x.yaml'], 'the file sets tutorial, --seeds and --set')])
 def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
-    """And exit status 2."""
     with pytest.raises(SystemExit) as end:
         parse(arguments)
     assert end.value.code == 2
@@ -73,7 +70,9 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
      'there are 10000000000 runs, but must be 1000000 at most'),
     ({'tutorial': 'move', 'set': {'kp': 1}},
-     'parameter kp cannot be set in a sweep; move has cmd_vel_timeout, dist'),
+     'parameter kp cannot be set in a sweep of move: it has cmd_vel_timeout, dist'),
+    ({'tutorial': 'move', 'set': {'wheel_nose': 0.1}},
+     'parameter wheel_nose cannot be set in a sweep of move: did you mean wheel_noise?'),
     ({'tutorial': 'rotate', 'set': {'tolerance': 1}}, 'parameter tolerance cannot be set'),
     ({'tutorial': 'move', 'set': {'world': '/no.urdf'}}, "parameter ~world is '/no.urdf'"),
     ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95; it is'),
@@ -81,7 +80,6 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
      'limit moved_error_p95 is -1, but must be a number from 0'),
     ({'tutorial': 'move', 'limits': {'time_p5': 'x'}}, "limit time_p5 is 'x'")])
 def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
-    """Of the node, where a node would refuse a value."""
     with pytest.raises(StartError) as refusal:
         read_campaign(written(content)).check()
     assert line in str(refusal.value)

@@ -37,7 +37,6 @@ def test_two_metres_are_driven_as_the_demo_drives_them():
 
 
 def test_distances_and_headings_count_from_the_start():
-    """PyBullet computes with single precision in places."""
     here, there = run('move', SHORT), run('move', {**SHORT, 'x': 3.0, 'y': -2.0, 'yaw': 2.0})
     for name in ('moved', 'true_distance', 'sideways', 'heading'):
         assert there[name] == pytest.approx(here[name], abs=2e-3), name
@@ -45,7 +44,6 @@ def test_distances_and_headings_count_from_the_start():
 
 @pytest.mark.parametrize('target, heading', [(90, 90), (180, 180), (270, -90)])
 def test_a_robot_turns_to_a_heading(target, heading):
-    """The shorter way, as close as the demo demands."""
     metrics = run('rotate', {'target': target, 'kp': 2})
     off = math.remainder(metrics['true_heading'] - heading, 360)
     assert metrics['ended'] == 'arrived' and abs(off) < 0.11 and metrics['overshoot'] < 0.2
@@ -54,7 +52,6 @@ def test_a_robot_turns_to_a_heading(target, heading):
 
 
 def test_the_corrections_of_the_driver_end_the_errors_of_the_robot():
-    """Of unequal wheels and of the distance between them."""
     bent, straight = (run('move', robot)['sideways'] for robot in (ERRORS, CORRECTED))
     assert bent == pytest.approx(0.0434, abs=0.001) and abs(straight) < 0.001
     short, exact = (run('rotate', {**robot, 'kp': 1})['true_error'] for robot in (ERRORS, CORRECTED))
@@ -62,7 +59,6 @@ def test_the_corrections_of_the_driver_end_the_errors_of_the_robot():
 
 
 def test_overshoot_is_beyond_the_target_but_not_behind_the_robot():
-    """Behind the robot the error changes its sign."""
     for target, yaws, overshoot in ((180, [0.0, -0.1, math.pi], 0), (90, [0.0, 1.8, 1.5708], 13.13)):
         metrics = metrics_of('rotate', {'target': target}, map(about_z, yaws))
         assert metrics['overshoot'] == pytest.approx(overshoot, abs=0.01)
@@ -70,6 +66,5 @@ def test_overshoot_is_beyond_the_target_but_not_behind_the_robot():
 
 @pytest.mark.parametrize('orientation, ended', [(UPRIGHT, 'late'), (LYING, 'fallen')])
 def test_a_robot_that_does_not_arrive_is_late_or_has_fallen(orientation, ended):
-    """After 1.5 times as long as it should take, and ten seconds."""
     metrics = metrics_of('move', SHORT, [orientation] * 1000)
     assert metrics['ended'] == ended and metrics['time'] == pytest.approx(10.55)

@@ -19,24 +19,20 @@ LOCAL = ['--host', '127.0.0.1', '--no-dashboard']
 
 
 def ws(*arguments):
-    """Start a command by ./ws."""
     return Process(ROOT / 'ws', *arguments)
 
 
 def lines_in(folder):
-    """Return the lines of the rows that a sweep has written so far."""
     return (folder / 'runs.csv').read_text().splitlines()[1:]
 
 
 def folders():
-    """Return the folders of sweeps that have written a row."""
     files = Path(os.environ['ODOMETRY_RUNS']).glob('sweep-*/runs.csv')
     return {file.parent for file in files if lines_in(file.parent)}
 
 
 @pytest.fixture
 def scheduler():
-    """Start a Dask scheduler and return its process, with its address."""
     with hold_port() as port, ws('dask', 'scheduler', *LOCAL, '--port', str(port)) as process:
         process.wait_for_output('Scheduler at', TIMEOUT)
         process.address = f'tcp://127.0.0.1:{port}'
@@ -45,7 +41,6 @@ def scheduler():
 
 @pytest.fixture
 def workers(scheduler):
-    """Start two workers without a nanny that would start them again; return their processes."""
     with contextlib.ExitStack() as stack:
         processes = [stack.enter_context(ws('dask', 'worker', scheduler.address, *LOCAL,
                                             '--nthreads', '1', '--no-nanny')) for _ in range(2)]
@@ -56,7 +51,6 @@ def workers(scheduler):
 
 @contextlib.contextmanager
 def sweeping(scheduler, runs):
-    """Start a sweep; yield its process and its folder, once it has written a row."""
     before = folders()
     with ws('sweep', *CAMPAIGN, str(runs), '--cluster', scheduler.address) as run:
         folder, = wait_until(lambda: folders() - before, TIMEOUT, 'the folder of the sweep')
@@ -65,7 +59,6 @@ def sweeping(scheduler, runs):
 
 @pytest.mark.nightly
 def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers):
-    """In the middle of the sweep; the other one does the rest."""
     killed, other = workers
     with sweeping(scheduler, RUNS) as (run, folder):
         wait_until(lambda: len(lines_in(folder)) >= SOME, TIMEOUT, f'{SOME} rows')
@@ -82,7 +75,6 @@ def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers
 @pytest.mark.nightly
 @pytest.mark.usefixtures('workers')
 def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
-    """What is done is kept."""
     with sweeping(scheduler, MANY) as (run, folder):
         scheduler.send(signal.SIGKILL)
         assert run.wait(TIMEOUT) == 1, run.output
@@ -94,7 +86,6 @@ def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
 @pytest.mark.parametrize('address', [
     pytest.param('tcp://127.0.0.1:1', marks=pytest.mark.nightly), 'nonsense'])
 def test_no_scheduler_is_one_line(address):
-    """And exit status 2."""
     run = ws('sweep', 'move', '--cluster', address)
     assert run.wait(TIMEOUT) == 2, run.output
     assert re.fullmatch(f'sweep: no scheduler answers at {address}: .*', run.stderr), run.stderr
@@ -102,6 +93,5 @@ def test_no_scheduler_is_one_line(address):
 
 @pytest.mark.nightly
 def test_a_cluster_without_workers_is_one_line(scheduler):
-    """After a while: they may be starting."""
     run = ws('sweep', 'move', '--cluster', scheduler.address)
     assert run.wait(TIMEOUT) == 2 and run.stderr == 'sweep: the cluster has no workers', run.output

@@ -23,7 +23,6 @@ ROBOT = ['/odom', '/base_pose_ground_truth']
 
 @pytest.fixture
 def recorded(tmp_path):
-    """Return a function that writes the bag of a run and returns its path."""
     def record(moved=0.11, missing=None):
         with rosbag.Bag(str(tmp_path / 'run.bag'), 'w') as bag:
             bag.write('/moved_distance', Float64(moved), rospy.Time(1))
@@ -56,7 +55,6 @@ def test_a_row_and_its_replay_are_equal(tutorial, parameters, topics):
 
 
 def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch, recorded, capsys):
-    """Beside that of the sweep."""
     bag = recorded()
     row = metrics_of(bag, 'move', {'distance': 0.1})
     assert (row['true_distance'], row['time'], row['ended']) == (0.11, 0.2, 'arrived')
@@ -72,13 +70,11 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
 @pytest.mark.parametrize('recording, line', [
     ({'moved': 0.11000000000000001}, 'published another distance'), ({'missing': 2}, 'has gaps')])
 def test_a_recording_that_is_not_that_of_the_run_is_refused(recorded, recording, line):
-    """Even if only the last digit differs."""
     with pytest.raises(DemoError, match=line):
         metrics_of(recorded(**recording), 'move', {'distance': 0.1})
 
 
 def test_a_recording_that_is_cut_off_is_one_line(tmp_path):
-    """The disk was full."""
     (tmp_path / 'run.bag').write_bytes(b'#ROSBAG V2.0\n')
     with pytest.raises(DemoError, match='run.bag cannot be read'):
         metrics_of(tmp_path / 'run.bag', 'move', {})
@@ -88,7 +84,6 @@ def test_a_recording_that_is_cut_off_is_one_line(tmp_path):
     ('2', 'run,seed,time\n1,0,2.5\n'), ('1', 'run,seed\n1,0\n'), ('2', 'run,time\n2,2.5\n'),
     ('last', 'run,time\nlast,2.5\n'), ('1', None)])
 def test_a_run_that_is_not_there_is_one_line(tmp_path, number, rows):
-    """Before anything is started."""
     (tmp_path / 'campaign.yaml').write_text('tutorial: move\n')
     if rows:
         (tmp_path / 'runs.csv').write_text(rows)

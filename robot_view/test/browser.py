@@ -66,7 +66,6 @@ class Page:
 
     @property
     def text(self):
-        """All text that is to be read."""
         return self.run('return document.body.innerText')
 
     def reading(self, name):
@@ -75,14 +74,12 @@ class Page:
         return float(re.match('-?[0-9.]+', text)[0]) if text not in (None, '–') else None
 
     def wait_for_reading(self, name, accepts, timeout=PAGE_TIMEOUT):
-        """Return once a number of the panel is there and is accepted."""
         def accepted():
             value = self.reading(name)
             return value is not None and accepts(value)
         self._wait_until(accepted, lambda: f'{name}; it is {self.reading(name)}', timeout)
 
     def wait_for_text(self, text):
-        """Return once the text is to be read."""
         self._wait_until(lambda: text in self.text,
                          lambda: f'{text!r} in the page, which says:\n{self.text}')
 

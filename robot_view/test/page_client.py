@@ -24,7 +24,6 @@ class PageClient:
     """A websocket to the page, in viser's wire format."""
 
     def __init__(self, port, origin=None):
-        """Connect, with an Origin header or without one."""
         self._inputs = {}  # properties by label
         self._texts = {}  # by id
         self._websocket = connect(
@@ -53,11 +52,7 @@ class PageClient:
         self.send(type='GuiUpdateMessage', uuid=self.find(label), updates={'value': value})
 
     def send(self, **message):
-        self.send_raw(msgspec.msgpack.encode(message))
-
-    def send_raw(self, data):
-        """Send bytes or, as text, a string."""
-        self._websocket.send(data)
+        self._websocket.send(msgspec.msgpack.encode(message))
 
     def find(self, label):
         """Return the id of an input once the page shows it."""
@@ -95,7 +90,6 @@ def _decode(data):
 
 @contextlib.contextmanager
 def open_page(view):
-    """Open the page once it shows both robots."""
     with PageClient(view.port, origin=view.url) as page:
         page.show()
         page.find('robot')
@@ -120,7 +114,6 @@ def flooding(page, label):
 
 @contextlib.contextmanager
 def published(namespace):
-    """Publish an odometry for each of two robots; yield the publishers."""
     publishers = [rospy.Publisher(f'{namespace}/{robot}/odom', Odometry, queue_size=1, latch=True)
                   for robot in ROBOTS]
     for publisher in publishers:

@@ -26,7 +26,6 @@ def open_page():
 
 @pytest.fixture(scope='module')
 def view(master):
-    """Start a viewer in which only what the test does stops the robot."""
     with viewing(patient=True) as running:
         yield running
 
@@ -46,7 +45,6 @@ def open_view(open_page, view):
 
 @pytest.fixture
 def page(open_view):
-    """Return the viewer's page, which stays open for the next test."""
     yield open_view
     open_view.let_go()
 

@@ -4,7 +4,6 @@ import contextlib
 import http.client
 import math
 import signal
-import socket
 import time
 
 import pytest
@@ -22,13 +21,11 @@ from page_client import ROBOTS, PageClient, flooding, open_page, published
 from robot_view.pad import MIN_PERIOD
 from robot_view.steering import HOLD_TIMEOUT
 
-LOG_PERIOD = 10.0  # s
 NAN, INFINITY = math.nan, math.inf
 
 
 @pytest.fixture(scope='module')
 def view(master):
-    """Start a viewer of two robots, with a page that stays open: both are listed all the time."""
     with published('/strange'), viewing('__ns:=/strange') as running, open_page(running):
         yield running
     assert 'Traceback' not in running.output
@@ -40,7 +37,6 @@ def commands():
 
 
 def fetch(view, host):
-    """Return status, text and headers of the page, asked for under a host name."""
     connection = http.client.HTTPConnection('localhost', view.port, timeout=TIMEOUT * PATIENCE)
     with contextlib.closing(connection):
         connection.request('GET', '/', headers={'Host': host})
@@ -49,7 +45,6 @@ def fetch(view, host):
 
 
 def drive(page, recorder, label='forward'):
-    """Hold a button until a command comes, release it, and return the command."""
     recorder.clear()
     wait_until(lambda: page.hold(label) or recorder.messages, TIMEOUT, 'a command', period=0.05)
     page.set(label, True)
@@ -96,21 +91,6 @@ def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
     assert headers['Content-Security-Policy'] == "frame-ancestors 'self'"
 
 
-def test_the_log_has_one_line_for_many_strangers(master):
-    with viewing() as view:
-        began = time.monotonic()
-        for _ in range(20):
-            with socket.create_connection(('localhost', view.port)) as stranger:
-                stranger.sendall(b'GET / HTTP/1.1\r\nHost: localhost:%d\r\nOrigin: http://evil\xff%s'
-                                 b'\r\n\r\n' % (view.port, b'x' * 5000))
-                assert stranger.makefile('rb').readline().split()[1] == b'403'
-        view.wait_for_output('refused')
-        assert view.end() == 0, view.output
-    lines = view.stderr.splitlines()
-    assert len(lines) <= 1 + (time.monotonic() - began) / LOG_PERIOD, lines
-    assert 'http://evil\\' in lines[0] and lines[0].isascii() and len(lines[0]) < 400
-
-
 @pytest.mark.parametrize('slider, button, value, expected', [
     ('speed (m/s)', 'forward', 1e9, (0.7, 0.0)), ('speed (m/s)', 'forward', -5, (0.05, 0.0)),
     ('speed (m/s)', 'forward', NAN, (0.0, 0.0)), ('speed (m/s)', 'forward', INFINITY, (0.0, 0.0)),
@@ -155,17 +135,6 @@ def test_while_no_robot_is_listed_none_is_driven(master):
                 assert '/left/cmd_vel' not in driven()
 
 
-@pytest.mark.parametrize('data', [
-    'forward', b'\xc1\xff\x00', b'\x82\xa4type\xb0GuiUpdateMessage\xa4uuid\xa1x'], ids=repr)
-def test_noise_leaves_the_others_their_page(view, commands, data):
-    with open_page(view) as page:
-        with PageClient(view.port) as stranger:
-            stranger.show()
-            stranger.send_raw(data)
-        page.send(type='GuiUpdateMessage', uuid='no such button', updates={'value': True})
-        assert drive(page, commands['robot_1']) != Twist()
-
-
 def test_the_simulators_warning_is_shown_as_long_as_it_is_there(view):
     """As text, not as HTML."""
     publisher = rospy.Publisher('/strange/sim_turtlebot/warning', String, queue_size=1, latch=True)
@@ -177,7 +146,6 @@ def test_the_simulators_warning_is_shown_as_long_as_it_is_there(view):
 
 
 def put(page, robot, x, y, heading):
-    """Have the page put a robot there (m, m, degrees)."""
     for label, value in ('robot', robot), ('x (m)', x), ('y (m)', y), ('heading (degrees)', heading):
         page.set(label, value)
     page.set('put here', True)

@@ -10,7 +10,6 @@ from sensor_msgs.msg import LaserScan
 
 
 def scan(*ranges, frame='camera_depth_frame'):
-    """Return a message of beams to the right, ahead and to the left."""
     message = LaserScan(ranges=ranges, angle_min=-math.pi / 2, angle_increment=math.pi / 2,
                         range_min=0.5, range_max=4.0)
     message.header.frame_id = frame
@@ -26,7 +25,6 @@ def test_each_range_is_a_point_seen_from_the_camera(frame):
 
 @pytest.mark.parametrize('nothing', [math.inf, -math.inf, math.nan, 0.4, 4.1, -1.0])
 def test_where_nothing_was_seen_there_is_no_point(nothing):
-    """As REP-117 says it, and as others do."""
     assert scan_points(scan(nothing, 2.0, nothing)) == pytest.approx(
         numpy.array([(2, 0, 0)]) + DEPTH_CAMERA)
     assert scan_points(scan(nothing, nothing, nothing)).shape == (0, 3)

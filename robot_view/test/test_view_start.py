@@ -31,7 +31,6 @@ def test_an_environment_variable_sets_the_default_of_host(master, arguments, add
 
 
 def test_a_port_that_is_taken_is_refused(master):
-    """It does not choose another one, where nobody would look for the page."""
     pytest.importorskip('viser', reason='viser is not installed')
     with socket.create_server(('127.0.0.1', 0)) as other:
         port = other.getsockname()[1]

@@ -16,14 +16,12 @@ START = partial(rosrun, 'rotate_robot', 'main.py')
 
 @pytest.fixture
 def show(ns, node, clock):
-    """Return a function that publishes odometry to main.py."""
     publisher = rospy.Publisher(f'{ns}odom', Odometry, queue_size=1000)
     wait_for_subscribers(publisher)
     return lambda *messages: [publisher.publish(message) for message in messages]
 
 
 def turned(quaternion):
-    """Return an odometry with this orientation."""
     message = odometry()
     message.pose.pose.orientation = quaternion
     return message
@@ -41,7 +39,6 @@ def quaternions(node):
 
 
 def wait_for(lines, node, count):
-    """Return once there are so many of yaws or quaternions."""
     wait_until(lambda: len(lines(node)) >= count, 10.0,
                lambda: f'{count} lines; it printed:\n{node.output[-1000:]}')
 

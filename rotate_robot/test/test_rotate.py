@@ -25,17 +25,14 @@ class Talk(Partner):
         self.clock = clock
 
     def look(self, degrees):
-        """Send a heading."""
         self.say(odometry(yaw=math.radians(degrees), stamp=self.clock.now.to_sec()))
 
     def tick(self, period=PERIOD):
-        """Let a period pass; return the command that it brings."""
         count = len(self.answers.messages)
         self.clock.advance(period)
         return self.answers.wait_for_count(count + 1)[count]
 
     def face(self, degrees, speed, period=PERIOD):
-        """Look there, period by period, until the node commands this turn (rad/s)."""
         def commanded():
             self.look(degrees)
             return turns_at(self.tick(period), speed)
@@ -48,7 +45,6 @@ class Talk(Partner):
         self._target.publish(Float64(degrees))
 
     def begin(self):
-        """Return with a node that controls."""
         wait_for_subscribers(self._publisher)
 
         def commanded():
@@ -81,7 +77,6 @@ def test_the_turn_is_the_gain_times_the_error_by_the_shorter_way(talk):
 
 
 def test_commands_come_at_ten_hertz(talk):
-    """However often there is odometry."""
     talk.begin()
     talk.face(30.0, 0.5 * math.radians(60))
     talk.answers.clear()

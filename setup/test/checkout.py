@@ -60,7 +60,6 @@ def start_in_checkout(folder, commands, **variables):
 
 
 def in_checkout(folder, commands, **variables):
-    """Run such lines to their end, and return their process."""
     run = start_in_checkout(folder, commands, **variables)
     run.wait(TIMEOUT)
     return run

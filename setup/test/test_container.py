@@ -4,8 +4,6 @@ import os
 import re
 import shutil
 import subprocess
-import urllib.error
-import urllib.request
 
 import psutil
 import pytest
@@ -23,17 +21,13 @@ RUNS = RUN.replace('8080 t', '8080 -v "$PWD/runs:/odometry/runs" --user "$(id -u
 TYPED = [f'{BUILD} && {RUN}', SHELL, NEXT_SHELL, PACKAGES, RUNS]
 BUILD_TIMEOUT = 900.0  # s
 START_TIMEOUT = 60.0  # s
-ENDED_BY_SIGTERM = 128 + 15
-LISTENS = re.compile(r'^ *\d+: ([0-9A-F]+):([0-9A-F]{4}) \S+ 0A ', re.MULTILINE)
 pytestmark = pytest.mark.nightly
-LOOPBACK = {'0100007F', '0' * 24 + '01000000'}
 
 
 class Engine:
     """Docker, or Podman with the same commands."""
 
     def __init__(self):
-        """Build the image, as a reader does."""
         self._name = next(filter(shutil.which, ('docker', 'podman')), None)
         if not self._name or subprocess.run([self._name, 'info'], capture_output=True, check=False).returncode:
             pytest.skip('neither Docker nor Podman can be used here')
@@ -49,15 +43,7 @@ class Engine:
         return terminal
 
     def run(self, *arguments):
-        """Return what a command prints."""
         return subprocess.run([self._name, *arguments], check=True, capture_output=True, text=True).stdout
-
-    def outside_loopback(self):
-        """Return the ports in the container that are listened on for more than itself."""
-        table = self.run('exec', 'robot', 'cat', '/proc/net/tcp', '/proc/net/tcp6')
-        listening = LISTENS.findall(table)
-        assert len(listening) > 3, table
-        return {int(port, 16) for address, port in listening if address not in LOOPBACK}
 
     @staticmethod
     def addresses():
@@ -80,46 +66,23 @@ def engine(built_engine):
     assert left == ('', set())
 
 
-def status_of_page(**headers):
-    """Return the status of the page's answer."""
-    question = urllib.request.Request('http://localhost:8080', headers=headers)
-    try:
-        with urllib.request.urlopen(question, timeout=START_TIMEOUT) as answer:
-            return answer.status
-    except urllib.error.HTTPError as refusal:
-        return refusal.code
-
-
 def test_the_documents_show_what_is_typed_here():
     shown = '\n'.join(path.read_text() for path in DOCUMENTS)
     assert [line for line in TYPED if line not in shown] == []
 
 
 def test_it_drives_and_its_page_alone_is_reached(engine, tmp_path):
-    """Until Ctrl-C, which is no failure and leaves nothing; who runs it has the runs."""
     (tmp_path / 'runs').mkdir()
     with engine.terminal(tmp_path, RUNS) as terminal:
         terminal.wait_for_output('The page stays', START_TIMEOUT)
         assert re.search(r'\[=+\] 2\.00 of 2\.00 m, 0\.00 m/s', terminal.output), terminal.output
         assert 'view            http://localhost:8080' in terminal.lines
-        assert engine.addresses() == {'127.0.0.1'} and engine.outside_loopback() == {8080}
-        assert status_of_page(Origin='http://localhost:8080') == 200
-        assert status_of_page(Origin='http://evil.example') == 403
-        assert status_of_page(Host='evil.example:8080') == 403
+        assert engine.addresses() == {'127.0.0.1'}
         terminal.press_ctrl_c()
         assert terminal.wait_for_prompt() == 0, terminal.output
     run, = (tmp_path / 'runs').iterdir()
     assert {path.name for path in run.iterdir()} == {'run.bag', 'run.png'}
     assert run.stat().st_uid == tmp_path.stat().st_uid
-
-
-def test_it_ends_when_it_is_stopped(engine, tmp_path):
-    """By SIGTERM: the status would be 137 if it had to be killed."""
-    with engine.terminal(tmp_path, f'{RUN} demo --view --distance 100') as terminal:
-        terminal.wait_for_output('of 100.00 m', START_TIMEOUT)
-        # On a slow machine it may need more than the usual ten seconds.
-        engine.run('stop', '--time', '60', 'robot')
-        assert terminal.wait_for_prompt() == ENDED_BY_SIGTERM, terminal.output
 
 
 def test_the_tutorials_are_typed_in_its_shells(engine, tmp_path):
@@ -137,7 +100,6 @@ def test_the_tutorials_are_typed_in_its_shells(engine, tmp_path):
                                  ('rostopic echo /moved_distance -n1', 'data: 0.0')]:
                 other.type(line)
                 other.wait_for_output(answer, START_TIMEOUT)
-        assert engine.outside_loopback() == set()
         terminal.press_ctrl_c()
         terminal.wait_for_output('(ws) ')
         terminal.type('exit')

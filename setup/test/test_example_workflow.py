@@ -23,7 +23,6 @@ set +u
 
 @pytest.fixture(scope='module')
 def checkout(tmp_path_factory):
-    """Make a clone with the example in it."""
     folder = make_checkout(tmp_path_factory.mktemp('machine') / 'robot')
     subprocess.run(COPY.replace(CLONE, str(folder)), shell=True, check=True, cwd=EXAMPLE)
     return folder
@@ -32,7 +31,6 @@ def checkout(tmp_path_factory):
 @pytest.mark.nightly
 @pytest.mark.parametrize('distance, passes', [('1.0', True), ('1.1', False)])
 def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, distance, passes):
-    """By its exit status: a workflow looks at nothing else."""
     node = checkout / '.ws' / 'src' / 'one_metre' / 'src' / 'one_metre.py'
     original = (EXAMPLE / 'src' / 'one_metre.py').read_text()
     assert 'DISTANCE = 1.0 ' in original

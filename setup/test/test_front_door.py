@@ -66,9 +66,11 @@ def test_help_installs_nothing(fresh, option):
     assert not run.stderr
 
 
-def test_a_command_that_is_not_there():
-    run = Process(ROOT / 'ws', 'foo')
-    assert (run.wait(), run.output.strip()) == (2, './ws: there is no command foo')
+@pytest.mark.parametrize('command, hint', [
+    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
+def test_a_command_that_is_not_there(command, hint):
+    run = Process(ROOT / 'ws', command)
+    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
 
 
 @pytest.mark.parametrize('variable, status, answer', [
@@ -109,7 +111,6 @@ def last_words(folder, commands, **variables):
 
 
 def test_another_kind_of_system(tmp_path):
-    """On macOS there is an older bash and another readlink: nothing else is called there."""
     (tmp_path / 'bash').symlink_to(shutil.which('bash'))
     (tmp_path / 'uname').write_text('#!/bin/sh\necho Darwin\n')
     (tmp_path / 'uname').chmod(0o755)
@@ -120,7 +121,6 @@ def test_another_kind_of_system(tmp_path):
 
 
 def test_packages_of_the_system(fresh):
-    """Debian 12 has them; Debian 11 has a ROS that fails on its own Python."""
     assert 'installs' in in_checkout(fresh, PACKAGES, CANDIDATE='1.16.0+ds-2').stdout
     assert last_words(fresh, PACKAGES, CANDIDATE='1.15.9+ds1-7+deb11u1') == (
         'the packages of this system contain no ROS 1, or one that is too old. Use the container: '
@@ -128,7 +128,6 @@ def test_packages_of_the_system(fresh):
 
 
 def test_no_sudo(fresh):
-    """An administrator needs one command only, with what the typed command asks for besides."""
     start, parts = last_words(fresh, NO_SUDO).split(' --no-install-recommends ')
     assert start == 'this needs root or sudo; or ask an administrator to run: sudo apt-get install'
     assert {'catkin', 'python3-venv', 'rviz'} <= set(parts.split())

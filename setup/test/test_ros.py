@@ -39,7 +39,6 @@ def run(system, commands, path='', **variables):
 
 @pytest.fixture
 def system(tmp_path):
-    """Return a Debian with a Python."""
     make_programs(tmp_path / 'bin', 'dpkg-query')
     make_programs(tmp_path / 'usr' / 'bin', 'python3')
     return tmp_path

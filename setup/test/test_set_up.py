@@ -80,7 +80,6 @@ def checkout(tmp_path):
 
 @contextlib.contextmanager
 def another_set_up(folder):
-    """Do as if another call were at work there."""
     with open(folder / '.ws' / 'lock', 'w') as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         yield
@@ -174,13 +173,11 @@ def test_a_failed_step_shows_its_last_lines(checkout):
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGQUIT])
 def test_a_signal_ends_ws_though_its_command_ends_well(checkout, signum):
-    """Bash alone would forget it."""
     run = in_checkout(checkout, SIGNAL_IT, SIGNAL=str(int(signum)))
     assert (run.wait(), run.stdout) == (128 + signum, ''), run.stderr
 
 
 def test_every_home_finds_the_same_link_to_an_odd_path(checkout):
-    """The workspace would be built again otherwise; another path has another link."""
     root, target = in_checkout(checkout, PATH).stdout.splitlines()
     assert target == str(checkout)
     assert in_checkout(checkout, PATH, HOME='/nowhere').stdout.splitlines()[0] == root

@@ -24,6 +24,7 @@ Publishes:
         a pose was refused, until one is accepted; empty otherwise
 
 Services:
+    ~step (std_srvs/Trigger): while paused, advance to the next odometry; answers with its stamp
     ~pause_physics, ~unpause_physics (std_srvs/Empty): as Gazebo's
     ~reset_simulation (std_srvs/Empty): back to the start: time and header.seq; poses and speeds, a
         world file's too; odometry, gyro, noise, multiplexer, commands, and the ~warning of a robot

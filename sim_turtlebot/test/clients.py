@@ -90,7 +90,6 @@ def tf_listener(robot):
 
 
 def tf2_listener(robot):
-    """Command by tf2, which waits for the transform of this moment."""
     transforms = tf2_ros.Buffer()
     tf2_ros.TransformListener(transforms)
     while not rospy.is_shutdown():
@@ -101,7 +100,6 @@ def tf2_listener(robot):
 
 
 def synchronizer(robot):
-    """Command by two topics with the same stamp."""
     topics = [message_filters.Subscriber(name, Odometry)
               for name in ('odom', 'base_pose_ground_truth')]
     synchronized = message_filters.ApproximateTimeSynchronizer(topics, 10, 0.01)
@@ -111,7 +109,6 @@ def synchronizer(robot):
 
 
 def service(robot):
-    """Ask a service, of a thread of this node, where the robot is."""
     rospy.Service('~x', Trigger, lambda _: TriggerResponse(True, str(robot.x)))
     ask, loop = rospy.ServiceProxy('~x', Trigger), rospy.Rate(10)
     while not rospy.is_shutdown():
@@ -134,7 +131,6 @@ def action(robot):
 
 
 def latched(robot):
-    """Command with a gain that is latched."""
     gain = []
     rospy.Subscriber('gain', Float64, lambda message: gain.append(message.data))
     loop = rospy.Rate(10)
@@ -144,7 +140,6 @@ def latched(robot):
 
 
 def reconfigure(robot):
-    """Command with a gain that another node changes."""
     gain = [0.0]
 
     def on_change(config, _level):
@@ -186,7 +181,6 @@ def tuner(_robot):
 
 
 def main(functions):
-    """Run the client whose name and parameters the command line has."""
     kind, *parameters = sys.argv[1].split()
     rospy.init_node('client')
     try:

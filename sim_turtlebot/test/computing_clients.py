@@ -13,13 +13,11 @@ from clients import main
 
 
 def work(x):
-    """Compute for some milliseconds."""
     sum(range(200_000))
     return x
 
 
 def program(robot):
-    """Command by what another program computes."""
     for x in iter(robot.seen.get, None):
         code = f'print({x} + 0 * sum(range(200_000)))'
         done = subprocess.run([sys.executable, '-c', code], stdout=subprocess.PIPE, check=True)

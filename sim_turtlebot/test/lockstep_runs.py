@@ -16,12 +16,13 @@ NOT_AWAITED = 'lockstep does not wait for'
 UNPACED = '_real_time_factor:=0'
 
 
-def record(starts, topics, arguments=()):
+def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):
     """Run nodes in lockstep; return the messages on each topic, from time zero on.
 
     :param starts: functions that start the nodes beside the simulator
     :param topics: message class and number of messages by topic
     :param arguments: for the simulator
+    :param begin: function that lets time pass
     """
     with contextlib.ExitStack() as stack:
         simulation = stack.enter_context(simulator_in_step(UNPACED, '_paused:=true', *arguments))
@@ -36,7 +37,7 @@ def record(starts, topics, arguments=()):
             wait_until(graph.is_graph_stable, RUN_TIME, 'nodes at rest before time begins')
         for recorder in recorders.values():
             recorder.clear()
-        call('unpause_physics')
+        begin()
         for topic, (_, count) in topics.items():
             recorders[topic].wait_for_count(count, RUN_TIME)
         assert NOT_AWAITED not in simulation.output, simulation.output
@@ -44,14 +45,12 @@ def record(starts, topics, arguments=()):
 
 
 def bytes_of(message):
-    """Return a message as it is sent."""
     buffer = io.BytesIO()
     message.serialize(buffer)
     return buffer.getvalue()
 
 
 def assert_same_bytes(first, second):
-    """Assert that two runs have the same messages, each to the byte."""
     for topic, messages in first.items():
         different = [index for index, pair in enumerate(zip(messages, second[topic]))
                      if bytes_of(pair[0]) != bytes_of(pair[1])]
@@ -60,7 +59,6 @@ def assert_same_bytes(first, second):
 
 
 def compile_client(path):
-    """Compile the client in C++, unless it is there, and return its path."""
     if not path.exists():
         flags = subprocess.run(['pkg-config', '--cflags', '--libs', 'roscpp'], check=True, text=True,
                                stdout=subprocess.PIPE).stdout.split()

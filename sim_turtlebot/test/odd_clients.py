@@ -34,7 +34,6 @@ def busy_thread(robot):
 
 
 def flood(robot):
-    """Command without a pause; nothing is queued here."""
     publisher = rospy.Publisher('cmd_vel', Twist, queue_size=None)
     robot.seen.get()
     while not rospy.is_shutdown():
@@ -42,7 +41,6 @@ def flood(robot):
 
 
 def flood_service(_robot):
-    """Ask to be answered without a pause."""
     ask = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
     while not rospy.is_shutdown():
         ask()
@@ -97,7 +95,6 @@ def alarm(robot):
 
 
 def early(robot):
-    """Command once, as soon as there is somebody who listens."""
     while not robot.is_heard:
         time.sleep(0.01)
     robot.drive(0.0)

@@ -37,7 +37,6 @@ class RandomNode:
         self._asks = self._rng.random() < 0.5
 
     def run(self):
-        """Act as often as was chosen, until shutdown."""
         self._ask.wait_for_service()
         rate = self._rng.choice(RATES)
         kind = self._rng.choice(['rate', 'timer', 'sleep'])

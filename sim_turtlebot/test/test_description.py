@@ -28,12 +28,10 @@ def in_base_link(name):
 
 @pytest.mark.parametrize('name, place', PLACES.items())
 def test_frames_are_where_a_turtlebot_has_them(name, place):
-    """Seen from base_link."""
     assert in_base_link(name)[:3, 3] == pytest.approx(place)
 
 
 def test_the_scan_is_taken_where_its_frame_is():
-    """Seen from base_footprint."""
     base = JOINTS['base_link'].position
     assert in_base_link(DEPTH_CAMERA_FRAME)[:3, 3] + base == pytest.approx(DEPTH_CAMERA)
 

@@ -54,7 +54,6 @@ def as_sent(messages):
 
 
 def test_after_a_reset_an_episode_is_the_same_bytes(master):
-    """Of odometry, IMU, scan and tf, with all noise on, in lockstep; also after a third."""
     recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in TOPICS.items()}
     episodes = []
     with simulator_in_step('_paused:=true', *ALL_NOISE):

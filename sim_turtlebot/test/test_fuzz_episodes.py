@@ -54,7 +54,6 @@ class Episodes:
             settings_of(robots=2, odometry_source=source, world=world, **NOISE))
 
     def play(self, episode):
-        """Return what is seen during a list of events."""
         self._seen, self._has_dropped = [], False
         self._origins = [robot.ground_truth for robot in self._simulation.robots]
         self._look()
@@ -109,7 +108,6 @@ class Episodes:
             self._check(robot, origin)
 
     def _check(self, robot, origin):
-        """Check all that must hold for a robot at any time."""
         truth, odometry = robot.ground_truth, robot.odometry
         for part in (*truth, *odometry, *robot.wheels):
             assert all(map(math.isfinite, part))

@@ -26,7 +26,6 @@ TEST_NET = '192.0.2.1'  # an address of no machine: RFC 5737
 
 @pytest.fixture
 def unseen():
-    """Return a list for the names of nodes whose processes cannot be seen."""
     return []
 
 
@@ -39,12 +38,10 @@ def graph(master, unseen):
 
 
 def names(waiter):
-    """Return the names of the nodes that are waited for."""
     return {process.name for process in waiter.processes.values()}
 
 
 def test_nodes_that_come_and_go_are_waited_for_meanwhile(graph, unseen):
-    """From when the master knows them."""
     waiter, processes = graph
     processes.wait()
     before = names(waiter)

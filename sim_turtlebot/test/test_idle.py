@@ -68,13 +68,11 @@ NAPPING_THREADS = MANY_THREADS.replace('print', 'time.sleep(0.01) or print').rep
 
 @pytest.fixture
 def busy():
-    """Return a list for the Processes that did not rest."""
     return []
 
 
 @pytest.fixture
 def waiter(busy):
-    """Return an IdleWaiter without processes."""
     with contextlib.closing(IdleWaiter(lambda: False, busy.append)) as waiter:
         yield waiter
 
@@ -153,7 +151,6 @@ def test_what_a_process_has_computed_before_is_not_held_against_it(waiter, start
 
 
 def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(waiter, start):
-    """It would hold up everybody each time that it has heard something."""
     start(SLOW_POLLER)
     time.sleep(0.5)
     waiter.wait()
@@ -164,16 +161,9 @@ def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(waiter,
 
 
 def test_a_process_that_ends_is_forgotten(waiter, start):
-    """Also while it is waited for."""
     ending, staying = start(BUSY), start(READER)
     threading.Timer(0.3, ending.kill).start()
     waiter.wait()
     ending.wait()
     waiter.wait()
     assert list(waiter.processes) == [staying.pid]
-
-
-def test_what_is_no_process_is_refused(waiter):
-    """With the error of the system."""
-    with pytest.raises(FileNotFoundError):
-        waiter.add('nobody', 2**22 + 1)

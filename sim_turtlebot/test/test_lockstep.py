@@ -3,6 +3,7 @@
 import signal
 
 import pytest
+import rospy
 from geometry_msgs.msg import Twist
 from lockstep_runs import NOT_AWAITED, UNPACED, assert_same_bytes, record
 from nav_msgs.msg import Odometry
@@ -11,6 +12,7 @@ from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
+from std_srvs.srv import Trigger
 
 TWO_METRES, SHORT = 24, 5  # s of simulated time
 
@@ -33,7 +35,6 @@ ROTATE = [rotator], {'/odom': (Odometry, 20 * SHORT), '/cmd_vel': (Twist, 10 * S
 @pytest.mark.parametrize('tutorial', [
     pytest.param(MOVE, marks=pytest.mark.nightly), ROTATE, SENSORS], ids=['move', 'rotate', 'sensors'])
 def test_two_runs_are_the_same_bytes(tutorial):
-    """Each message on each topic, from the first to the last."""
     assert_same_bytes(*(record(*tutorial) for _ in range(2)))
 
 
@@ -47,8 +48,27 @@ def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres():
     assert 2.0 <= two_metres['/moved_distance'][-1].data <= 2.006
 
 
+def test_steps_from_outside_move_the_robot_as_lockstep_does_by_itself():
+    """To the byte, and each answers with the stamp of the odometry that it has published."""
+    stamps = []
+
+    def step_by_step():
+        step = rospy.ServiceProxy('/sim_turtlebot/step', Trigger)
+        stamps.extend(step().message for _ in range(20 * SHORT))
+
+    stepped = record(*ROTATE, begin=step_by_step)
+    assert_same_bytes(record(*ROTATE), stepped)
+    assert stamps == [f'{message.header.stamp.to_sec():.9f}' for message in stepped['/odom']]
+
+
+def test_only_a_paused_simulation_can_be_stepped():
+    with simulator_in_step():
+        rospy.wait_for_service('/sim_turtlebot/step')
+        answer = rospy.ServiceProxy('/sim_turtlebot/step', Trigger)()
+    assert (answer.success, answer.message) == (False, 'call ~pause_physics first')
+
+
 def test_a_mover_that_is_killed_does_not_stop_the_time():
-    """Nor does it have to be named."""
     with simulator_in_step(UNPACED) as simulation, detector(), \
             mover('_distance:=100') as driver:
         odometry = Recorder('odom', Odometry)

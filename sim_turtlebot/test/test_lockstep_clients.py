@@ -78,7 +78,6 @@ def test_two_runs_with_any_node_are_the_same_bytes(client, start_client):
 @pytest.mark.parametrize('rate', [
     30, *(pytest.param(rate, marks=pytest.mark.nightly) for rate in (5, 10, 20, 50, 100))])
 def test_a_loop_keeps_its_rate(rate, start_client):
-    """In simulated time, with the default clock: so many commands in five seconds."""
     with simulator('_lockstep:=true', UNPACED, '_paused:=true'), \
             start_client(f'rate {rate}', 'client'), \
             contextlib.closing(Recorder('/cmd_vel', Twist)) as commands, \
@@ -109,7 +108,6 @@ NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
 @pytest.mark.parametrize('kind', [
     pytest.param(kind, marks=[] if kind in NAMED_BY_DAY else pytest.mark.nightly) for kind in NAMED])
 def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, start_client):
-    """With what it does, and nobody else is named."""
     with start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit, \
             simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation:
         simulation.wait_for_output(
@@ -121,7 +119,6 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, sta
 
 
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
-    """Each moment answers some calls."""
     with simulator_in_step(UNPACED), start_client('odd flood_service', 'caller'):
         Truth().wait_seconds(5.0)
 

@@ -24,7 +24,6 @@ MESH = ('<robot name="r"><link name="a">\n<collision><geometry><mesh filename="m
     ('two_roots.urdf', TWO_ROOTS, 'multiple root links found: a b'),
     ('no_mesh.urdf', MESH, "no_mesh.urdf:2: cannot find 'mesh.obj'")])
 def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(tmp_path, name, text, reason):
-    """In one line."""
     os.mkdir(tmp_path / 'folder.urdf')
     if text is not None:
         (tmp_path / name).write_text(text)
@@ -67,7 +66,6 @@ def settled(tmp_path, obstacle, starts=(START,)):
     (box('10 10 1', '0 0 -0.3'), [START], 'is 0.200 m'),  # a step on which it would be thrown
     (box('0.1 0.1 0.5', '0 1 0.25'), [START, (0.0, 1.0, 0.0)], 'robot_2, at x 0, y 1, is 0.1')])
 def test_a_world_where_a_robot_starts_is_refused_with_robot_and_depth(tmp_path, obstacle, starts, words):
-    """It would be flung metres away."""
     with pytest.raises(WorldFileError) as refusal:
         settled(tmp_path, obstacle, starts)
     assert words in str(refusal.value)

@@ -114,13 +114,11 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     (encoders(gyro=False), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2)),
     (encoders(gyro=True), (0.1, 0.1, 1e10, 1e10, 1e10, 0.05))], ids=['world', 'wheels', 'gyro'])
 def test_the_covariance_is_that_of_the_tutorial_or_of_a_kobuki(robot, variances):
-    """Of x, y, z, roll, pitch and yaw; a huge one means unknown."""
     assert robot.covariance == variances
 
 
 @pytest.mark.parametrize('slip', [0.01, 0.1, 0.5])
 def test_slip_shows_as_travel_that_moved_nothing(slip):
-    """Of the travel that the encoders count, a share of `slip`."""
     whole = drive(encoders(wheel_slip=slip), 0.5)[-1].position[0]
     assert whole * (1 - slip) == pytest.approx(5.0, abs=TICK)
 
@@ -138,7 +136,6 @@ def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
 
 @pytest.mark.parametrize('duration', [0.5, 2.0])
 def test_gyro_noise_grows_with_the_root_of_time(duration):
-    """Also while the robot stands, as a gyro's does."""
     yaws = [yaw_of(drive(encoders(gyro_noise=0.02, seed=seed), 0.0, 0.0, duration)[-1]
                    .orientation) for seed in range(RUNS)]
     assert statistics.stdev(yaws) == pytest.approx(0.02 * math.sqrt(duration), rel=0.12)
@@ -167,7 +164,6 @@ def test_what_the_driver_believes_bends_the_path_and_shows_in_no_wheel(speed, tu
 @pytest.mark.parametrize('drift', [0.01, -0.002])
 @pytest.mark.parametrize('source', ['world', 'encoder'])
 def test_drift_is_in_proportion_to_time_also_at_rest(source, drift):
-    """The heading of a robot that stands turns away; its place does not."""
     robot = Robot(odometry_source=source, gyro_drift=drift)
     last = drive(robot, 0.0, duration=20.0)[-1]
     assert robot.gyro.heading == pytest.approx(20.0 * drift)
@@ -177,7 +173,6 @@ def test_drift_is_in_proportion_to_time_also_at_rest(source, drift):
 
 @pytest.mark.parametrize('turn_speed', [0.5, -0.5])
 def test_a_wrong_scale_counts_in_proportion_and_the_correction_ends_it(turn_speed):
-    """To either side."""
     for correction, factor in [(1.0, 1.02), (1 / 1.02, 1.0)]:
         robot = Robot(gyro_scale_error=0.02, gyro_scale_correction=correction)
         drive(robot, 0.0, turn_speed, duration=4.0)

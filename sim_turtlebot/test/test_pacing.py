@@ -18,7 +18,6 @@ def wall(monkeypatch):
 
 @pytest.mark.parametrize('factor', [0.5, 1.0, 20.0])
 def test_simulated_time_keeps_to_its_share_of_wall_time(wall, factor):
-    """A simulated second is due after 1/factor seconds."""
     pacer = Pacer(factor)
     pacer.restart(5 * SECOND)
     assert pacer.lead(6 * SECOND) == pytest.approx(1 / factor)
@@ -29,7 +28,6 @@ def test_simulated_time_keeps_to_its_share_of_wall_time(wall, factor):
 
 
 def test_a_long_delay_is_not_made_up_for(wall):
-    """After a laptop's sleep the robot does not race."""
     pacer = Pacer(1.0)
     wall.now += 3600
     assert pacer.lead(SECOND) < 0
@@ -77,7 +75,6 @@ def test_a_machine_that_is_too_slow_is_told_of_once_with_its_pace(wall, factor, 
 
 @pytest.mark.parametrize('pace', [0.95, 1.0, 20.0])
 def test_a_machine_that_keeps_pace_is_not_told_of(wall, pace):
-    """A few hundredths short are not worth a line."""
     machine = Machine(wall)
     machine.run(600, pace)
     assert machine.said == []
@@ -106,7 +103,6 @@ def test_a_machine_that_has_caught_up_is_told_of_and_then_warned_of_again(wall):
 
 
 def test_a_pause_is_no_recovery(wall):
-    """Nothing is too slow while it has nothing to do."""
     machine = Machine(wall)
     for _ in range(3):
         machine.run(20, 0.5)

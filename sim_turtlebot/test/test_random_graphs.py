@@ -31,7 +31,6 @@ def client(*arguments):
 @pytest.mark.nightly
 @pytest.mark.parametrize('graph', range(GRAPHS))
 def test_two_runs_of_a_random_graph_are_the_same_bytes(simulated_time, graph):
-    """Each node loops, listens, asks and answers as its number says."""
     nodes = random.Random(graph).randint(2, MOST_NODES)
     starts = [partial(client, graph, node, nodes, f'__name:=random_{node}') for node in range(nodes)]
     topics = {'/odom': (Odometry, 20 * TIME), '/cmd_vel': (Twist, 3 * TIME)}

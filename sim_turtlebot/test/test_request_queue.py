@@ -36,7 +36,6 @@ def test_a_request_that_nobody_begins_to_serve_in_time_fails_and_never_takes_eff
 
 
 def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(requests, monkeypatch):
-    """What has begun cannot be stopped."""
     begun, failed = threading.Event(), threading.Event()
 
     def serve_on_another_thread(_sender, request):
@@ -74,7 +73,6 @@ def test_of_a_topic_the_latest_message_of_each_sender_is_served(requests):
 
 
 def test_what_arrives_meanwhile_is_served_next_time(requests):
-    """A caller that asks again and again does not keep the simulation from advancing."""
     requests.put(('/a', '/t'), lambda: requests.put(('/a', '/t'), lambda: None))
     requests.serve_all()
     assert requests.wait(0.0)

@@ -7,7 +7,6 @@ from odometry_tests.simulation import Simulation
 
 
 def speeds(simulation):
-    """Return the true forward (m/s) and turning speed (rad/s) of the first robot."""
     truth = simulation.robot.ground_truth
     return truth.linear[0], truth.angular[2]
 
@@ -26,7 +25,6 @@ def test_a_twist_that_it_cannot_do_is_clamped(command, expected):
 @pytest.mark.parametrize('command', [
     (math.nan, 0.0), (0.0, math.nan), (math.inf, 0.0), (0.1, -math.inf)])
 def test_a_command_that_is_not_finite_is_refused_and_stops_it(command):
-    """Better to stand than to guess."""
     simulation = Simulation()
     simulation.drive(0.3, 0.5, 1.0)
     with pytest.raises(ValueError, match='is not finite'):
@@ -39,7 +37,6 @@ def test_a_command_that_is_not_finite_is_refused_and_stops_it(command):
 
 @pytest.mark.parametrize('velocity', [(0.3, 0.0), (0.0, 1.0)])
 def test_it_stops_when_commands_cease(velocity):
-    """0.6 s after the last one, as a Kobuki does, and not before."""
     simulation = Simulation(cmd_vel_timeout=0.6)
     for _ in range(10):
         simulation.drive(*velocity, 0.5)
@@ -55,7 +52,6 @@ def test_it_stops_when_commands_cease(velocity):
 
 
 def test_a_timeout_below_a_step_of_time_is_no_lack_of_one():
-    """The robot stops at the next step, before it has gone anywhere."""
     simulation = Simulation(cmd_vel_timeout=0.001)
     simulation.drive(0.3, 0.0, 1.0)
     assert speeds(simulation) == pytest.approx((0.0, 0.0), abs=1e-3)

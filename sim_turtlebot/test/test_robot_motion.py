@@ -27,7 +27,6 @@ def distance_between(a, b):
 
 
 def total_turn(motions):
-    """Return the angle (rad) turned in a row of Motions, over all its circles."""
     yaws = [yaw_of(motion.orientation) for motion in motions]
     return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in zip(yaws, yaws[1:]))
 
@@ -119,7 +118,6 @@ def test_at_rest_for_ten_minutes_it_does_not_creep(before, source):
 
 
 def test_beside_a_driving_robot_a_standing_one_does_not_creep():
-    """The physics goes on for both, and the one that stands is held."""
     simulation = Simulation((0, 0, 0), (0, 1, 0))
     simulation.drive(0.3, 0.5, 2.0)
     simulation.drive(0.0, 0.0, STOPPING)

@@ -20,13 +20,11 @@ BOXES = [(1.0, 1.4, 1.0, 1.4), (-1.5, -0.9, 0.75, 1.05), (-0.95, -0.65, -1.45, -
 
 
 def scan_in(world, *starts, robot=0, **options):
-    """Return what a robot (an index) sees from its start in a world."""
     simulation = Simulation(*starts, world=world and str(WORLDS / world))
     return Scanner(simulation.robots[robot].body, **options).scan(0)
 
 
 def range_in_box(x, y, angle, box):
-    """Return how far it is (m) along an angle (rad) to a box from within or without."""
     least, greatest = -math.inf, math.inf
     for place, step, low, high in ((x, math.cos(angle), *box[:2]), (y, math.sin(angle), *box[2:])):
         bounds = sorted([(low - place) / (step or 1e-12), (high - place) / (step or 1e-12)])
@@ -37,7 +35,6 @@ def range_in_box(x, y, angle, box):
 
 
 def range_in_room(x, y, angle):
-    """Return the range (m) that geometry gives for a beam in the room."""
     return min(range_in_box(x, y, angle, box) for box in [(-WALL, WALL, -WALL, WALL), *BOXES])
 
 
@@ -60,7 +57,6 @@ def test_walls_and_boxes_are_seen_where_they_are(x, y, yaw, beams, field_of_view
 @pytest.mark.parametrize('x, expected', [(0.0, 2.087), (1.5, 0.587), (1.63, 0.457),
                                          (1.64, TOO_CLOSE), (1.8, TOO_CLOSE), (-1.0, FAR)])
 def test_what_is_out_of_range_is_infinite(x, expected):
-    """REP-117: +inf beyond the longest range, -inf before the shortest."""
     seen = scan_in('room.urdf', (x, 0.0, 0.0), beams=3, field_of_view=0.02, range_max=3.0)
     assert seen == pytest.approx(expected, abs=CLOSE)
 

@@ -59,24 +59,11 @@ def times(timeline, odometries, due, stride=1):
 
 @given(odom_rates, st.integers(0, DAY))
 def test_odometry_is_on_time_to_the_nanosecond_for_a_day(odom_rate, seconds):
-    """The time is computed from a count and never summed up."""
     timeline = Timeline(odom_rate)
     number = int(seconds * odom_rate)
     now = timeline.time_of(number * timeline.steps_per_odometry)
     assert isinstance(now, int)
     assert abs(now - number * 10**9 / Fraction(odom_rate)) <= 1
-
-
-@pytest.mark.parametrize('odom_rate', [20.0, 50.0, 3.0, 1.0, 1000.0])
-def test_time_goes_from_tick_to_tick_or_to_the_last_step_before(odom_rate):
-    timeline, stepped = Timeline(odom_rate), Timeline(odom_rate)
-    for _ in range(20):
-        timeline.advance()
-        stepped.advance(stepped.steps + 1)
-        while not stepped.clock_is_due:
-            assert stepped.now < timeline.now
-            stepped.advance(stepped.steps + 1)
-        assert stepped.now == timeline.now
 
 
 def test_time_starts_at_zero_and_can_start_again():

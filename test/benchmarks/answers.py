@@ -33,7 +33,6 @@ class Answers:
         self._subscriber.unregister()
 
     def latency(self):
-        """Send messages at 20 Hz; return the median time until the answer (ms)."""
         del self._arrivals[:]
         start = time.perf_counter()
         departures = [self._send_at(start + PERIOD * number) for number in range(WARM_UP + MESSAGES)]
@@ -43,7 +42,6 @@ class Answers:
                       in zip(departures[WARM_UP:], self._arrivals[WARM_UP:]))
 
     def _send_at(self, moment):
-        """Send a message at a time, and return when it was really sent."""
         self._x += STEP
         message = odometry(self._x, stamp=rospy.get_time())
         time.sleep(max(0.0, moment - time.perf_counter()))

@@ -45,7 +45,6 @@ class Graph(contextlib.ExitStack):
 
     @contextlib.contextmanager
     def running(self):
-        """Let time pass within this context."""
         call('unpause_physics')
         yield
         call('pause_physics')
@@ -83,7 +82,6 @@ def beside_ring(options, graph):
 
 @contextlib.contextmanager
 def _ring():
-    """Start a ring, and yield a function that returns its speed in a window (s of wall time)."""
     with contextlib.ExitStack() as stack:
         for role in ('robot', 'detector', 'mover'):
             stack.enter_context(Process('python3', RING, role))

@@ -28,7 +28,6 @@ TIMEOUT = 30.0  # s, for an answer
 
 
 def robot():
-    """Step, publish, and wait for the command."""
     world, heard = BareWorld(), queue.Queue()
     clock, tf = advertise('ring/clock', Clock), advertise('ring/tf', TFMessage)
     odometry = advertise('ring/odom', Odometry)
@@ -52,7 +51,6 @@ def robot():
 
 
 def relay(question, question_class, answer, answer_class):
-    """Answer each message."""
     publisher = advertise(answer, answer_class)
     rospy.Subscriber('ring/clock', Clock, lambda _: None, tcp_nodelay=True)
     rospy.Subscriber(question, question_class, lambda _: publisher.publish(answer_class()),
@@ -61,12 +59,10 @@ def relay(question, question_class, answer, answer_class):
 
 
 def detector():
-    """Answer odometry with a distance."""
     relay('ring/odom', Odometry, 'ring/moved_distance', Float64)
 
 
 def mover():
-    """Answer a distance with a command."""
     relay('ring/moved_distance', Float64, 'ring/cmd_vel', Twist)
 
 

@@ -1,7 +1,7 @@
 """Measure speed, latency, start and end, each beside the limit of this machine.
 
-The limit of each figure is measured in turns with it; their ratio is what tells, since absolute values
-belong to the machine. The exit status is 1 if a target was missed.
+Each figure is measured in turns with its limit. Compare ratios: the values
+depend on the machine. The exit status is 1 if a target was missed.
 """
 
 import argparse
@@ -37,7 +37,6 @@ def main():
 
 
 def measure(figure, options):
-    """Measure a figure, print its row, and return it with all digits."""
     pairs = figure.measure(options)
     value, limit, ratio = map(median, zip(*((value, limit, value / limit) for value, limit in pairs)))
     is_met = ratio >= figure.bound if figure.relation == '>=' else ratio <= figure.bound
@@ -55,7 +54,6 @@ def machine():
 
 
 def parse(arguments):
-    """Return the options; without the name of a figure all are measured."""
     parser = argparse.ArgumentParser(prog='./ws bench', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('only', nargs='*', metavar='FIGURE', help=f'only these: {", ".join(sorted(FIGURES))}')

@@ -43,11 +43,12 @@ class BareWorld:
 class RobotWorld:
     """A robot that is commanded after each odometry, as a controller in lockstep would."""
 
-    def __init__(self):
+    def __init__(self, speed=SPEED, turn_speed=0.0):
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
+        self._command = speed, turn_speed
 
     def run_to_odometry(self):
-        self._simulation.command(SPEED, 0.0)
+        self._simulation.command(*self._command)
         while not self._simulation.advance():
             pass
 

@@ -12,7 +12,7 @@ from odometry_tests.robots import Robot, place
 from odometry_tests.rostests import run_rostest
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
-from rosgraph_msgs.msg import Clock, Log
+from rosgraph_msgs.msg import Log
 from tf2_msgs.msg import TFMessage
 
 START = 1.0, -2.0, 1.5  # m, m, rad; where the robot in the corner starts
@@ -24,7 +24,7 @@ class SimulatorMessagesTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.clock, cls.tf = Recorder('/clock', Clock), Recorder('/tf', TFMessage)
+        cls.tf = Recorder('/tf', TFMessage)
         cls.alone, cls.corner = Robot('alone/'), Robot('corner/')
         for robot in cls.alone, cls.corner:
             robot.wait_until_ready()
@@ -39,7 +39,6 @@ class SimulatorMessagesTest(unittest.TestCase):
         return seen[1:]
 
     def test_odometry_has_the_fields_of_the_tutorial(self):
-        """Frames, covariances, and a robot at rest."""
         message, _ = self.corner.restart()
         self.assertEqual(message.header.frame_id, 'odom')
         self.assertEqual(message.child_frame_id, 'base_footprint')
@@ -59,7 +58,6 @@ class SimulatorMessagesTest(unittest.TestCase):
         self.assertEqual(place(self.corner.odometry.last)[1:], (0.0, 0.0))
 
     def test_a_command_that_is_not_finite_is_refused_and_stops_the_robot(self):
-        """With a warning."""
         log = Recorder('/rosout', Log)
         log.wait_for_publisher()
         self.corner.restart()
@@ -82,18 +80,7 @@ class SimulatorMessagesTest(unittest.TestCase):
             self.assertEqual(getattr(transform.transform.translation, axis),
                              getattr(pose.position, axis))
 
-    def test_the_clock_runs_with_the_odometry(self):
-        """At least as fine, and it never goes back."""
-        node = '/alone/sim_turtlebot'
-        start = self.step(1, 0.0)[-1].header.stamp
-        stamps = {message.header.stamp for message in self.step(20, 0.0)}
-        self.clock.wait_for(lambda m: sender(m) == node and m.clock >= max(stamps))
-        times = [m.clock for m in self.clock.messages if sender(m) == node and m.clock > start]
-        self.assertEqual(times, sorted(set(times)))
-        self.assertLessEqual(stamps, set(times))
-
     def test_without_simulated_time_the_stamps_are_the_walls(self):
-        """And it publishes no clock."""
         rospy.set_param('/use_sim_time', False)
         self.addCleanup(rospy.set_param, '/use_sim_time', True)
         start = rospy.Time.now()
@@ -106,7 +93,6 @@ class SimulatorMessagesTest(unittest.TestCase):
 
 
 def sender(message):
-    """Return the name of the node that has published a message."""
     return message._connection_header['callerid']
 
 

@@ -64,7 +64,6 @@ class TurtlebotTest(unittest.TestCase):
                                   for link in ('base_footprint', *WHEELS)})
 
     def test_wheels_turn_in_tf_as_in_joint_states(self):
-        """At the same stamp by the same angle, about the axle."""
         for _ in range(30):
             now = stamp(self.step(lambda robot: robot.drive(0.3, 0.5)))
         joints = self.robot.joints.wait_for(lambda m: stamp(m) == now)

@@ -24,14 +24,12 @@ def screen():
 
 
 def wait_for_odometry(process):
-    """Return once the process has a robot."""
     truth = Truth()
     wait_until(lambda: truth.last, 40.0, lambda: f'odometry; it printed:\n{process.output}')
 
 
 @pytest.mark.parametrize('argument', ['rviz:=true', 'gui:=true'])
 def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
-    """RViz with our configuration, and PyBullet's own window."""
     if 'rviz' in argument and not shutil.which('rviz'):
         pytest.skip('rviz is not installed')
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', argument) as launch:
@@ -55,7 +53,6 @@ def test_closing_the_window_ends_the_simulator_cleanly(screen):
 
 
 def bullet_window():
-    """Return the X id of PyBullet's window, or None."""
     tree = subprocess.run(['xwininfo', '-root', '-tree'], capture_output=True, text=True,
                           check=False).stdout
     rows = [row.split()[0] for row in tree.splitlines() if 'Bullet' in row]

@@ -36,7 +36,6 @@ def is_command(text):
 
 
 def read_commands(name, text):
-    """Return the commands of a document in their order."""
     commands, heading = [], ''
     tokens = MarkdownIt().enable('table').parse(text)
     for before, token in zip([None, *tokens], tokens):
@@ -67,7 +66,6 @@ def _read_code(fence, place, commands):
 
 
 def _inline_command(code):
-    """Return the command that text between backticks stands for, or None."""
     if ARGUMENT.fullmatch(code.split()[0]):
         # Such as view:=true, which every launch file takes, or scan:=true, which sim.launch does.
         argument, tutorial = code.partition(':=')[0], 'move_two_meters.launch'

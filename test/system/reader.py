@@ -114,7 +114,6 @@ class Reader:
         return {node for kind in self._state() for _, nodes in kind for node in nodes}
 
     def _receives(self, node):
-        """Return whether a node receives a topic other than the clock."""
         with contextlib.suppress(rosgraph.MasterError, OSError):  # until the node answers
             return connected_topics(node, RECEIVES, self._master.master_uri) - {'/clock'}
 
@@ -128,7 +127,6 @@ class Reader:
         self._idle.append(terminal)
 
     def _terminal(self, text):
-        """Return a terminal in which nothing runs."""
         in_shell = self._in_shell and not text.startswith(PLAIN)
         fits = [terminal for terminal in self._idle if terminal.in_shell == in_shell]
         if fits:
@@ -143,7 +141,6 @@ class Reader:
 
 
 def press_ctrl_c(running):
-    """Return the status with which a command has ended."""
     _, terminal = running
     if terminal.status is None:
         terminal.press_ctrl_c()
@@ -151,7 +148,6 @@ def press_ctrl_c(running):
 
 
 def words_of(text):
-    """Return the words of a command without variables before it and a comment behind it."""
     words = shlex.split(text, comments=True)
     while re.match(r'[A-Z_]+=', words[0]):
         words.pop(0)

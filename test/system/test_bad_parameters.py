@@ -48,7 +48,6 @@ if 'view.py' in TABLES:  # the package is optional
 
 @pytest.mark.parametrize('script, row', ROWS, ids=lambda value: getattr(value, 'name', value))
 def test_each_bad_value_is_refused_by_name(script, row):
-    """One of another type, and one out of range, by the line that the node prints."""
     name, read = row.name[1:], READERS.get(script, TABLES[script].read)
     out_of_range = OUT_OF_RANGE[script].get(name, [])
     assert out_of_range or row.range is ANY, 'the table above lacks it'
@@ -84,7 +83,6 @@ def test_a_window_without_a_screen_is_refused(master, display):
 
 @pytest.mark.parametrize('library', ['libX11.so.6', 'libGL.so.1'])
 def test_a_missing_library_is_named(monkeypatch, library):
-    """It is not DISPLAY that has to be set then."""
     names = [f'no-{name}' if name == library else name for name in LIBRARIES]
     monkeypatch.setattr('sim_turtlebot.physics.window.LIBRARIES', names)
     with pytest.raises(NoScreenError, match=f'^no-{library} is not installed$'), \

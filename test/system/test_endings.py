@@ -38,7 +38,6 @@ def test_a_node_without_a_master_says_so_and_ends_at_once():
 
 
 def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path):
-    """Which takes for ever where a mesh is a pipe."""
     os.mkfifo(tmp_path / 'pipe.obj')
     (tmp_path / 'world.urdf').write_text(
         '<robot name="r"><link name="a"><collision><geometry><mesh filename="pipe.obj"/></geometry>'
@@ -67,7 +66,6 @@ def test_a_node_whose_master_never_answers_ends_by_one_ctrl_c():
     ('rotate_robot', 'rotate.py'), ('rotate_robot', 'main.py'),
     ('sim_turtlebot', 'sim_turtlebot_node.py')])
 def test_a_node_that_waits_ends_quietly(ns, package, program):
-    """Before the first message too: no traceback, exit status 0."""
     with rosrun(package, program, '__name:=waiting') as node:
         wait_until(lambda: f'{ns}waiting' in rosnode.get_node_names(), 20.0, 'a node', period=0.1)
         assert node.end() == 0, node.output
@@ -75,7 +73,6 @@ def test_a_node_that_waits_ends_quietly(ns, package, program):
 
 
 def test_a_line_that_nobody_reads_any_more_ends_the_node_quietly(ns):
-    """The robot is told to stop, and there is no traceback."""
     commands = Recorder(f'{ns}cmd_vel', Twist)
     distances = rospy.Publisher(f'{ns}moved_distance', Float64, queue_size=100)
     pipeline = 'rosrun test_movement test_movement.py | true; echo "status ${PIPESTATUS[0]}"'
@@ -89,7 +86,6 @@ def test_a_line_that_nobody_reads_any_more_ends_the_node_quietly(ns):
 
 @pytest.fixture(scope='module')
 def truth(master):
-    """Record the motion of a robot whose own watchdog is off, in simulated time."""
     forget_parameters()
     rosgraph.Master('/test').setParam('/use_sim_time', True)
     with simulator('_cmd_vel_timeout:=0'), detector():
@@ -101,7 +97,6 @@ def truth(master):
 
 @pytest.fixture
 def driver(request, truth):
-    """Start a node that moves the robot."""
     if request.param == 'mover':
         node = mover('__name:=driver', '_distance:=100')
     else:

@@ -29,13 +29,11 @@ pytestmark = pytest.mark.usefixtures('simulated_time')
 
 
 def kill(process):
-    """End a process as the kernel does when memory runs out."""
     process.send(signal.SIGKILL)
     process.wait()
 
 
 def test_the_base_stops_when_the_mover_is_killed_and_a_new_one_goes_on(master):
-    """The base's own watchdog stops it; the distance is not lost."""
     moved, truth = Distance(), Truth()
     with simulator('_real_time_factor:=3'), detector():
         with mover(FAR) as first:
@@ -50,7 +48,6 @@ def test_the_base_stops_when_the_mover_is_killed_and_a_new_one_goes_on(master):
 
 
 def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
-    """The jump of the odometry and of the time is not counted."""
     moved = Distance()
     with detector() as counter, mover(FAR) as driver:
         with simulator_in_step('_real_time_factor:=3') as first:
@@ -74,7 +71,6 @@ def test_roslaunch_stops_the_robot_when_it_is_interrupted(master):
 
 
 def test_the_launch_ends_when_the_simulator_dies(master):
-    """The simulator is required: without it the other nodes would wait for ever."""
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch',
                  'real_time_factor:=3') as launch:
         Truth().wait_until_moving(30.0)

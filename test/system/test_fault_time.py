@@ -22,7 +22,6 @@ pytestmark = pytest.mark.usefixtures('simulated_time')
 
 
 def x(recorder):
-    """Return how far ahead (m) a robot was seen last."""
     return recorder.last.pose.pose.position.x
 
 

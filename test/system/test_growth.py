@@ -17,13 +17,11 @@ pytestmark = [pytest.mark.nightly, pytest.mark.usefixtures('simulated_time')]
 
 
 def usage(process):
-    """Return what a process needs: resident memory (MB), threads, and open files."""
     found = psutil.Process(process.pid)
     return found.memory_info().rss / 2**20, found.num_threads(), found.num_fds()
 
 
 def test_memory_threads_and_files_stay_the_same(master):
-    """Though everything is reset, and detectors come and are killed."""
     truth = Truth()
     reset = rospy.Publisher('moved_distance/reset', Empty, queue_size=1)
     with simulator_in_step('_real_time_factor:=0', '_scan:=true') as robot, detector() as counter, \

@@ -13,7 +13,6 @@ ROBOTS = 12  # need more than that
 
 
 def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):
-    """In the log, and on a topic for the page, also if it comes later."""
     with simulator('_odom_rate:=1000', '_real_time_factor:=1000',
                    env={'ROS_NAMESPACE': 'fast'}) as robot:
         robot.wait_for_output('too slow')

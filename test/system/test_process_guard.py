@@ -37,7 +37,6 @@ def test_it_ends_as_the_command_ended(command, status, error, capfd):
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGPIPE, signal.SIGHUP])
 def test_signals_reach_the_command(signum):
-    """It does not inherit that its starter ignores them."""
     before = signal.signal(signum, signal.SIG_IGN)
     try:
         process = start_guarded('sleep', '1000')
@@ -55,7 +54,6 @@ def test_orphans_end_with_the_command(mark):
 
 
 def reaper(program, *command, **popen_options):
-    """Start a reaper; return its process."""
     return subprocess.Popen([sys.executable, '-c', f'{HASTY}{program}reaper.main(sys.argv[1:])',
                              *command], **popen_options)
 

@@ -28,7 +28,6 @@ WARNING = '/stuck does not keep up with {}: it loses messages'
 
 @contextlib.contextmanager
 def stuck_subscriber(topic):
-    """Subscribe to a topic (its full name), once it is published, and never read a message."""
     wait_until(lambda: publisher_of(topic), TIMEOUT, f'a publisher of {topic}')
     with connected(publisher_of(topic), topic) as connection:
         write_ros_handshake_header(connection, {
@@ -40,7 +39,6 @@ def stuck_subscriber(topic):
 
 @contextlib.contextmanager
 def connected(node, topic):
-    """Yield a socket that is connected to the port at which a node serves a topic."""
     with xmlrpc.client.ServerProxy(rosgraph.Master(NAME).lookupNode(node)) as api:
         _, host, port = api.requestTopic(NAME, topic, [['TCPROS']])[ANSWER]
     with socket.socket() as connection:
@@ -52,14 +50,12 @@ def connected(node, topic):
 
 
 def publisher_of(topic):
-    """Return the name of a node that publishes a topic, or None."""
     publishers = dict(rosgraph.Master(NAME).getSystemState()[0]).get(topic)
     return publishers and publishers[0]
 
 
 @contextlib.contextmanager
 def published(topic, message_class):
-    """Yield a publisher, once another node subscribes to it."""
     publisher = rospy.Publisher(topic, message_class, queue_size=COUNT, tcp_nodelay=True)
     wait_for_subscribers(publisher)
     yield publisher

@@ -28,7 +28,6 @@ PARTS = {name: words.split() for name, words in re.findall(
 
 
 def name_of(manifest):
-    """Return the name of a package."""
     return ElementTree.parse(manifest).findtext('name')
 
 
@@ -38,7 +37,6 @@ KEYS.update((module.parent.name, name_of(manifest)) for manifest in MANIFESTS
 
 
 def depends(manifest):
-    """Return the names that a package.xml gives."""
     return {element.text for element in ElementTree.parse(manifest).getroot()
             if element.tag.endswith('depend')}
 
@@ -53,7 +51,6 @@ def imports(tree):
 
 
 def is_of_python(module):
-    """Return whether a module is of Python's own library."""
     spec = importlib.util.find_spec(module)
     origin = spec.origin or '' if spec else ''
     return module in sys.builtin_module_names or origin == 'frozen' or (
@@ -77,7 +74,6 @@ def needs(folder):
 
 @pytest.mark.parametrize('manifest', MANIFESTS, ids=lambda path: path.parent.name)
 def test_a_package_depends_on_what_it_uses(manifest):
-    """By import or in a launch file."""
     assert needs(manifest.parent) - depends(manifest) - {name_of(manifest), *OPTIONAL} == set()
 
 

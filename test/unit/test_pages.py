@@ -12,27 +12,23 @@ reference = load_script('test/tools/reference.py')
 
 
 def links(page):
-    """Return the files to which a page links, and the anchors in them."""
     return [(page.parent / path if path else page, anchor)
             for path, anchor in LINK.findall(page.read_text())]
 
 
 def anchors(page):
-    """Return what GitHub names the headings of a page."""
     headings = re.findall(r'^#+ (.*)', page.read_text(), re.MULTILINE)
     return {re.sub(r'[^\w -]', '', heading.lower()).replace(' ', '-') for heading in headings}
 
 
 @pytest.mark.parametrize('page', DOCUMENTS, ids=lambda page: str(page.relative_to(ROOT)))
 def test_every_link_leads_somewhere(page):
-    """To a file, and to a heading in it."""
     for file, anchor in links(page):
         assert file.exists(), f'{file} is not there'
         assert not anchor or anchor in anchors(file), f'{file.name} has no heading #{anchor}'
 
 
 def test_each_test_that_reliability_names_exists():
-    """A fault is shown by something."""
     named = set(TEST.findall((ROOT / 'docs' / 'reliability.md').read_text()))
     tests = [path for folder in ('test', '*/test') for path in ROOT.glob(f'{folder}/**/*test*')]
     there = {path.stem if path.suffix == '.py' else path.name for path in tests}
@@ -50,7 +46,6 @@ def test_a_page_shows_files_of_the_example(page, number):
 
 
 def test_the_page_is_up_to_date():
-    """The page is written by a tool, so that nothing is described twice."""
     page = reference.PAGE.read_text()
     assert page == reference.updated(page), 'type ./ws python3 test/tools/reference.py'
 

@@ -27,12 +27,10 @@ class Talk(Partner):
     """Distances to a mover, commands from it."""
 
     def __init__(self, ns, clock):
-        """Talk to the mover of a namespace, by a SteppedClock."""
         super().__init__(f'{ns}moved_distance', Float64, f'{ns}cmd_vel', Twist)
         self.clock, self._ns, self._log = clock, ns, Recorder('/rosout', Log)
 
     def begin(self, start=0.0, goal=FAR):
-        """Return with a mover that drives and has read the clock; no command is on its way."""
         def begun():
             self.say_until(lambda: Float64(start), lambda m: m.linear.x != 0, 'a start')
             self.say(Float64(goal))
@@ -47,11 +45,9 @@ class Talk(Partner):
         return self
 
     def tell(self, *distances):
-        """Send distances (m) and return the commands that answer them."""
         return self.ask(*map(Float64, distances))
 
     def be_silent_until_it_stops(self):
-        """Let time pass, simulated and real."""
         def stopped():
             self.clock.advance(0.1)
             return Twist() in self.answers.messages
@@ -60,7 +56,6 @@ class Talk(Partner):
 
 @pytest.fixture
 def talk(clock, ns):
-    """Talk to the mover."""
     return Talk(ns, clock)
 
 
@@ -80,7 +75,6 @@ def test_the_latest_distance_decides_on_one_command(talk):
 
 
 def test_a_distance_that_is_not_finite_stops_it_with_a_warning(talk, node):
-    """The next healthy distance decides again."""
     talk.begin()
     assert talk.tell(*STRANGE) == commands(0.0, 0.0, 0.0, 0.0, 0.1, 0.1, 0.1)
     assert talk.tell(math.inf, 1.0) == commands(0.0, 0.1)
@@ -100,13 +94,11 @@ def test_it_drives_backwards_as_far_as_it_is_told_and_silence_need_not_stop_it(t
 
 @pytest.mark.parametrize('node', [['_relative:=true']], indirect=True)
 def test_relative_counts_from_the_first_distance(talk):
-    """It would be beyond the goal for any other mover."""
     assert talk.begin(start=10.0).tell(11.999, 12.0, 0.0) == commands(0.1, 0.0, 0.1)
 
 
 @pytest.mark.parametrize('node', [['_exit_when_done:=true']], indirect=True)
 def test_exit_when_done_ends_it_once_the_robot_stands(talk, node):
-    """With exit status 0, and not while the distance still grows."""
     talk.begin(goal=2.0)
     for distance in (2.0, 2.01, 2.02, 2.03):
         talk.clock.advance(0.4)

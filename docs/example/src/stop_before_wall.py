@@ -18,8 +18,10 @@ def main():
 
     def on_scan(scan):
         # +inf counts as far away, -inf as too close; ignore NaN.
-        ranges = [distance for distance in scan.ranges if not math.isnan(distance)]
-        velocity.publish(SPEED if ranges and min(ranges) > CLEARANCE else 0.0)
+        nearest = min((distance for distance in scan.ranges if not math.isnan(distance)), default=0.0)
+        if nearest <= CLEARANCE:
+            rospy.loginfo_throttle(10.0, f'stopping: something is {nearest:.2f} m ahead')
+        velocity.publish(SPEED if nearest > CLEARANCE else 0.0)
 
     rospy.Subscriber('scan', LaserScan, on_scan, tcp_nodelay=True)
     rospy.spin()

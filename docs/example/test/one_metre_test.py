@@ -10,7 +10,7 @@ import rostest
 from nav_msgs.msg import Odometry
 
 LOOK_AT = 10.0  # simulated s; a metre takes five
-PATIENCE = 60.0  # s of wall time
+TIMEOUT = 60.0  # s of wall time
 
 
 class OneMetreTest(unittest.TestCase):
@@ -31,7 +31,7 @@ class OneMetreTest(unittest.TestCase):
 
     def test_the_robot_stands_one_metre_ahead(self):
         """It overshoots by up to 3 cm in a tenth of a second at 0.2 m/s and while braking."""
-        self.assertTrue(self.time_is_up.wait(PATIENCE), f'time stands still:\n{self.last}')
+        self.assertTrue(self.time_is_up.wait(TIMEOUT), f'time stands still:\n{self.last}')
         self.assertAlmostEqual(self.last.pose.pose.position.x, 1.015, delta=0.015)
         self.assertEqual(self.last.twist.twist.linear.x, 0.0)
 

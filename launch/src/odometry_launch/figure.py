@@ -1,75 +1,126 @@
-"""The picture of a run: path, distance, speed and heading."""
+"""The picture of a run: the path, distance and speed of a drive; the heading, error and turn rate of a turn."""
 
 import os
 
 import numpy
 
-# Jupyter and editors set a backend of their own, which may not be installed here.
+# A Jupyter cell or an editor sets a backend for its own windows, which may not be installed here.
 os.environ['MPLBACKEND'] = 'agg'
-# Of path and distance (m), speed (m/s) and heading (degrees); on smaller axes noise looks like motion.
-MIN_SPANS = 0.5, 0.1, 0.05, 2.0
-FIGURE_SIZE = (11, 8)  # inches
-RESOLUTION = 100  # dots per inch
+SIZE, RESOLUTION = (10, 6), 100  # inches, dots per inch
+MARGINS = {'left': 0.07, 'right': 0.98, 'bottom': 0.09, 'top': 0.86, 'wspace': 0.2, 'hspace': 0.12}
+# Of Okabe and Ito: distinct to the colour-blind, and in grey.
+BLUE, ORANGE, GREEN = '#0072b2', '#d55e00', '#009e73'
+PALE, DARK = '#b8b8b8', '#303030'
+ODOMETRY = {'color': BLUE, 'linewidth': 2, 'label': 'odometry'}
+TRUTH = {'color': ORANGE, 'linestyle': (0, (4, 3)), 'linewidth': 1.5, 'label': 'truth'}
+COMMANDED = {'color': PALE, 'linewidth': 5, 'label': 'commanded', 'where': 'post'}
+TARGET = {'color': DARK, 'linestyle': ':', 'label': 'target'}
+MIN_DISTANCE, MIN_TURN = 0.1, 10.0  # m, degrees; less is no drive, or no turn
+# By panel: its label, and its minimum span; on a shorter axis noise would look like motion.
+PANELS = {'distance': ('distance (m)', 0.1), 'speed': ('speed (m/s)', 0.05),
+          'heading': ('heading (degrees)', 2.0), 'error': ('error (degrees)', 2.0), 'turn rate': ('turn rate (rad/s)', 0.05)}
+PATH_SPAN = 0.6  # m
 
 
-def new_figure(width, height):
+def new_figure(width, height, **options):
     """Return an empty matplotlib Figure of this size (inches), for a file."""
     from matplotlib.figure import Figure  # takes long to import
-    return Figure((width, height), dpi=RESOLUTION, layout='constrained')
+    return Figure((width, height), dpi=RESOLUTION, **options)
 
 
 def make_figure(run, distance_target=None, heading_target=None):
-    """Return a figure of path, distance, speed and heading of a Run.
+    """Return a figure of a Run, with panels for what the robot did.
 
-    :param distance_target: m; None: unknown
-    :param heading_target: degrees; None: unknown
+    :param distance_target: m; None: not known
+    :param heading_target: degrees; None: not known
     """
-    figure = new_figure(*FIGURE_SIZE)
-    figure.suptitle(run.name)
-    path, distance, speed, heading = figure.subplots(2, 2).flat
-    if len(run.commands):
-        time, linear, _ = run.commands.T
-        speed.step(time, linear, where='post', color='lightgrey', linewidth=5, label='commanded')
-    _draw_track(figure.axes, run.odometry, '-', 'odometry')
-    if run.ground_truth is not None:
-        _draw_track(figure.axes, run.ground_truth, '--', 'truth')
-    path.plot(run.odometry.x[0], run.odometry.y[0], 'o', label='start')
-    path.plot(run.odometry.x[-1], run.odometry.y[-1], 's', label='end')
-    if distance_target is not None:
-        _draw_target(distance, distance_target)
+    track = run.odometry
+    turned = numpy.degrees(numpy.ptp(track.yaw))
+    drives = track.distance[-1] >= MIN_DISTANCE or turned < MIN_TURN
+    panels = ['distance', 'speed'] * drives
+    if turned >= MIN_TURN or heading_target is not None:
+        panels += ['heading', *['error'] * (heading_target is not None), 'turn rate']
+    targets = {'distance': distance_target}
     if heading_target is not None:
-        turns = round((numpy.degrees(run.odometry.yaw[-1]) - heading_target) / 360)
-        _draw_target(heading, heading_target + 360 * turns)
-    for axes, span in zip(figure.axes, MIN_SPANS):
-        _show_at_least(span, axes)
-    path.set_aspect('equal', adjustable='datalim')
-    path.set(title='path from above', xlabel='x (m)', ylabel='y (m)')
-    distance.set(title='moved distance', xlabel='time (s)', ylabel='distance (m)')
-    speed.set(title='speed', xlabel='time (s)', ylabel='speed (m/s)')
-    heading.set(title='heading', xlabel='time (s)', ylabel='heading (degrees)')
-    for axes in figure.axes:
-        axes.legend()
-        axes.grid(True)
+        # A turn to 270 degrees may end at -90.
+        turns = round((numpy.degrees(track.yaw[-1]) - heading_target) / 360)
+        targets.update(heading=heading_target + 360 * turns, error=0.0)
+    figure = new_figure(*SIZE)
+    grid = figure.add_gridspec(len(panels), 1 + drives, **MARGINS)
+    if drives:
+        _draw_path(figure.add_subplot(grid[:, 0]), run)
+    for row, panel in enumerate(panels):
+        _draw_panel(figure.add_subplot(grid[row, -1]), panel, run, targets)
+    tidy(*figure.axes)
+    for axes in figure.axes[drives:-1]:
+        axes.tick_params(labelbottom=False)
+    figure.axes[-1].set_xlabel('time (s)')
+    figure.align_ylabels(figure.axes[drives:])
+    _write_title(figure, run, distance_target, heading_target)
+    handles = {label: handle for axes in figure.axes
+               for handle, label in zip(*axes.get_legend_handles_labels())}
+    figure.legend(handles.values(), handles, loc='upper right', ncols=len(handles), frameon=False,
+                  bbox_to_anchor=(0.99, 0.93))
     return figure
 
 
-def _draw_target(axes, value):
-    axes.axhline(value, color='grey', linestyle=':', label=f'target, {value:g}')
+def tidy(*all_axes):
+    """Leave only what helps to read values."""
+    for axes in all_axes:
+        axes.spines[['top', 'right']].set_visible(False)
+        axes.grid(True, color='#e4e4e4')
+        axes.set_axisbelow(True)
+
+
+def _write_title(figure, run, distance_target, heading_target):
+    """Write the result in words, and below it, small, where it comes from."""
+    track = run.odometry
+    if heading_target is None:
+        result, target = f'{track.distance[-1]:.3f} m', distance_target and f'{distance_target:g} m'
+    else:
+        turned = numpy.degrees(track.yaw[-1] - track.yaw[0])
+        result, target = f'turned {turned:.1f} degrees', f'{heading_target:g} degrees'
+    title = f'{result} in {track.time[-1] - track.time[0]:.1f} s' + (f', target {target}' if target else '')
+    figure.suptitle(title, x=0.07, ha='left', fontsize=14, color=DARK)
+    figure.text(0.07, 0.9, run.name, fontsize=8, color='grey')
+
+
+def _draw_path(axes, run):
+    track = run.odometry
+    for points, style in _tracks(run):
+        # Leave a gap at jumps; the path between is unknown.
+        axes.plot(*(numpy.insert(values, points.jumps, numpy.nan) for values in (points.x, points.y)), **style)
+    axes.plot(track.x[0], track.y[0], 'o', color=GREEN, markersize=9, label='start')
+    axes.plot(track.x[-1], track.y[-1], 's', color=DARK, markersize=7, label='end')
+    _show_at_least(PATH_SPAN, axes)
+    axes.set_aspect('equal', adjustable='datalim')
+    axes.set(xlabel='x (m)', ylabel='y (m)')
+
+
+def _draw_panel(axes, panel, run, targets):
+    label, span = PANELS[panel]
+    if panel in ('speed', 'turn rate') and len(run.commands):
+        time, linear, angular = run.commands.T
+        axes.step(time, linear if panel == 'speed' else angular, **COMMANDED)
+    for track, style in _tracks(run):
+        values = {'distance': track.distance, 'speed': track.speed, 'turn rate': track.turn_rate,
+                  'heading': numpy.degrees(track.yaw),
+                  'error': numpy.degrees(track.yaw) - targets.get('heading', 0.0)}[panel]
+        axes.plot(track.time, values, **style)
+    if targets.get(panel) is not None:
+        axes.axhline(targets[panel], **TARGET)
+    _show_at_least(span, axes)
+    axes.set_ylabel(label)
+
+
+def _tracks(run):
+    """Return the Tracks to draw, each with its style."""
+    return [(run.odometry, ODOMETRY), *([(run.ground_truth, TRUTH)] if run.ground_truth else [])]
 
 
 def _show_at_least(span, axes):
-    """Extend the y axis to at least `span`, about its middle."""
+    """Show a span of values, or more, about the middle of what is drawn."""
     middle = sum(axes.get_ylim()) / 2
-    # Not by fixed limits: the path needs equal scales.
+    # Fixed limits would be in the way of the equal scales of the path.
     axes.update_datalim([(0, middle - span / 2), (0, middle + span / 2)], updatex=False)
     axes.autoscale_view()
-
-
-def _draw_track(all_axes, track, style, label):
-    path, distance, speed, heading = all_axes
-    # Leave a gap at jumps; the path between is unknown.
-    path.plot(*(numpy.insert(values, track.jumps, numpy.nan) for values in (track.x, track.y)), style,
-              label=label)
-    distance.plot(track.time, track.distance, style, label=label)
-    speed.plot(track.time, track.speed, style, label=label)
-    heading.plot(track.time, numpy.degrees(track.yaw), style, label=label)

@@ -139,6 +139,8 @@ def _wait(condition, outcome):
 
 def _how(status):
     """Describe an exit code."""
+    if status is None:
+        return ' before it started'
     if status < 0:
         return f' by {signal.Signals(-status).name}'
     return f' with status {status}' if status else ''

@@ -9,6 +9,7 @@ from straight_drive import drive
 PAGE_PORT = 8080
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo allows
 PARAMETERS = {row.name[1:]: row for table in (drive, turn) for row in table.PARAMETERS.rows}
+MODES = 'move', 'rotate'
 TUTORIALS = {'distance': 'move', 'speed': 'move', 'target': 'rotate'}  # of an option
 
 
@@ -16,6 +17,8 @@ def parse(arguments):
     """Return the options; print help or an error and exit if there is nothing to run."""
     parser = make_parser()
     options = parser.parse_args(arguments)
+    if options.tutorial not in MODES:  # as choices, it would hide an unknown option before it
+        parser.error(f'argument tutorial: there is no {options.tutorial}, only {" and ".join(MODES)}')
     for name, tutorial in TUTORIALS.items():
         if getattr(options, name) is None:
             setattr(options, name, PARAMETERS[name].default)
@@ -29,7 +32,7 @@ def make_parser():
     parser = argparse.ArgumentParser(
         prog='./ws demo', description='Run a tutorial with a simulated TurtleBot 2 and show its '
         'progress. A recording and a picture of the run are saved in the folder runs.')
-    parser.add_argument('tutorial', nargs='?', choices=['move', 'rotate'], default='move',
+    parser.add_argument('tutorial', nargs='?', metavar='|'.join(MODES), default=MODES[0],
                         help='drive two metres, or turn to a heading (default: %(default)s)')
     parser.add_argument('--distance', type=_value_of('distance'), metavar='M',
                         help=f'move: where to stop (m; default: {PARAMETERS["distance"].default})')

@@ -2,6 +2,7 @@
 
 import math
 import os
+import shutil
 import sys
 
 REWRITE = '\r\033[K'  # moves to the start of a terminal's line and clears it
@@ -22,7 +23,9 @@ class Line:
     def show(self, text, now):
         """Show the text, at `now` seconds."""
         if self._live:
-            print(f'{REWRITE}{text}', end='', flush=True)
+            # A text that wraps would leave a line behind at each update.
+            fitting = text[:shutil.get_terminal_size().columns - 1]
+            print(f'{REWRITE}{fitting}', end='', flush=True)
         elif now >= self._next:
             self._next = now + self._period
             print(text, flush=True)

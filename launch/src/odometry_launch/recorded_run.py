@@ -28,6 +28,7 @@ class Track(NamedTuple):
     y: numpy.ndarray  # m
     yaw: numpy.ndarray  # rad, without jumps
     speed: numpy.ndarray  # m/s, forwards; NaN if the driver does not report it
+    turn_rate: numpy.ndarray  # rad/s
     distance: numpy.ndarray  # m, as the detector counts it
     jumps: list  # indices of the messages whose step is not counted as movement
     ignored: int  # number of further messages, which are late or not finite
@@ -60,7 +61,7 @@ class Run(NamedTuple):
         duration = track.time[-1] - track.time[0]
         mean = track.distance[-1] / duration if duration else 0.0
         top = numpy.abs(track.speed).max()
-        left_out = [f'{_in_words(number, thing)} {how}' for number, thing, how in (
+        left_out = [f'{number} {thing}{"s" * (number > 1)} {how}' for number, thing, how in (
             (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')) if number]
         return '\n'.join([f'odometry    {self.topic}',
                           f'distance    {track.distance[-1]:.3f} m',
@@ -131,7 +132,8 @@ def _track(rows, start):
     """Return the Track of the messages with finite numbers; None if there are none."""
     counter, kept, jumps = DistanceCounter(), [], []
     for row in rows:
-        pose, speed = row.message.pose.pose, row.message.twist.twist.linear.x
+        pose, twist = row.message.pose.pose, row.message.twist.twist
+        speed, turn_rate = twist.linear.x, twist.angular.z
         x, y = pose.position.x, pose.position.y
         try:
             not_counted = counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
@@ -143,18 +145,14 @@ def _track(rows, start):
             continue
         if not_counted:
             jumps.append(len(kept))
-        kept.append((_stamp(row), x, y, yaw, speed, counter.distance))
+        kept.append((_stamp(row), x, y, yaw, speed, turn_rate, counter.distance))
     if not kept:
         return None
-    time, x, y, yaw, speed, distance = numpy.array(kept).T
+    time, x, y, yaw, speed, turn_rate, distance = numpy.array(kept).T
     if distance[-1] and not speed.any():
         speed[:] = math.nan
-    return Track(time - start, x, y, numpy.unwrap(yaw), speed, distance, jumps,
+    return Track(time - start, x, y, numpy.unwrap(yaw), speed, turn_rate, distance, jumps,
                  len(rows) - len(kept))
-
-
-def _in_words(number, thing):
-    return f'{number} {thing}' if number == 1 else f'{number} {thing}s'
 
 
 def _yaw(orientation):

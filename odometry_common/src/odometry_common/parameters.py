@@ -20,7 +20,6 @@ class ParameterError(StartError):
     """A parameter has a value that the node cannot use."""
 
     def __init__(self, name, value, allowed):
-        """Build the message from the name, the given value and what is allowed."""
         self.name = name
         super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
 
@@ -108,10 +107,9 @@ class Parameter(NamedTuple):
 
 
 class Parameters:
-    """The table of a node's parameters, each a Parameter."""
+    """The table of a node's parameters, each a Parameter, in the order in which they are read."""
 
     def __init__(self, *rows):
-        """Keep the parameters in the order in which they are read and described."""
         self.rows = rows
 
     @property

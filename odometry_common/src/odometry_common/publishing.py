@@ -31,7 +31,6 @@ class ClosingPublisher:
     """
 
     def __init__(self, topic, message_class, final_message=None):
-        """Advertise `topic` and hook into rospy's shutdown."""
         self._publisher = advertise(topic, message_class)
         self._final_message = final_message
         self._lock = threading.Lock()

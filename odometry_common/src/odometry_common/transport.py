@@ -23,7 +23,6 @@ class NonBlockingTransport(TCPROSTransport):
     wait_budget = 0.0  # s, see wait_for_slow_subscribers()
 
     def __init__(self, *arguments, **options):
-        """Start without a backlog; the arguments are those of TCPROSTransport."""
         super().__init__(*arguments, **options)
         self._changed = threading.Condition()
         self._backlog = deque(maxlen=BACKLOG)

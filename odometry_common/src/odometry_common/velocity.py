@@ -9,7 +9,6 @@ class VelocityPublisher(ClosingPublisher):
     """Publishes geometry_msgs/Twist, and a zero Twist as the final one at shutdown."""
 
     def __init__(self, topic='cmd_vel'):
-        """Advertise `topic`."""
         super().__init__(topic, Twist, final_message=Twist())
 
     def publish(self, linear=0.0, angular=0.0):

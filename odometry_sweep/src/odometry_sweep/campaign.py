@@ -1,5 +1,6 @@
 """A campaign: a tutorial, a grid of parameter values, seeds, and limits."""
 
+import difflib
 import itertools
 import math
 from typing import NamedTuple
@@ -103,8 +104,9 @@ def _check_values(tutorial, values):
              if row.name[1:] not in NOT_IN_SWEEPS}
     for name, several in values.items():
         if name not in known:
-            raise StartError(f'parameter {name} cannot be set in a sweep; {tutorial} has '
-                             f'{", ".join(sorted(known))}')
+            similar = difflib.get_close_matches(name, known, 1)
+            hint = f'did you mean {similar[0]}?' if similar else f'it has {", ".join(sorted(known))}'
+            raise StartError(f'parameter {name} cannot be set in a sweep of {tutorial}: {hint}')
         for value in several:
             known[name].check(value)
 

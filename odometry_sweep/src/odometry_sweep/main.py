@@ -71,18 +71,22 @@ def _sweep(campaign, runs):
 
 
 def with_progress(runs, total):
-    """Yield each run, and print how many are done and how long the others will take."""
-    first = None
-    line = Line(LINE_PERIOD, time.monotonic() + LINE_PERIOD)
-    for done, run in enumerate(runs, 1):
+    """Yield each run but None, and print how many are done and how long the others will take."""
+    done, start, first = 0, time.monotonic(), None
+    line = Line(LINE_PERIOD, start + LINE_PERIOD)
+    for run in runs:
         now = time.monotonic()
-        yield run
-        first = first or now  # until then, processes start: that says nothing about later runs
+        if run is not None:
+            done += 1
+            yield run
+            first = first or now  # until then, processes start: that says nothing about later runs
         text = f'{bar(done / total)} {done} of {total} runs'
         if done > 1 and now > first:
             speed = (done - 1) / (now - first)
             left = timedelta(seconds=round((total - done) / speed))
             text += f', {speed:.1f} a second, {left} left'
+        elif not done:
+            text += f' after {timedelta(seconds=round(now - start))}'
         if done < total:
             line.show(text, now)
         else:
@@ -120,4 +124,6 @@ def _report(campaign, combinations, folder):
     lines = [line for combination in combinations for line in combination.exceeded(campaign.limits)]
     for line in lines:
         complain(line, PROGRAM)
+    if campaign.limits and not lines:
+        print(f'limits          all {len(campaign.limits)} hold', flush=True)
     return EXIT_FAILURE if lines else 0

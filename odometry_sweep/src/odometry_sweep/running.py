@@ -15,6 +15,7 @@ from sim_turtlebot.physics.world_file import WorldFileError
 from odometry_sweep.closed_loop import run
 
 MAX_AHEAD = 1000  # runs that may be done before an earlier one
+CHECK_PERIOD = 1.0  # s
 CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
@@ -26,6 +27,8 @@ class LostError(RuntimeError):
 @contextlib.contextmanager
 def side_by_side(campaign, jobs=None, cluster=None):
     """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
+
+    While none is done it yields None every CHECK_PERIOD.
 
     :param jobs: number of processes; None: one for each processor
     :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine
@@ -43,6 +46,10 @@ def _run_all(campaign, executor):
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
         while ahead:
             parameters, future = ahead[0]
+            # Dask does not wake result() if the scheduler is gone.
+            if not concurrent.futures.wait([future], CHECK_PERIOD).done:
+                yield None
+                continue
             yield parameters, future.result()
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))

@@ -22,10 +22,7 @@ class FallDetector:
         for name, robot in self._robots.items():
             if is_upright(robot.ground_truth.orientation) == (name in self._lying):
                 self._lying ^= {name}
-                yield name, _warning(name, robot) if name in self._lying else ''
-
-
-def _warning(name, robot):
-    # Adding zero turns -0.0 into 0.0.
-    x, y = (round(metres, 2) + 0.0 for metres in robot.ground_truth.position[:2])
-    return f'{name} lies on its side at x {x:g}, y {y:g}; ~reset_simulation brings it back'
+                # Adding zero turns -0.0 into 0.0.
+                x, y = (round(metres, 2) + 0.0 for metres in robot.ground_truth.position[:2])
+                yield name, (f'{name} lies on its side at x {x:g}, y {y:g}; ~reset_simulation brings it back'
+                             if name in self._lying else '')

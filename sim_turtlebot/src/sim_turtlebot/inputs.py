@@ -34,9 +34,9 @@ class Inputs:
                             self._reset_odometry, robot)
             self._subscribe(f'~{namespace}set_pose', PoseStamped, self._set_pose, robot)
 
-    def serve(self, name, action):
-        """Offer a std_srvs/Empty service that calls a function without arguments."""
-        rospy.Service(name, srv.Empty, partial(self._answer, action))
+    def serve(self, name, action, kind=srv.Empty):
+        """Offer a service that calls a function without arguments, which returns the response's fields."""
+        rospy.Service(name, kind, partial(self._answer, action, kind))
 
     def poses_are_set(self):
         """Return whether a robot has been placed since the last call."""
@@ -49,12 +49,12 @@ class Inputs:
         rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
             _sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
 
-    def _answer(self, action, request):
+    def _answer(self, action, kind, request):
         try:
-            self._requests.put_and_wait(_sender_of(request), action)
+            fields = self._requests.put_and_wait(_sender_of(request), action)
         except TimeoutError as error:
             raise rospy.ServiceException(error) from None
-        return srv.EmptyResponse()
+        return kind._response_class(*fields or ())
 
     def _command(self, twist, robot, mux_input):
         if not self.obeys:

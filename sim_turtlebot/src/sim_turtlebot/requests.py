@@ -35,7 +35,7 @@ class RequestQueue:
             self._changed.notify()
 
     def put_and_wait(self, sender, request):
-        """Add a request and return once it has been served.
+        """Add a request and return its result once it has been served.
 
         :param sender: a tuple of names: of the node, and of the service
         :raises TimeoutError: after ANSWER_TIMEOUT; a request that has started by then still takes
@@ -46,8 +46,7 @@ class RequestQueue:
         def serve():
             if not answer.set_running_or_notify_cancel():
                 return False
-            request()
-            answer.set_result(None)
+            answer.set_result(request())
             return True
 
         self.put((*sender, next(self._numbers)), serve)
@@ -55,6 +54,7 @@ class RequestQueue:
             bound = f'within {ANSWER_TIMEOUT:g} s of wall time'
             raise TimeoutError(f'not begun {bound}, and dropped' if answer.cancel() else
                                f'not finished {bound}; it will still take effect')
+        return answer.result()
 
     def wait(self, timeout):
         """Wait (s of wall time) for a request; return whether there is one."""

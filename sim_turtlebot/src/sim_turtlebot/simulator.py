@@ -11,19 +11,19 @@ import math
 import rospy
 from odometry_common.node import LONGEST_WAIT
 from odometry_common.parameters import ParameterError
+from std_srvs.srv import Trigger
 
-from sim_turtlebot.falls import FallDetector
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.pacing import Pacer
 from sim_turtlebot.physics.window import NoScreenError
 from sim_turtlebot.physics.world_file import WorldFileError
+from sim_turtlebot.reports import Reports
 from sim_turtlebot.requests import RequestQueue
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.simulation_topics import SimulationTopics
 
 MIN_SLEEP = 0.001  # s; shorter sleeps take longer than requested
-TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 MAX_ROUNDS = 10  # of service calls in one tick of lockstep, by callers that call again at once
 GRAPH_PERIOD = 0.1  # s of wall time between two checks whether the graph is stable
 
@@ -44,29 +44,29 @@ class Simulator:
     """Advances a Simulation, paced by the wall clock, or by the nodes in lockstep."""
 
     def __init__(self, simulation, settings):
-        """Advertise and subscribe; time starts with run()."""
         self._settings, self._simulation = settings, simulation
         self._timeline = simulation.timeline
-        self._pacer = Pacer(settings.real_time_factor, self._report_pace)
         self._paused = settings.paused
         self._begun = self._stopping = False  # begun: time zero has been published
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
         self._lockstep = None
-        if settings.lockstep:
-            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep  # a tenth of all imports
+        if settings.lockstep:  # its import takes a tenth of the start
+            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
             self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate)
             # Whoever unpauses it knows that all nodes are there.
             self._stable_time = 0.0 if settings.paused else STABLE_TIME
         numbers = range(1, settings.robots + 1)
         self._namespaces = [f'robot_{number}/' for number in numbers] if settings.robots > 1 else ['']
         self._topics = SimulationTopics(simulation, settings, self._namespaces)
-        self._falls = FallDetector(simulation.robots)
+        self._reports = Reports(simulation.robots, self._namespaces, settings, self._topics.warn)
+        self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
         self._inputs = Inputs(simulation, self._namespaces, self._requests, self._topics.warn)
         self._inputs.obeys = not self._lockstep
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
             self._inputs.serve(name, action)
+        self._inputs.serve('~step', self._step, Trigger)
 
     def run(self):
         """Simulate until shutdown, or until the window is closed."""
@@ -109,11 +109,14 @@ class Simulator:
                 self._lockstep.wait()
 
     def _begin(self):
-        """Publish time zero; in lockstep, once the graph is stable."""
+        """Start time; in lockstep, once the graph is stable."""
         if self._lockstep and not self._lockstep.is_graph_stable(self._stable_time):
             if self._requests.wait(GRAPH_PERIOD):
                 self._requests.serve_all()
-            return
+        else:
+            self._start_time()
+
+    def _start_time(self):
         self._begun = self._inputs.obeys = True
         self._publish()
         if self._lockstep:
@@ -150,20 +153,7 @@ class Simulator:
 
     def _publish_robots(self):
         self._topics.publish_robots()
-        self._report_timeouts()
-        for name, warning in self._falls.changes():
-            log = rospy.logwarn if warning else rospy.loginfo
-            log(warning or f'{name} stands upright again')
-            self._topics.warn(name, warning)
-
-    def _report_timeouts(self):
-        """Log which robots' watchdogs have stopped them, as a Kobuki's driver does."""
-        for robot, namespace in zip(self._simulation.robots, self._namespaces):
-            if robot.timed_out:
-                robot.timed_out = False
-                rospy.logwarn_throttle(TIMEOUT_LINE_PERIOD, (
-                    f'the base stops: no command on {rospy.resolve_name(namespace + "cmd_vel")} for '
-                    f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)'))
+        self._reports.robots()
 
     def _update_window(self):
         if self._simulation.world.window.closed:
@@ -172,22 +162,27 @@ class Simulator:
         else:
             self._simulation.world.look_at(self._simulation.robots[0].body)
 
-    def _report_pace(self, reached):
-        """Report on the log and on ~warning that the simulation is too slow, or has caught up."""
-        wanted, warning = f'{self._settings.real_time_factor:g}', ''
-        if reached is None:
-            rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted}')
-        else:
-            warning = f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} instead of {wanted}'
-            rospy.logwarn(warning)
-        self._topics.warn('pace', warning)
-
     def _pause(self):
         self._paused = True
 
     def _unpause(self):
         self._paused = False
         self._pacer.restart(self._timeline.now)
+
+    def _step(self):
+        """Advance to the next odometry while paused; return success, and its stamp (s) or why not."""
+        if not self._paused:
+            return False, 'call ~pause_physics first'
+        if self._lockstep:
+            self._lockstep.wait()  # until the commands that were sent before are here
+            self._serve()
+        count = self._timeline.odometry_count
+        if not self._begun:
+            self._start_time()
+        else:
+            while self._timeline.odometry_count == count:
+                self._advance()
+        return True, f'{self._timeline.now / 1e9:.9f}'
 
     def _reset(self):
         """Reset time and robots to the start."""

@@ -42,22 +42,18 @@ class Body:
         self.motion, self.angles = motion(), (0.0, 0.0)
 
     def pose(self):
-        """Return position and orientation."""
         return self.motion[:2]
 
     def velocity(self):
-        """Return the linear and the angular velocity, both in the world frame."""
         return [rotate(self.motion.orientation, vector) for vector in self.motion[2:]]
 
     def wheels(self):
-        """Return the wheels' angles (rad), and no velocities and torques."""
         return self.angles, (0.0, 0.0), (0.0, 0.0)
 
     def drive(self, _left, _right):
         """Turn no wheel."""
 
     def place(self, position, orientation, _wheel_angles):
-        """Stand there."""
         self.motion = Motion(position, orientation, STILL, STILL)
 
     put = place
@@ -70,13 +66,11 @@ class Robot(SimulatedRobot):
         super().__init__(Body(), STEP_RATE, settings_of(**parameters))
 
     def start(self, motion, angles=(0.0, 0.0)):
-        """Begin with this Motion and wheels at these angles (rad); return the odometry."""
         self.body.motion, self.body.angles = motion, angles
         self.begin()
         return self.odometry
 
     def move(self, motion, angles=(0.0, 0.0), duration=PERIOD):
-        """Be there `duration` seconds later, as a robot that drives; return the odometry."""
         self.body.motion, self.body.angles = motion, angles
         self.command(SPEED, 0.0, 0)  # else it would be held
         self.update(0, duration)

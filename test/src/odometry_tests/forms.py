@@ -20,7 +20,6 @@ def plain_lines(output):
 
 
 def number_after(text, output):
-    """Return the number behind a text."""
     found = re.search(rf'{text} +(-?[0-9.]+)', output)
     assert found, f'no {text!r} in:\n{output}'
     return float(found[1])

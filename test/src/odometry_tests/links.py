@@ -19,13 +19,11 @@ def connected_topics(node, direction=SENDS, master_uri=None):
 
 
 def has_listener(topic):
-    """Return whether a topic's publisher is connected to a subscriber."""
     publishers = dict(rosgraph.Master(CALLER).getSystemState()[0]).get(topic, [])
     return any(topic in connected_topics(node) for node in publishers)
 
 
 def pid_of(node, master_uri=None):
-    """Return the process id of a node (its full name), from itself."""
     return _node(node, master_uri).getPid(CALLER)[ANSWER]
 
 

@@ -8,7 +8,6 @@ MARK = 'ODOMETRY_UNDER_TEST'
 
 
 def marked(mark):
-    """Return the processes (psutil.Process) that have a mark in their environment."""
     return [process for process in psutil.process_iter(['cmdline', 'environ'])
             if (process.info['environ'] or {}).get(MARK) == mark]
 

@@ -36,7 +36,6 @@ class Partner:
         return self.answers.last
 
     def ask(self, *messages):
-        """Publish messages that are all answered; return the answers."""
         self.answers.clear()
         self.say(*messages)
         return self.answers.wait_for_count(len(messages))
@@ -46,7 +45,6 @@ class SteppedClock:
     """The clock of nodes in simulated time: it stands still unless the test advances it."""
 
     def __init__(self, listeners):
-        """Return once so many nodes have read it."""
         self.now = rospy.Time(START_TIME)
         self._publisher = rospy.Publisher('/clock', Clock, queue_size=QUEUE_SIZE, latch=True)
         self._publisher.publish(Clock(self.now))

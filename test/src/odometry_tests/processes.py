@@ -49,7 +49,6 @@ class Process:
 
     @property
     def output(self):
-        """Both together, stdout first."""
         return f'{self.stdout}\n{self.stderr}'
 
     @property
@@ -61,14 +60,12 @@ class Process:
         return 'is running' if self.running else f'has ended with status {self._process.poll()}'
 
     def wait_for_output(self, text, timeout=TIMEOUT):
-        """Return once the text has been printed to stdout or stderr."""
         wait_until(lambda: text in self.output or not self.running, timeout, lambda: (
             f'{text!r} from {self.command}; it printed:\n{self.output}'))
         assert text in self.output, \
             f'{self.command} {self.state} without {text!r}; it printed:\n{self.output}'
 
     def send(self, signum):
-        """Send the command a signal, unless it has ended."""
         with contextlib.suppress(ProcessLookupError):
             if self.running:
                 os.kill(self.pid, signum)
@@ -87,7 +84,6 @@ class Process:
         return status
 
     def end(self, signum=signal.SIGINT, timeout=TIMEOUT):
-        """Send a signal and return the exit status."""
         self.send(signum)
         return self.wait(timeout)
 
@@ -106,7 +102,6 @@ class Process:
             assert kind, f'{self.command} has not ended on Ctrl-C; it printed:\n{self.output}'
 
     def _read(self, file):
-        """Return what is in a file, without its last line while that may go on."""
         text = os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0).decode(errors='replace')
         return text.rpartition('\n')[0] if text.endswith('\n') or self.running else text
 
@@ -175,12 +170,10 @@ def hold_port(host='localhost'):
 
 
 def rosrun(package, program, *arguments, **options):
-    """Start a node as rosrun does, but for its search, which takes longer than many a node."""
     return Process(path_of(package, program), *arguments, **options)
 
 
 def run_script(script, *arguments, env=None):
-    """Run a script by its path in the project to its end, and return its Process."""
     with Process(sys.executable, ROOT / script, *arguments, env=env) as process:
         process.wait()
     return process
@@ -194,7 +187,6 @@ def assert_refused(ended, *words):
 
 
 def path_of(package, program):
-    """Return the path that rosrun starts."""
     folders = os.environ['CMAKE_PREFIX_PATH'].split(os.pathsep)
     places = [os.path.join(folder, 'lib', package, program) for folder in folders]
     return next(filter(os.path.exists, places))

@@ -26,7 +26,6 @@ def choose_tests(config):
 
 
 def has_folder(config):
-    """Return whether folders of tests are to run, and not files alone."""
     return any(Path(argument).is_dir() for argument in config.args)
 
 
@@ -46,7 +45,6 @@ def pytest_xdist_auto_num_workers(config):
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config):
-    """Print the counts, alone on the last line."""
     reporter = config.pluginmanager.get_plugin('terminalreporter')
     if reporter and not hasattr(config, 'workerinput') and not config.option.collectonly:
         counts = [f'{sum(len(reporter.stats.get(key, [])) for key in keys)} {word}'

@@ -21,7 +21,6 @@ class Robot:
     """The topics and services of a simulated robot."""
 
     def __init__(self, namespace=''):
-        """Take a namespace that ends in a slash."""
         self._namespace = f'/{namespace}'
         self.odometry = Recorder(f'{self._namespace}odom', Odometry)
         self.truth = Truth(self._namespace)
@@ -30,14 +29,12 @@ class Robot:
                             for topic in (VELOCITY, BASE, TELEOP, NAVI)}
 
     def wait_until_ready(self):
-        """Return once its topics are connected."""
         for publisher in self._publishers.values():
             wait_for_subscribers(publisher, timeout=20.0)
         for recorder in self.odometry, self.truth, self.joints:
             recorder.wait_for()
 
     def drive(self, forwards, left=0.0, topic=VELOCITY):
-        """Command velocities (m/s, rad/s)."""
         self._publishers[topic].publish(twist(forwards, left))
 
     def restart(self):
@@ -55,7 +52,6 @@ class Robot:
 
 
 def twist(forwards, left=0.0):
-    """Return a Twist (m/s, rad/s)."""
     return Twist(Vector3(x=forwards), Vector3(z=left))
 
 

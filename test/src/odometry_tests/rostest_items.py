@@ -20,7 +20,6 @@ rostestmain()
 
 
 def pytest_collect_file(file_path, parent):
-    """Collect the .test files, wherever they are."""
     if file_path.suffix == '.test':
         return RostestFile.from_parent(parent, path=file_path)
     return None
@@ -38,7 +37,6 @@ class Rostest(pytest.Item):
     """A run of rostest, in a process and with a master of its own."""
 
     def reportinfo(self):
-        """Return the place of the item, and its name in the output."""
         return self.path, None, self.path.name
 
     def runtest(self):
@@ -51,6 +49,5 @@ class Rostest(pytest.Item):
         assert status == 0 and 'RESULT: SUCCESS' in run.stdout, run.output
 
     def repr_failure(self, excinfo):
-        """Return what it has printed."""
         failed = isinstance(excinfo.value, AssertionError)
         return str(excinfo.value) if failed else super().repr_failure(excinfo)

@@ -18,6 +18,5 @@ def join(name, **init_node_options):
 
 
 def run_rostest(name, case, **init_node_options):
-    """Join the graph as the node NAME_test, run a unittest.TestCase for rostest, and exit."""
     join(f'{name}_test', **init_node_options)
     rostest.rosrun('odometry_tests', name, case, sys.argv)

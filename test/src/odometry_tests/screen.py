@@ -12,7 +12,6 @@ from odometry_tests.waiting import wait_until
 
 @contextlib.contextmanager
 def virtual_screen():
-    """Start an X server, on which all later processes draw."""
     with Process('Xvfb', '-displayfd', '1', '-screen', '0', '800x600x24', '+extension', 'GLX',
                  '-noreset') as server:
         wait_until(lambda: server.stdout, 10.0, lambda: server.output)
@@ -21,5 +20,4 @@ def virtual_screen():
 
 
 def colours():
-    """Return the number of colours on the screen."""
     return len(ImageGrab.grab(xdisplay=os.environ['DISPLAY']).getcolors(2**24))

@@ -17,7 +17,6 @@ class Record(NamedTuple):
 
 
 def settings_of(**parameters):
-    """Return the simulator's settings with these parameters, and defaults for all others."""
     return read_settings(parameters)
 
 
@@ -30,7 +29,6 @@ class Simulation(SteppedRobots):
         self.robot = self.robots[0]
 
     def run(self, duration):
-        """Simulate so many seconds; return the Record of the first robot."""
         record = Record([], [])
         end = self.timeline.steps + round(duration * self.timeline.step_rate)
         while self.timeline.steps < end:
@@ -42,7 +40,6 @@ class Simulation(SteppedRobots):
         return record
 
     def drive(self, linear, angular, duration):
-        """Command the first robot and run; return the Record."""
         self.command(linear, angular)
         return self.run(duration)
 

@@ -78,17 +78,14 @@ class Terminal:
 
     @property
     def output(self):
-        """The latest of them as one text."""
         return '\n'.join(self.lines[-LATEST:])
 
     def wait_for_prompt(self, timeout=TIMEOUT):
-        """Return the status of what was typed last."""
         wait_until(lambda: self.status is not None, timeout,
                    lambda: f'a prompt after\n{self.output}', LOOKING_PERIOD)
         return self.status
 
     def wait_for_output(self, text, timeout=TIMEOUT):
-        """Return once what was typed last has printed the text."""
         wait_until(lambda: text in self.output, timeout,
                    lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
 
@@ -101,7 +98,6 @@ class Terminal:
 
     @property
     def text(self):
-        """All that was printed since the last command was typed, with its control characters."""
         return self._bytes[self._typed:].decode(errors='replace')
 
     def _read(self):

@@ -36,7 +36,6 @@ def forget_parameters():
 
 
 def speed(message):
-    """Return the greater of the speeds along and about its axes (m/s, rad/s)."""
     twist = message.twist.twist
     return max(abs(twist.linear.x), abs(twist.angular.z))
 
@@ -57,22 +56,18 @@ class Truth(Recorder):
 
     @property
     def stamp(self):
-        """When the robot was last seen (s)."""
         self.wait_for(timeout=20.0, what='the robot')
         return self.last.header.stamp.to_sec()
 
     def wait_until_moving(self, timeout=20.0):
-        """Return once the robot moves."""
         self.clear()
         return self.wait_for(lambda m: speed(m) > 0.05, timeout, 'a moving robot')
 
     def wait_until_resting(self, timeout=20.0):
-        """Return the first message of a robot at rest from now on."""
         self.clear()
         return self.wait_for(lambda m: speed(m) < REST_SPEED, timeout, 'a robot at rest')
 
     def wait_seconds(self, seconds, timeout=30.0):
-        """Return once so many seconds of the robot's time have passed."""
         end = self.stamp + seconds
         return self.wait_for(lambda m: m.header.stamp.to_sec() >= end, timeout,
                              f'{seconds} s of the robot\'s time')
@@ -93,7 +88,6 @@ class Distance(Recorder):
 
     @property
     def steps(self):
-        """What each message has added to the one before (m)."""
         seen = [message.data for message in self.messages]
         return [after - before for before, after in zip(seen, seen[1:])]
 

@@ -50,7 +50,6 @@ class Recorder:
 
     @property
     def messages(self):
-        """What has come so far, as a new list."""
         with self._changed:
             return list(self._messages)
 
@@ -84,7 +83,6 @@ class Recorder:
         return message
 
     def wait_for_count(self, count, timeout=TIMEOUT):
-        """Return the first `count` messages."""
         with self._changed:
             self._changed.wait_for(lambda: len(self._messages) >= count, timeout * PATIENCE)
             seen = list(self._messages)

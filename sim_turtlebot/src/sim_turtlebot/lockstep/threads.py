@@ -19,7 +19,6 @@ class Thread:
     """A thread of any process; every query raises OSError once the thread has ended."""
 
     def __init__(self, pid, tid):
-        """Open the files that each check reads."""
         self.pid, self.tid = pid, tid
         self._path, self._function = f'/proc/{pid}/task/{tid}', None
         self._schedstat, self._wchan, self._stat = (
