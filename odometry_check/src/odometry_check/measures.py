@@ -104,7 +104,7 @@ def _measure_distance(m, run, _target):
     """Measure how a robot drives two metres."""
     poses = run.odometry
     m.moved_x, m.moved_y = (abs(poses[-1][axis] - poses[0][axis]) for axis in (1, 2))
-    m.commanded = sum(before.linear * min(0.6, after.time - before.time)
+    m.commanded = sum(abs(before.linear) * min(0.6, after.time - before.time)
                       for before, after in zip(m.commands, m.commands[1:]))
     intervals = [after.time - before.time for before, after in zip(m.moves, m.moves[1:])]
     period = max(1 / run.scenario.odom_rate, statistics.median(intervals or [0.0]))
