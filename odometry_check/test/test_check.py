@@ -67,7 +67,8 @@ def rows_of_class(file, exercise):
 
 
 @pytest.mark.parametrize('exercise', [
-    'heading', *(pytest.param(exercise, marks=pytest.mark.nightly) for exercise in ('moved_distance', 'two_meters'))])
+    'heading', *(pytest.param(exercise, marks=pytest.mark.nightly)
+                 for exercise in ('moved_distance', 'two_meters'))])
 def test_the_ports_pass_everything(tmp_path, exercise):
     """By PACKAGE NODE; CI reads it."""
     file = tmp_path / 'junit.xml'

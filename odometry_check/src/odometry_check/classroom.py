@@ -31,7 +31,8 @@ def judge_all(options):
         try:
             for path, future in zip(submissions, futures):
                 found = future.result()
-                failed = [f'{row["scenario"]} {row["rule"]}'.strip() for row in found if row['verdict'] != PASSED]
+                failed = [f'{row["scenario"]} {row["rule"]}'.strip()
+                          for row in found if row['verdict'] != PASSED]
                 print(f'{path.name:{width}}  {len(found) - len(failed)} of {len(found)} passed  '
                       f'{", ".join(failed)}'.rstrip(), flush=True)
                 rows += found
@@ -51,8 +52,8 @@ def _judge(options, path):
         command = [sys.executable, sys.argv[0], options.exercise, str(node), '--csv', file.name,
                    *(['--scenario', options.scenario] if options.scenario else [])]
         paths = os.pathsep.join(filter(None, [str(path / 'src'), os.environ.get('PYTHONPATH')]))
-        with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                              text=True, env={**os.environ, 'PYTHONPATH': paths}) as check:
+        with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True, env={**os.environ, 'PYTHONPATH': paths}) as check:
             try:
                 _, errors = check.communicate(timeout=TIME_LIMIT)
             except subprocess.TimeoutExpired:
@@ -64,7 +65,7 @@ def _judge(options, path):
 
 
 def _node_of(package):
-    """Return the file that is the node of a package: the only Python file that is executable, or the only one."""
+    """Return the node of a package: its only executable Python file, or its only one."""
     files = [path for path in sorted(package.rglob('*.py')) if path.name not in ('setup.py', '__init__.py')]
     files = [path for path in files if os.access(path, os.X_OK)] or files
     if len(files) != 1:

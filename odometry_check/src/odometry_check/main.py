@@ -64,7 +64,8 @@ def _judge(options, command):
     exercise, verdicts = EXERCISES[options.exercise], []
     print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
     with Bench(bool(exercise.route)) as bench, _page(options, bench):
-        judge, runner = Judge(options.exercise, exercise), Runner(bench, exercise, command, float(options.view))
+        judge = Judge(options.exercise, exercise)
+        runner = Runner(bench, exercise, command, float(options.view))
         for number, scenario in enumerate(options.scenarios):
             run = runner.run(scenario)
             verdict = judge.judge(run)
@@ -75,12 +76,13 @@ def _judge(options, command):
             report.show(verdict, folder, verdicts)
             verdicts.append(verdict)
             if not run.nodes:  # it would start in no other scenario
-                verdicts += [verdict._replace(scenario=other.name) for other in options.scenarios[number + 1:]]
+                verdicts += [verdict._replace(scenario=other.name)
+                             for other in options.scenarios[number + 1:]]
                 break
     report.show_notes(verdicts)
     failed = [verdict.scenario for verdict in verdicts if verdict.rule != PASSED]
-    example = (f' See one: ./ws check {options.exercise} {" ".join(options.node)} --scenario {failed[0]} --view'
-               if failed and run.nodes and not options.view else '')
+    example = (f' See one: ./ws check {options.exercise} {" ".join(options.node)} '
+               f'--scenario {failed[0]} --view' if failed and run.nodes and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
 

@@ -38,7 +38,8 @@ def measure(run, exercise):
     m.bad_callback = 'bad callback' in run.output
     m.error, m.line = error_in(run.output)
     m.crashed = m.ended and m.status != 0 and not (m.error or '').startswith('ROSInterruptException')
-    m.why = f'{m.error}, line {m.line}' if m.error else (run.output.split('\n')[-2:-1] or ['it said nothing'])[0]
+    last_words = run.output.split('\n')[-2:-1] or ['it said nothing']
+    m.why = f'{m.error}, line {m.line}' if m.error else last_words[0]
     m.topic, m.wanted, heard = (('/moved_distance', 'std_msgs/Float64', run.moved) if exercise.route else
                                 ('/cmd_vel', 'geometry_msgs/Twist', run.commands))
     m.silent = not heard
@@ -92,7 +93,8 @@ def _measure_drive(m, run):
     m.last = abs(speeds[-1]) if speeds else 0.0
     m.last_word = '' if not speeds else (
         f'{speeds[-1]:.2f} {"m/s" if speeds[-1] == m.commands[-1].linear else "rad/s"}')
-    m.top_speed, m.top_turn = (max((abs(command[axis]) for command in m.moves), default=0.0) for axis in (1, 2))
+    m.top_speed, m.top_turn = (max((abs(command[axis]) for command in m.moves), default=0.0)
+                               for axis in (1, 2))
     m.moves_at_end = bool(m.moves) and m.commands[-1].moves
     m.ceased = m.moves_at_end and run.now - m.commands[-1].time > CEASED
     m.stop = None if m.moves_at_end or not m.moves else next(

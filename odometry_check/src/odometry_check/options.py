@@ -15,14 +15,14 @@ from odometry_check.scenarios import EXERCISES
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws check', description='Judge a node that you wrote for a tutorial: run it unmodified with the '
-        'simulated robot, and say what is right and what is not. Exit status 0: all passed; 1: some failed; 2: '
-        'the check could not run.')
+        prog='./ws check', description='Judge a node that you wrote for a tutorial: run it '
+        'unmodified with the simulated robot, and say what is right and what is not. Exit status '
+        '0: all passed; 1: some failed; 2: the check could not run.')
     parser.add_argument('exercise', choices=EXERCISES, help='; '.join(
         f'{name}: it {exercise.task}' for name, exercise in EXERCISES.items()))
     parser.add_argument('node', nargs='+', metavar='NODE',
-                        help='PACKAGE NODE, as for rosrun, or PACKAGE and a launch file; a FILE; or a FOLDER of '
-                             'files and packages, each judged; then _parameter:=value')
+                        help='PACKAGE NODE, as for rosrun, or PACKAGE and a launch file; a FILE; or '
+                             'a FOLDER of files and packages, each judged; then _parameter:=value')
     parser.add_argument('--scenario', metavar='NAME', help='run only this one')
     parser.add_argument('--view', action='store_true',
                         help='show it in a browser, in real time; begins once the page is open')
