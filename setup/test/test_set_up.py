@@ -50,6 +50,7 @@ mkdir -p "$VENV/bin"
 ln -s /bin/true "$VENV/bin/python3"  # as a pip that has nothing to do
 cd "$ROOT"
 WORKSPACE=$CHECKOUT
+add_requirements requirements-fork.txt
 add_requirements requirements.txt
 python_is_ready
 """

@@ -36,7 +36,7 @@ def make_figure(run, distance_target=None, heading_target=None):
     """
     track = run.odometry
     turned = numpy.degrees(numpy.ptp(track.yaw))
-    drives = track.distance[-1] >= MIN_DISTANCE or turned < MIN_TURN
+    drives = bool(track.distance[-1] >= MIN_DISTANCE or turned < MIN_TURN)
     panels = ['distance', 'speed'] * drives
     if turned >= MIN_TURN or heading_target is not None:
         panels += ['heading', *['error'] * (heading_target is not None), 'turn rate']

@@ -1,8 +1,9 @@
 """The physics: a floor and TurtleBots in PyBullet, driven by their wheel motors.
 
 The solver and its settings were chosen by measurement. Millimetres from the straight line after 10 m
-at 0.5 m/s, of the centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m radius;
-us per step, at 0.1 to 0.7 m/s and in spins of 1 and 3 rad/s, all measured in one run:
+at 0.5 m/s along x, of the centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m
+radius; us per step, at 0.1 to 0.7 m/s and in spins of 1 and 3 rad/s, all measured in one run. In other
+directions the line is missed by up to 1.5 mm, without constraint force mixing by up to 3.8 mm:
 
     direct (Dantzig), 240 Hz                       0.0   0.01   2.3   15
     without constraint force mixing                0.5   0.04   3.0   25 to 41
