@@ -76,8 +76,9 @@ class Runner:
             status = run.status  # before Ctrl-C
             if detector:
                 detector.interrupt()  # both end at once
-            run.ends = node.end(self._is_stubborn) and run.ends
+            run.ends = self._press_ctrl_c(node) and run.ends
             self._is_stubborn = not run.ends
+            node.end(is_stubborn=True)
             if detector:
                 detector.end()
             self._forget(run.nodes)
@@ -105,12 +106,19 @@ class Runner:
 
     def _interrupt(self, run, node):
         run.note(interrupted=len(run.commands), over=False)
-        node.interrupt()
-        if not node.wait(HOOK_PATIENCE):  # it may sleep by simulated time before it ends
-            self._bench.call('unpause_physics')
-            run.ends = not self._is_stubborn and node.wait(INTERRUPT_PATIENCE)
-            self._bench.call('pause_physics')
+        run.ends = self._press_ctrl_c(node)
         time.sleep(ARRIVAL)
+
+    def _press_ctrl_c(self, node):
+        """Return whether Ctrl-C ends a node, which may sleep by simulated time before it ends."""
+        node.interrupt()
+        if node.wait(HOOK_PATIENCE) or self._is_stubborn:
+            return node.wait(0.0)
+        self._bench.call('unpause_physics')
+        try:
+            return node.wait(INTERRUPT_PATIENCE)
+        finally:
+            self._bench.call('pause_physics')
 
     def _await_ready(self, node, run):
         """Return once the node has registered and rests, computes without a rest, or has ended."""
