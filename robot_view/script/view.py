@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Show robots, simulated or real, in a browser.
 
-Everybody who opens the page can drive the robot.
+Everybody who opens the page can drive the robot. The page records from the start of this node,
+whether a browser is open or not.
 
 Subscribes:
     odom (nav_msgs/Odometry): the odometry of each robot
@@ -10,10 +11,12 @@ Subscribes:
     scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
+    sim_turtlebot/world_markers (visualization_msgs/MarkerArray): the world, without meshes
     sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
+    moved_distance/reset (std_msgs/Empty): with the panel's reset
     sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): the pose at
         which the panel's button places a simulated robot
 
@@ -25,17 +28,19 @@ Calls:
 from odometry_common.node import run_node
 from odometry_common.parameters import StartError
 from robot_view.address import PARAMETERS, read_address
+from robot_view.robots import Robots
 
 
 def main():
     """View until shutdown."""
     address = read_address()
+    robots = Robots()  # now: to import viser takes a second, in which a robot may drive
     try:
         from robot_view.node import Viewer
     except ModuleNotFoundError as error:
         raise StartError(f'{error.name} is not installed; robot_view/requirements.txt '
                          'lists what the page needs: pip install -r it') from None
-    viewer = Viewer(address)
+    viewer = Viewer(address, robots)
     print(f'view: {address.url}')
     viewer.run()
 

@@ -1,9 +1,9 @@
-"""The 3-D scene: a metric grid and robots on it."""
+"""The 3-D scene: a metric grid and robots on it, all below the node WORLD."""
 
 import numpy
 from odometry_common.geometry import about, about_z, compose
 
-TWO_METRES = 2.0  # m, the distance in the tutorial
+WORLD = '/world'
 GHOST_DISTANCE = 0.005  # m between odometry and ground truth; draw both if they differ by more
 GHOST_ANGLE = 0.01  # rad
 GHOST_COLOUR = (30, 120, 220)
@@ -15,6 +15,9 @@ SCAN_POINT_SIZE = 0.02  # m
 START_COLOUR = (40, 160, 70)
 GOAL_COLOUR = (210, 40, 40)
 MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
+SHADOW_COLOUR = (20, 20, 30)
+SHADOW_OPACITY = 0.25
+SHADOW_RADIUS = 0.2  # m
 DAYLIGHT = 3.0
 DUSK_COLOUR = (110, 110, 120)  # of the light from below
 SPOKE_COLOUR = (235, 235, 235)
@@ -23,16 +26,18 @@ SPOKE_WIDTH = 0.008  # m
 SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 
 
-def add_floor_and_lights(scene):
-    """Add lights, and a floor with a line at each metre, to an empty viser scene."""
+def add_world(scene):
+    """Add lights and a world, a floor with a line at each metre, to an empty viser scene; return its frame."""
     scene.set_up_direction('+z')
     # With reflections and shadows, a computer without a graphics card draws one frame a second.
     scene.configure_environment_map(None)
     scene.configure_default_lights(cast_shadow=False)
     scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)
-    scene.add_grid('/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
+    world = scene.add_frame(WORLD, show_axes=False)
+    scene.add_grid(f'{WORLD}/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
                    section_size=1.0, section_color=(170, 170, 178), fade_distance=20.0,
                    plane_color=(248, 248, 250), plane_opacity=1.0)
+    return world
 
 
 class RobotModel:
@@ -46,9 +51,11 @@ class RobotModel:
         :param labelled: whether to show the name beside the robot
         """
         self._scene = scene
-        self._root = f'/robots/{name}'
+        self._root = f'{WORLD}/robots/{name}'
         self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
+        scene.add_cylinder(f'{self._root}/body/shadow', SHADOW_RADIUS, MARK_HEIGHT / 4, SHADOW_COLOUR,
+                           opacity=SHADOW_OPACITY)
         # Marks and ghost are in the odometry's frame.
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
@@ -77,6 +84,11 @@ class RobotModel:
         self._body.position, self._body.wxyz = robot.pose
         self._odometry.position = (origin.x, origin.y, 0.0)
         self._odometry.wxyz = _wxyz(about_z(origin.yaw))
+        goal = robot.targets.goal
+        self._goal.visible = goal is not None
+        if goal is not None:
+            self._goal.position, self._goal.wxyz = (goal.x, goal.y, 0.0), _wxyz(about_z(goal.yaw))
+            self._goal_label.text = f'{robot.targets.distance:g} m'
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
@@ -135,9 +147,8 @@ class RobotModel:
         node = self._odometry.name
         self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
-        self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
-                            position=(TWO_METRES, 0.0, 0.0))
-        self._scene.add_label(f'{node}/goal/label', '2 m', position=(0.0, 0.3, 0.0))
+        self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
+        self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, 0.3, 0.0))
 
 
 def _wxyz(quaternion):
