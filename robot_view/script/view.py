@@ -30,19 +30,23 @@ from odometry_common.parameters import StartError
 from robot_view.address import PARAMETERS, read_address
 from robot_view.robots import Robots
 
+FIRST_ROBOT_TIMEOUT = 2.0  # s
+
 
 def main():
     """View until shutdown."""
     address = read_address()
-    robots = Robots()  # now: to import viser takes a second, in which a robot may drive
+    robots = Robots()
+    # Otherwise a robot that starts now drives while viser is imported, which leaves no time for its messages.
+    robots.wait(FIRST_ROBOT_TIMEOUT)
     try:
-        from robot_view.node import Viewer
+        from robot_view.browser_page import BrowserPage
     except ModuleNotFoundError as error:
         raise StartError(f'{error.name} is not installed; robot_view/requirements.txt '
                          'lists what the page needs: pip install -r it') from None
-    viewer = Viewer(address, robots)
+    page = BrowserPage(address, robots)
     print(f'view: {address.url}')
-    viewer.run()
+    page.run()
 
 
 if __name__ == '__main__':

@@ -1,8 +1,11 @@
 """The page: scene, panel, plots and pad, the same in every browser."""
 
 import math
+import threading
+import time
 from pathlib import Path
 
+import rospy
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
 from robot_view.camera import FIELD_OF_VIEW, look_at_all, look_at_robot
@@ -15,6 +18,9 @@ from robot_view.server import start_server
 from robot_view.world_model import WorldModel
 
 PANEL_WIDTH = 316  # pixels; viser adds four
+FRAME_PERIOD = 0.05  # s of wall time between two pictures
+DRAWING_PERIOD = 0.2  # s between two updates of trails, readings and plots
+IDLE_PERIOD = 0.5  # s between two checks for a browser
 STYLE = Path(__file__).with_name('page.css')
 
 
@@ -49,18 +55,27 @@ class BrowserPage:
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
         self._follow = gui.add_checkbox('follow the robot', True)
         self._follow.on_update(self._on_follow)
-        gui.add_button('show all').on_click(self._on_show_all)
+        gui.add_button('show all', color='gray').on_click(self._on_show_all)
         self._plots = Plots(gui, gui.add_folder('plots'))
-        self._placing = add_placing(gui, lambda: self.chosen)
+        self._placing = add_placing(gui, self._put)
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
         server.initial_camera.fov = FIELD_OF_VIEW
         look_at_robot(server.initial_camera)
 
-    @property
-    def is_open(self):
-        """Whether a browser shows the page."""
-        return bool(self._server.get_clients())
+    def run(self):
+        """Draw while a browser shows the page, until shutdown."""
+        pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
+        drawn = 0.0
+        while not rospy.core.is_shutdown_requested():
+            if not self._server.get_clients():
+                pause.wait(IDLE_PERIOD)
+                continue
+            if time.monotonic() - drawn >= DRAWING_PERIOD:
+                drawn = time.monotonic()
+                self._draw()
+            self._move()
+            time.sleep(FRAME_PERIOD)
 
     @property
     def chosen(self):
@@ -70,7 +85,7 @@ class BrowserPage:
         name = self._choice.value if self._choice.value in options else options[0]
         return name and f'{name}/'
 
-    def move(self):
+    def _move(self):
         """Draw the robots at their current poses."""
         with self._server.atomic():
             for namespace, monitor, model in self._known():
@@ -80,7 +95,7 @@ class BrowserPage:
                         (x, y, _), _ = monitor.pose
                         self._world.position = (-x, -y, 0.0)
 
-    def draw(self):
+    def _draw(self):
         """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""
         self._find_models()
         self._simulation.update()
@@ -113,6 +128,10 @@ class BrowserPage:
         return [(namespace, monitor, self._models[namespace])
                 for namespace, monitor in self._robots.monitors.items()
                 if monitor.is_known and namespace in self._models]
+
+    def _put(self, *pose):
+        if self._models:
+            self._robots.monitors[self.chosen].put(*pose)
 
     def _speeds(self):
         return _clamped(self._linear), math.radians(_clamped(self._angular))

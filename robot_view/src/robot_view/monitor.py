@@ -7,8 +7,9 @@ from collections import deque
 
 import numpy
 import rospy
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import PlanarPose, wrap_to_pi
+from odometry_common.geometry import PlanarPose, about_z, wrap_to_pi
 from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from odometry_common.orientation import yaw_from_orientation
 from sensor_msgs.msg import JointState, LaserScan
@@ -17,6 +18,7 @@ from std_msgs.msg import Empty, Float64
 from robot_view.path_trace import PathTrace
 from robot_view.targets import ROTATOR, Targets
 
+SIMULATOR = 'sim_turtlebot'  # node
 EPOCH = 1e9  # s; stamps beyond this are wall time
 RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 
@@ -33,39 +35,35 @@ class RobotMonitor:
         self.wheels = {}  # angles (rad) by joint
         self.scan = None  # pose of the robot, and points in its frame: rows of x, y, z (m)
         self.targets = Targets(namespace)
-        self._namespace = namespace
         self._odometry = self._ground_truth = self._moved = None
         self._first_stamp = None
         self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
+        self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
         self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
-        self._subscribers = self._subscribe(
-            ('odom', Odometry, self._on_odometry), ('moved_distance', Float64, self._on_moved),
-            ('base_pose_ground_truth', Odometry, self._on_ground_truth),
-            (f'{ROTATOR}/target', Float64, self._on_target))
-        self._looks = []
-
-    def _subscribe(self, *topics):
-        return [rospy.Subscriber(f'{self._namespace}{topic}', kind, callback, tcp_nodelay=True)
-                for topic, kind, callback in topics]
-
-    def watch(self, is_watched):
-        """Subscribe to what is only looked at, and costs the simulator time, or unsubscribe."""
-        if is_watched and not self._looks:
-            self._looks = self._subscribe(('joint_states', JointState, self._on_joints),
-                                          ('scan', LaserScan, self._on_scan))
-        elif not is_watched:
-            while self._looks:
-                self._looks.pop().unregister()
+        topics = [('odom', Odometry, self._on_odometry),
+                  ('base_pose_ground_truth', Odometry, self._on_ground_truth),
+                  ('joint_states', JointState, self._on_joints),
+                  ('moved_distance', Float64, self._on_moved),
+                  ('scan', LaserScan, self._on_scan),
+                  (f'{ROTATOR}/target', Float64, self._on_target)]
+        self._connections = [self._poses, self._reset, *(
+            rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
+            for topic, kind, callback in topics)]
 
     def close(self):
-        """Unsubscribe."""
-        self.watch(False)
-        for connection in (self._reset, *self._subscribers):
+        """Disconnect from the robot."""
+        for connection in self._connections:
             connection.unregister()
 
     def reset_distance(self):
         """Let the detector start counting from zero."""
         self._reset.publish()
+
+    def put(self, x, y, heading):
+        """Place a simulated robot in the world, at x, y (m) and a heading (degrees), at rest."""
+        message = PoseStamped(pose=Pose(Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
+        message.header.frame_id = 'world'
+        self._poses.publish(message)
 
     @property
     def is_known(self):

@@ -1,19 +1,12 @@
 """The panel: the robot's state in numbers, and the buttons for the simulation."""
 
-import functools
 import html
-import math
 
 import rospy
-from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
-from odometry_common.connections import has_subscriber_within
-from odometry_common.geometry import about_z
 from std_srvs.srv import Empty
 
-from robot_view.robots import SERVICES, SIMULATOR
+from robot_view.robots import SERVICES
 
-PUT = 'put here'
-CONNECTING_TIMEOUT = 2.0  # s
 NOTICE_SECONDS = 10
 ROWS = [  # name, label, decimals, unit
     ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true distance', 3, ' m'),
@@ -67,43 +60,18 @@ class SimulationButtons:
             event.client.add_notification(button, str(error), auto_close_seconds=NOTICE_SECONDS)
 
 
-def add_placing(gui, chosen):
+def add_placing(gui, put):
     """Add inputs for a pose, and a button that places a simulated robot there, at rest.
 
-    :param chosen: function that returns the namespace of the robot
+    :param put: function of x, y (m) and heading (degrees)
     :return: the folder of the inputs, hidden
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
         x, y = (gui.add_number(f'{name} (m)', 0.0, step=0.05) for name in 'xy')
         heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
-        button = gui.add_button(PUT)
-
-    @button.on_click
-    def _(event):
-        # Before the wait: the user may type another pose meanwhile.
-        pose = _pose(x.value, y.value, heading.value)
-        publisher = _pose_publisher(f'{SIMULATOR}/{chosen()}set_pose')
-        if has_subscriber_within(publisher, CONNECTING_TIMEOUT):
-            publisher.publish(pose)
-        else:
-            event.client.add_notification(PUT, f'{publisher.name} has no subscriber',
-                                          auto_close_seconds=NOTICE_SECONDS)
-
+        gui.add_button('put here').on_click(lambda _: put(x.value, y.value, heading.value))
     return folder
-
-
-@functools.lru_cache(maxsize=None)
-def _pose_publisher(topic):
-    return rospy.Publisher(topic, PoseStamped, queue_size=1)
-
-
-def _pose(x, y, heading):
-    """Return the PoseStamped of a robot on the floor of the world; m, m, degrees."""
-    message = PoseStamped(pose=Pose(
-        Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
-    message.header.frame_id = 'world'
-    return message
 
 
 def _format(value, decimals, unit):

@@ -7,7 +7,7 @@ from odometry_common.geometry import PlanarPose, wrap_to_pi
 
 MAX_SPEED = 5.0  # m/s; a faster step is a reset, as for the movement detector
 STAMP_JITTER = 0.05  # s; error of the time between two poses, by their stamps
-START_RADIUS = 0.02  # m; an odometry that is closer to zero has just started
+START_RADIUS = 0.05  # m; an odometry that is closer to zero has just started
 TRAIL_SPACING = 0.01  # m
 HISTORY_SPACING = 0.1  # s
 ORIGIN = PlanarPose(0.0, 0.0, 0.0)

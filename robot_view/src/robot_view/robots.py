@@ -8,9 +8,8 @@ import rospy
 from std_msgs.msg import String
 from visualization_msgs.msg import MarkerArray
 
-from robot_view.monitor import RobotMonitor
+from robot_view.monitor import SIMULATOR, RobotMonitor
 
-SIMULATOR = 'sim_turtlebot'
 SERVICES = {'pause': f'{SIMULATOR}/pause_physics', 'resume': f'{SIMULATOR}/unpause_physics',
             'reset': f'{SIMULATOR}/reset_simulation'}
 FIRST_PERIOD = 0.1  # s between two searches, until there is a robot: it may drive at once
@@ -26,6 +25,7 @@ class Robots:
         self.complaint = ''  # in words
         self.world = None  # the simulator's MarkerArray
         self._warning = ''
+        self._found = threading.Event()
         self._warnings = rospy.Subscriber(f'{SIMULATOR}/warning', String, self._on_warning)
         rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._on_world)
         threading.Thread(target=self._search_until_shutdown, daemon=True).start()
@@ -35,6 +35,10 @@ class Robots:
         for monitor in self.monitors.values():
             monitor.reset_distance()
 
+    def wait(self, timeout):
+        """Wait until the first robot is recorded, at most `timeout` s of wall time."""
+        self._found.wait(timeout)
+
     def _search_until_shutdown(self):
         pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
         while not rospy.core.is_shutdown_requested():
@@ -43,9 +47,8 @@ class Robots:
 
     def _search(self):
         try:
-            publications, subscriptions, services = (
-                rosgraph.Master(rospy.get_name()).getSystemState())
-            self._update(find_robots({topic for topic, _ in publications}))
+            publications, subscriptions, services = rosgraph.Master(rospy.get_name()).getSystemState()
+            self._record(find_robots({topic for topic, _ in publications}))
             nodes = {node for _, names in subscriptions for node in names}
             for monitor in self.monitors.values():
                 monitor.targets.find(nodes)
@@ -55,14 +58,15 @@ class Robots:
         names = {service for service, _ in services}
         self.is_simulated = names.issuperset(map(rospy.resolve_name, SERVICES.values()))
 
-    def _update(self, found):
+    def _record(self, found):
         """Record these robots; if there are none, keep the last ones, which may come back."""
-        self.complaint = self._warning if self._warnings.get_num_connections() else ''
         if not found:
             self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
             return
+        self.complaint = self._warning if self._warnings.get_num_connections() else ''
         before = self.monitors
         self.monitors = {robot: before.get(robot) or RobotMonitor(robot) for robot in found}
+        self._found.set()
         for robot in before.keys() - self.monitors.keys():
             before[robot].close()
 

@@ -16,14 +16,10 @@ START_COLOUR = (40, 160, 70)
 GOAL_COLOUR = (210, 40, 40)
 MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
 SHADOW_COLOUR = (20, 20, 30)
-SHADOW_OPACITY = 0.25
-SHADOW_RADIUS = 0.2  # m
+SHADOW_OPACITY = 0.35
+SHADOW_RADIUS = 0.21  # m
 DAYLIGHT = 3.0
 DUSK_COLOUR = (110, 110, 120)  # of the light from below
-SPOKE_COLOUR = (235, 235, 235)
-SPOKES = 3  # from rim to rim
-SPOKE_WIDTH = 0.008  # m
-SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 
 
 def add_world(scene):
@@ -119,7 +115,6 @@ class RobotModel:
             self._add_shape(f'{ghost.name}/{number}', shape, GHOST_COLOUR, GHOST_OPACITY)
         if link.axis:
             self._wheels.append((link, body))
-            self._add_spokes(body, link.shapes[0])
 
     def _add_frame(self, parent, link):
         frame = self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False)
@@ -134,21 +129,12 @@ class RobotModel:
         else:
             self._scene.add_cylinder(name, *shape.size, **options)
 
-    def _add_spokes(self, wheel, shape):
-        """Mark a wheel, so that you see it turn: most of it is hidden by the base."""
-        radius, width = shape.size
-        for number in range(SPOKES):
-            rotation = compose(shape.rotation, about_z(numpy.pi * number / SPOKES))
-            self._scene.add_box(
-                f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
-                (2 * radius + SPOKE_MARGIN, SPOKE_WIDTH, width + SPOKE_MARGIN), wxyz=_wxyz(rotation))
-
     def _add_marks(self):
         node = self._odometry.name
         self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
         self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
-        self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, 0.3, 0.0))
+        self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
 
 
 def _wxyz(quaternion):

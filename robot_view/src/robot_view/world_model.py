@@ -1,5 +1,7 @@
 """The world around the robots, from the simulator's markers."""
 
+from functools import partial
+
 from visualization_msgs.msg import Marker
 
 OPACITY = 0.6  # of the opaque ones, so that a wall does not hide a robot
@@ -10,7 +12,9 @@ class WorldModel:
 
     def __init__(self, scene, root):
         """Draw below the scene node `root`, the frame `world`."""
-        self._scene, self._root = scene, root
+        self._root = root
+        self._adders = {Marker.CUBE: scene.add_box, Marker.SPHERE: partial(scene.add_icosphere, radius=0.5),
+                        Marker.CYLINDER: partial(scene.add_cylinder, radius=0.5)}
         self._drawn, self._handles = None, []
 
     def draw(self, markers):
@@ -24,17 +28,10 @@ class WorldModel:
             self._add(f'{self._root}/shapes/{number}', marker)
 
     def _add(self, name, marker):
-        position, turn, size = marker.pose.position, marker.pose.orientation, marker.scale
-        colour = marker.color
-        options = {'color': tuple(round(255 * part) for part in (colour.r, colour.g, colour.b)),
-                   'opacity': OPACITY * colour.a, 'position': (position.x, position.y, position.z),
-                   'wxyz': (turn.w, turn.x, turn.y, turn.z), 'scale': (size.x, size.y, size.z)}
-        if marker.type == Marker.CUBE:
-            handle = self._scene.add_box(name, dimensions=(1.0, 1.0, 1.0), **options)
-        elif marker.type == Marker.CYLINDER:
-            handle = self._scene.add_cylinder(name, 0.5, 1.0, **options)
-        elif marker.type == Marker.SPHERE:
-            handle = self._scene.add_icosphere(name, 0.5, **options)
-        else:
+        if marker.type not in self._adders:
             return
-        self._handles.append(handle)
+        position, turn, size, colour = marker.pose.position, marker.pose.orientation, marker.scale, marker.color
+        self._handles.append(self._adders[marker.type](
+            name, color=(colour.r, colour.g, colour.b), opacity=OPACITY * colour.a,
+            position=(position.x, position.y, position.z), wxyz=(turn.w, turn.x, turn.y, turn.z),
+            scale=(size.x, size.y, size.z)))
