@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Show robots, simulated or real, in a browser.
 
-Everybody who opens the page can drive the robot. The page records from the start of this node,
-whether a browser is open or not.
+Everybody who opens the page can drive the robot.
 
 Subscribes:
     odom (nav_msgs/Odometry): the odometry of each robot
@@ -11,12 +10,12 @@ Subscribes:
     scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
-    sim_turtlebot/world_markers (visualization_msgs/MarkerArray): the world, without meshes
+    sim_turtlebot/world_markers (visualization_msgs/MarkerArray): the world
     sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
 
 Publishes:
     cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
-    moved_distance/reset (std_msgs/Empty): with the panel's reset
+    moved_distance/reset (std_msgs/Empty): reset
     sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): the pose at
         which the panel's button places a simulated robot
 

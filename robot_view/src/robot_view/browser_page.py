@@ -53,7 +53,7 @@ class BrowserPage:
             self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
             self._angular = gui.add_slider(
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
-        self._follow = gui.add_checkbox('follow the robot', True)
+        self._follow = gui.add_checkbox('follow', True, hint='the chosen robot')
         self._follow.on_update(self._on_follow)
         gui.add_button('show all', color='gray').on_click(self._on_show_all)
         self._plots = Plots(gui, gui.add_folder('plots'))
