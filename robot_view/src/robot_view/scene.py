@@ -1,7 +1,9 @@
 """The 3-D scene: a metric grid and robots on it, all below the node WORLD."""
 
 import numpy
-from odometry_common.geometry import about, about_z, compose
+from odometry_common.geometry import about_z
+
+from robot_view.looks import add_robot, wxyz
 
 WORLD = '/world'
 GHOST_DISTANCE = 0.005  # m between odometry and ground truth; draw both if they differ by more
@@ -39,11 +41,11 @@ def add_world(scene):
 class RobotModel:
     """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
-    def __init__(self, scene, name, links, labelled):
+    def __init__(self, scene, name, urdf, labelled):
         """Add the model to viser's scene.
 
         :param name: of the scene node, without slashes
-        :param links: the robot's looks.Links
+        :param urdf: of looks.load_urdf()
         :param labelled: whether to show the name beside the robot
         """
         self._scene = scene
@@ -56,9 +58,8 @@ class RobotModel:
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
-        self._wheels = []  # links and frames
-        for link in links:
-            self._add_link(link)
+        self._wheels = add_robot(scene, self._body.name, urdf)
+        add_robot(scene, self._ghost.name, urdf, color=GHOST_COLOUR, opacity=GHOST_OPACITY)
         if labelled:
             scene.add_label(f'{self._root}/body/label', name, position=(0.0, 0.0, 0.55))
         self._add_marks()
@@ -79,19 +80,19 @@ class RobotModel:
         origin, drift = robot.trace.origin, robot.trace.drift
         self._body.position, self._body.wxyz = robot.pose
         self._odometry.position = (origin.x, origin.y, 0.0)
-        self._odometry.wxyz = _wxyz(about_z(origin.yaw))
+        self._odometry.wxyz = wxyz(about_z(origin.yaw))
         goal = robot.targets.goal
         self._goal.visible = goal is not None
         if goal is not None:
-            self._goal.position, self._goal.wxyz = (goal.x, goal.y, 0.0), _wxyz(about_z(goal.yaw))
+            self._goal.position, self._goal.wxyz = (goal.x, goal.y, 0.0), wxyz(about_z(goal.yaw))
             self._goal_label.text = f'{robot.targets.distance:g} m'
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
             self._ghost.position, self._ghost.wxyz = robot.odometry_pose
-        for link, frame in self._wheels:
-            if link.joint in robot.wheels:
-                frame.wxyz = _wxyz(compose(link.rotation, about(link.axis, robot.wheels[link.joint])))
+        for wheel in self._wheels:
+            if wheel.joint in robot.wheels:
+                wheel.turn(robot.wheels[wheel.joint])
 
     def draw_path(self, robot):
         """Draw the trail and the latest scan."""
@@ -107,36 +108,9 @@ class RobotModel:
             (self._scan.position, self._scan.wxyz), self._scan.points = robot.scan
             self._scan.visible = len(self._scan.points) > 0
 
-    def _add_link(self, link):
-        body = self._add_frame(self._body, link)
-        ghost = self._add_frame(self._ghost, link)
-        for number, shape in enumerate(link.shapes):
-            self._add_shape(f'{body.name}/{number}', shape, shape.colour)
-            self._add_shape(f'{ghost.name}/{number}', shape, GHOST_COLOUR, GHOST_OPACITY)
-        if link.axis:
-            self._wheels.append((link, body))
-
-    def _add_frame(self, parent, link):
-        frame = self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False)
-        frame.position, frame.wxyz = link.position, _wxyz(link.rotation)
-        return frame
-
-    def _add_shape(self, name, shape, colour, opacity=None):
-        options = {'color': colour, 'opacity': opacity, 'flat_shading': True,
-                   'position': shape.position, 'wxyz': _wxyz(shape.rotation)}
-        if len(shape.size) == 3:
-            self._scene.add_box(name, dimensions=shape.size, **options)
-        else:
-            self._scene.add_cylinder(name, *shape.size, **options)
-
     def _add_marks(self):
         node = self._odometry.name
         self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
         self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
         self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
-
-
-def _wxyz(quaternion):
-    """Return a quaternion x, y, z, w in viser's order."""
-    return numpy.roll(quaternion, 1)
