@@ -37,7 +37,7 @@ def main():
     address = read_address()
     robots = Robots()
     # Otherwise a robot that starts now drives while viser is imported, which leaves no time for its messages.
-    robots.wait(FIRST_ROBOT_TIMEOUT)
+    robots.found.wait(FIRST_ROBOT_TIMEOUT)
     try:
         from robot_view.browser_page import BrowserPage
     except ModuleNotFoundError as error:

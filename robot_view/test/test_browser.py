@@ -151,9 +151,9 @@ def test_a_reload_shows_the_same_run(robot, page):
     """The robot has gone there and back, which where it is now does not tell."""
     names = 'moved_distance', 'true_distance', 'heading'
     for button in 'forward', 'back':
-        went = page.reading('true_distance')
+        wanted = page.reading('true_distance') + 0.3
         page.hold(button)
-        page.wait_for_reading('true_distance', lambda metres: metres > went + 0.3)
+        page.wait_for_reading('true_distance', wanted.__lt__)
         page.release()
         robot.wait_until_resting()
     page.wait_for_reading('speed', lambda speed: speed == 0)

@@ -21,9 +21,10 @@ def look_at_robot(camera):
 def look_at_all(camera, places):
     """Point a client's camera so that it sees all places, a list of x, y (m) in the scene."""
     (left, right), (near, far) = ((min(values), max(values)) for values in zip(*places))
-    angle = min(FIELD_OF_VIEW / 2, math.atan(math.tan(FIELD_OF_VIEW / 2) * camera.aspect))
-    radius = math.dist((left, near), (right, far)) / 2 + MARGIN
-    _look(camera, ((left + right) / 2, (near + far) / 2), radius / math.sin(angle))
+    tangent = math.tan(FIELD_OF_VIEW / 2)
+    distance = max(((right - left) / 2 + MARGIN) / (tangent * camera.aspect),
+                   ((far - near) / 2 + MARGIN) / tangent)
+    _look(camera, ((left + right) / 2, (near + far) / 2), distance)
 
 
 def _look(camera, place, distance):

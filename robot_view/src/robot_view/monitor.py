@@ -92,9 +92,10 @@ class RobotMonitor:
 
     def readings(self):
         """Return the current values for panel.Readings by name; None if unknown."""
+        heading = self.trace.heading
         return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
                 'true_since': self.trace.since, 'speed': self._odometry.twist.twist.linear.x,
-                'heading': math.degrees(wrap_to_pi(self.trace.heading)),
+                'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
                 'simulated_time': self.stamp if self.stamp < EPOCH else None,
                 'real_time_factor': self._real_time_factor()}
 

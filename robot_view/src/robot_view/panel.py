@@ -55,7 +55,8 @@ class SimulationButtons:
         try:
             rospy.ServiceProxy(SERVICES[button], Empty)()
             if button == 'reset':
-                self._robots.reset_distances()
+                for monitor in self._robots.monitors.values():
+                    monitor.reset_distance()
         except rospy.ServiceException as error:
             event.client.add_notification(button, str(error), auto_close_seconds=NOTICE_SECONDS)
 

@@ -25,19 +25,10 @@ class Robots:
         self.complaint = ''  # in words
         self.world = None  # the simulator's MarkerArray
         self._warning = ''
-        self._found = threading.Event()
+        self.found = threading.Event()  # whether there has been a robot
         self._warnings = rospy.Subscriber(f'{SIMULATOR}/warning', String, self._on_warning)
         rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._on_world)
         threading.Thread(target=self._search_until_shutdown, daemon=True).start()
-
-    def reset_distances(self):
-        """Let the detectors start counting from zero."""
-        for monitor in self.monitors.values():
-            monitor.reset_distance()
-
-    def wait(self, timeout):
-        """Wait until the first robot is recorded, at most `timeout` s of wall time."""
-        self._found.wait(timeout)
 
     def _search_until_shutdown(self):
         pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
@@ -66,7 +57,7 @@ class Robots:
         self.complaint = self._warning if self._warnings.get_num_connections() else ''
         before = self.monitors
         self.monitors = {robot: before.get(robot) or RobotMonitor(robot) for robot in found}
-        self._found.set()
+        self.found.set()
         for robot in before.keys() - self.monitors.keys():
             before[robot].close()
 

@@ -15,6 +15,7 @@ TRAIL_HEIGHT = 0.004  # m, above the floor
 SCAN_COLOUR = (210, 30, 150)
 SCAN_POINT_SIZE = 0.02  # m
 START_COLOUR = (40, 160, 70)
+START_RADIUS = 0.07  # m
 GOAL_COLOUR = (210, 40, 40)
 MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
 SHADOW_COLOUR = (20, 20, 30)
@@ -110,7 +111,7 @@ class RobotModel:
 
     def _add_marks(self):
         node = self._odometry.name
-        self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
+        self._scene.add_cylinder(f'{node}/start', START_RADIUS, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
         self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
         self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
