@@ -25,7 +25,8 @@ class Robots:
         self.complaint = ''  # in words
         self.world = None  # the simulator's MarkerArray
         self._warning = ''
-        self.found = threading.Event()  # whether there has been a robot
+        self.found = threading.Event()  # whether there has been a robot, or nothing is to be waited for
+        rospy.on_shutdown(self.found.set)
         self._warnings = rospy.Subscriber(f'{SIMULATOR}/warning', String, self._on_warning)
         rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._on_world)
         threading.Thread(target=self._search_until_shutdown, daemon=True).start()
