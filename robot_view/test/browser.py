@@ -102,6 +102,12 @@ class Page:
         return self.run('const box = arguments[0].getBoundingClientRect();'
                         'return [box.left, box.top, box.width, box.height]', self._button(label))
 
+    def panel_box(self):
+        """Return the same of a phone's panel."""
+        return self.run('const panel = document.getElementById("readings").closest("[style*=fixed]");'
+                        'const box = panel.getBoundingClientRect();'
+                        'return [box.left, box.top, box.width, box.height]')
+
     def hold(self, label):
         ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
 
@@ -132,6 +138,11 @@ class Page:
                        '.map((edge) => edge * devicePixelRatio)')
         picture = Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
         return numpy.asarray(picture.crop([round(edge) for edge in box]), dtype=int)
+
+    def count_pixels(self, more, less):
+        """Return how many pixels of the scene have clearly more of one colour (0 to 2) than of another."""
+        colours = numpy.moveaxis(self.scene(), 2, 0)
+        return (colours[more] - colours[less] > 50).sum()
 
     def _wait_for_readings(self):
         self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),

@@ -2,7 +2,6 @@
 
 import contextlib
 
-import numpy
 import pytest
 import rospy
 from geometry_msgs.msg import Vector3
@@ -56,12 +55,6 @@ def page(open_view):
     open_view.let_go()
 
 
-def count_pixels(page, more, less):
-    """Return how many pixels have clearly more of one colour (0 to 2) than of another."""
-    colours = numpy.moveaxis(page.scene(), 2, 0)
-    return (colours[more] - colours[less] > 50).sum()
-
-
 def is_in_the_middle(page):
     """Return a condition for wait_for_robot(): whether its dark pixels surround the middle of the picture."""
     height, width, _ = page.scene().shape
@@ -94,9 +87,9 @@ def test_the_robot_is_in_the_picture_after_five_metres(robot, page):
 
 def test_one_button_shows_start_target_and_robot(robot, page):
     """After five metres the start is out of the picture; a toggle follows the robot again."""
-    assert count_pixels(page, 1, 0) < MARK_PIXELS
+    assert page.count_pixels(1, 0) < MARK_PIXELS
     page.click('show all')
-    wait_until(lambda: count_pixels(page, 1, 0) > MARK_PIXELS, TIMEOUT, 'a green start')
+    wait_until(lambda: page.count_pixels(1, 0) > MARK_PIXELS, TIMEOUT, 'a green start')
     wait_for_robot(page, lambda _, columns: columns.mean() > 0.6 * page.scene().shape[1])
     page.run('document.querySelector("[role=checkbox], input[type=checkbox]:not([inert] *)").click()')
     wait_for_robot(page, is_in_the_middle(page))
@@ -107,9 +100,9 @@ def test_a_wall_is_drawn_as_long_as_the_world_has_it(robot, page):
     wall = Marker(type=Marker.CUBE, scale=Vector3(0.1, 2.0, 0.5), color=ColorRGBA(1.0, 0.0, 0.0, 1.0))
     wall.pose.position.x, wall.pose.orientation.w = robot.last.pose.pose.position.x + 1.0, 1.0
     markers.publish([wall])
-    wait_until(lambda: count_pixels(page, 0, 1) > WALL_PIXELS, TIMEOUT, 'a red wall in the picture')
+    wait_until(lambda: page.count_pixels(0, 1) > WALL_PIXELS, TIMEOUT, 'a red wall in the picture')
     markers.publish([])
-    wait_until(lambda: count_pixels(page, 0, 1) < WALL_PIXELS / 2, TIMEOUT, 'a picture without it')
+    wait_until(lambda: page.count_pixels(0, 1) < WALL_PIXELS / 2, TIMEOUT, 'a picture without it')
 
 
 def test_the_page_shows_a_heading_and_its_target(robot, page):
@@ -171,9 +164,7 @@ def test_on_a_phone_a_finger_finds_each_button_and_the_robot_is_above_them(robot
         page.wait_for_text('forward')
         boxes = {label: page.box(label) for label in BUTTONS}
         assert all(min(width, height) >= 44 for _, _, width, height in boxes.values()), boxes
-        left, top, width, height = page.run(
-            'const box = document.getElementById("readings").closest("[style*=fixed]").getBoundingClientRect();'
-            'return [box.left, box.top, box.width, box.height]')
+        left, top, width, height = page.panel_box()
         assert (left, width) == (0, PHONE['width']) and height <= 0.45 * PHONE['height']
         assert all(top < y and y + high <= top + height for _, y, _, high in boxes.values()), 'a hidden button'
         wait_until(lambda: len(page.scene()) <= top, TIMEOUT, 'a scene above the panel')
@@ -189,13 +180,13 @@ def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
             viewing('__ns:=slippery') as view, open_page(view.url) as page:
         truth = Truth('/slippery/')
         page.dismiss_notices()
-        wait_until(lambda: count_pixels(page, 0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
-        assert count_pixels(page, 2, 0) < ROBOT_PIXELS / 10
+        wait_until(lambda: page.count_pixels(0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
+        assert page.count_pixels(2, 0) < ROBOT_PIXELS / 10
         page.hold('forward')
         page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
         page.release()
         truth.wait_until_resting()
-        wait_until(lambda: count_pixels(page, 2, 0) > ROBOT_PIXELS, TIMEOUT,
+        wait_until(lambda: page.count_pixels(2, 0) > ROBOT_PIXELS, TIMEOUT,
                    'a blue robot beside the dark one')
 
 
