@@ -51,9 +51,20 @@ class Page:
             self.driver.set_script_timeout(ANSWER_TIMEOUT)
             self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DRAW_SELDOM})
             self.driver.get(url)
-            self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
-                             'a page with readings')
+            self._wait_for_readings()
             stack.pop_all()
+
+    def reload(self):
+        """Open it again."""
+        self.driver.refresh()
+        self._wait_for_readings()
+
+    @contextlib.contextmanager
+    def resized(self, metrics):
+        """Give the window another size for a while; see Emulation.setDeviceMetricsOverride."""
+        self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', metrics)
+        yield
+        self.driver.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
 
     def __enter__(self):
         return self
@@ -69,9 +80,9 @@ class Page:
         return self.run('return document.body.innerText')
 
     def reading(self, name):
-        """Return a number of the panel by its id; None if it is a dash or not there yet."""
+        """Return a number of the panel by its id; None if it is not there."""
         text = self.run('return document.getElementById(arguments[0])?.textContent', name)
-        return float(re.match('-?[0-9.]+', text)[0]) if text not in (None, '–') else None
+        return float(re.match('-?[0-9.]+', text)[0]) if text is not None else None
 
     def wait_for_reading(self, name, accepts, timeout=PAGE_TIMEOUT):
         def accepted():
@@ -85,6 +96,17 @@ class Page:
 
     def click(self, label):
         self._button(label).click()
+
+    def box(self, label):
+        """Return left, top, width and height of a button (CSS pixels)."""
+        return self.run('const box = arguments[0].getBoundingClientRect();'
+                        'return [box.left, box.top, box.width, box.height]', self._button(label))
+
+    def panel_box(self):
+        """Return the same of a phone's panel."""
+        return self.run('const panel = document.getElementById("readings").closest("[style*=fixed]");'
+                        'const box = panel.getBoundingClientRect();'
+                        'return [box.left, box.top, box.width, box.height]')
 
     def hold(self, label):
         ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
@@ -116,6 +138,15 @@ class Page:
                        '.map((edge) => edge * devicePixelRatio)')
         picture = Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
         return numpy.asarray(picture.crop([round(edge) for edge in box]), dtype=int)
+
+    def count_pixels(self, more, less):
+        """Return how many pixels of the scene have clearly more of one colour (0 to 2) than of another."""
+        colours = numpy.moveaxis(self.scene(), 2, 0)
+        return (colours[more] - colours[less] > 50).sum()
+
+    def _wait_for_readings(self):
+        self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
+                         'a page with readings')
 
     def _button(self, label):
         # At once in the page: it may replace its buttons at any time.

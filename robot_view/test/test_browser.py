@@ -2,17 +2,23 @@
 
 import contextlib
 
-import numpy
 import pytest
 import rospy
+from geometry_msgs.msg import Vector3
 from odometry_tests.processes import rosrun
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth, detector, simulator
 from odometry_tests.waiting import TIMEOUT, wait_until
+from std_msgs.msg import ColorRGBA
 from viewer import ROBOT_PIXELS, viewing, wait_for_robot
+from visualization_msgs.msg import Marker, MarkerArray
 
 SCAN_PIXELS = 100
-SCENE_WIDTH = 276  # pixels, between the panels
+WALL_PIXELS = 500
+MARK_PIXELS = 4  # at least so many are those of a mark on the floor
+OFF_CENTRE = 0.1  # share of the picture, by which the robot's middle may be off the picture's
+PHONE = {'width': 390, 'height': 844, 'deviceScaleFactor': 0.5, 'mobile': True}
+BUTTONS = 'forward', 'left', 'stop', 'right', 'back'
 
 
 @pytest.fixture(scope='module')
@@ -49,35 +55,54 @@ def page(open_view):
     open_view.let_go()
 
 
-def count_pixels(page, more, less):
-    """Return how many pixels have clearly more of one colour (0 to 2) than of another."""
-    colours = numpy.moveaxis(page.scene(), 2, 0)
-    return (colours[more] - colours[less] > 50).sum()
+def is_in_the_middle(page):
+    """Return a condition for wait_for_robot(): whether its dark pixels surround the middle of the picture."""
+    height, width, _ = page.scene().shape
+    return lambda rows, columns: (abs(rows.mean() / height - 0.5) < OFF_CENTRE
+                                  and abs(columns.mean() / width - 0.5) < OFF_CENTRE)
 
 
 def test_a_page_without_a_robot_says_what_it_waits_for(page):
     page.wait_for_text('waiting for odometry on /odom')
     page.dismiss_notices()
     assert page.scene().std() > 1, 'the picture is blank'
-    assert page.reading('moved_distance') is None
+    assert 'distance' not in page.text and 'time' not in page.text.split('plots')[0], 'a row without a value'
 
 
-def test_the_page_shows_the_robot_drive_two_metres(robot, page):
+def test_the_robot_is_in_the_picture_after_five_metres(robot, page):
     page.wait_for_reading('moved_distance', lambda metres: metres == 0)
-    # Until the page is complete, other parts may be as dark.
-    rows, columns = wait_for_robot(page, lambda _, columns: columns.max() < SCENE_WIDTH / 2)
-    with rosrun('test_movement', 'test_movement.py', '_speed:=0.5',
+    wait_for_robot(page, is_in_the_middle(page))
+    with rosrun('test_movement', 'test_movement.py', '_distance:=5', '_speed:=0.7',
                 '_exit_when_done:=true') as mover:
+        page.wait_for_text('target')
         assert mover.wait() == 0, mover.output
     robot.wait_until_resting()
     went = pytest.approx(robot.last.pose.pose.position.x, abs=0.002)
-    assert went.expected >= 2.0
+    assert went.expected >= 5.0
     for name in 'moved_distance', 'true_distance':
         page.wait_for_reading(name, lambda metres: metres == went)
     page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
-    # Two metres are about half the width of what the camera sees.
-    wait_for_robot(page, lambda end_rows, end_columns: end_columns.mean() - columns.mean() > 75
-                   and abs(end_rows.mean() - rows.mean()) < 15)
+    wait_for_robot(page, is_in_the_middle(page))
+
+
+def test_one_button_shows_start_target_and_robot(robot, page):
+    """After five metres the start is out of the picture; a toggle follows the robot again."""
+    assert page.count_pixels(1, 0) < MARK_PIXELS
+    page.click('show all')
+    wait_until(lambda: page.count_pixels(1, 0) > MARK_PIXELS, TIMEOUT, 'a green start')
+    wait_for_robot(page, lambda _, columns: columns.mean() > 0.6 * page.scene().shape[1])
+    page.run('document.querySelector("[role=checkbox], input[type=checkbox]:not([inert] *)").click()')
+    wait_for_robot(page, is_in_the_middle(page))
+
+
+def test_a_wall_is_drawn_as_long_as_the_world_has_it(robot, page):
+    markers = rospy.Publisher('/sim_turtlebot/world_markers', MarkerArray, queue_size=1, latch=True)
+    wall = Marker(type=Marker.CUBE, scale=Vector3(0.1, 2.0, 0.5), color=ColorRGBA(1.0, 0.0, 0.0, 1.0))
+    wall.pose.position.x, wall.pose.orientation.w = robot.last.pose.pose.position.x + 1.0, 1.0
+    markers.publish([wall])
+    wait_until(lambda: page.count_pixels(0, 1) > WALL_PIXELS, TIMEOUT, 'a red wall in the picture')
+    markers.publish([])
+    wait_until(lambda: page.count_pixels(0, 1) < WALL_PIXELS / 2, TIMEOUT, 'a picture without it')
 
 
 def test_the_page_shows_a_heading_and_its_target(robot, page):
@@ -100,7 +125,8 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
     page.click('reset')
     start = robot.wait_for(lambda m: m.header.seq == 0, what='a robot at its start')
     assert abs(start.pose.pose.position.x) < 1e-3
-    page.wait_for_reading('true_distance', lambda metres: metres == 0)
+    for name in 'true_distance', 'moved_distance':
+        page.wait_for_reading(name, lambda metres: metres == 0)
 
 
 def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
@@ -114,6 +140,37 @@ def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
         robot.wait_until_resting()
 
 
+def test_a_reload_shows_the_same_run(robot, page):
+    """The robot has gone there and back, which where it is now does not tell."""
+    names = 'moved_distance', 'true_distance', 'heading'
+    for button in 'forward', 'back':
+        wanted = page.reading('true_distance') + 0.3
+        page.hold(button)
+        page.wait_for_reading('true_distance', wanted.__lt__)
+        page.release()
+        robot.wait_until_resting()
+    page.wait_for_reading('speed', lambda speed: speed == 0)
+    before = {name: page.reading(name) for name in names}
+    assert before['true_distance'] > abs(robot.last.pose.pose.position.x) + 0.3
+    page.reload()
+    page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
+    assert {name: page.reading(name) for name in names} == before
+    page.dismiss_notices()
+    wait_for_robot(page, is_in_the_middle(page))
+
+
+def test_on_a_phone_a_finger_finds_each_button_and_the_robot_is_above_them(robot, page):
+    with page.resized(PHONE):
+        page.wait_for_text('forward')
+        boxes = {label: page.box(label) for label in BUTTONS}
+        assert all(min(width, height) >= 44 for _, _, width, height in boxes.values()), boxes
+        left, top, width, height = page.panel_box()
+        assert (left, width) == (0, PHONE['width']) and height <= 0.45 * PHONE['height']
+        assert all(top < y and y + high <= top + height for _, y, _, high in boxes.values()), 'a hidden button'
+        wait_until(lambda: len(page.scene()) <= top, TIMEOUT, 'a scene above the panel')
+        wait_for_robot(page, is_in_the_middle(page))
+
+
 @pytest.mark.nightly
 def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
     """Dots on the walls of the room; a blue ghost where slipping wheels believe the robot to be."""
@@ -123,11 +180,19 @@ def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
             viewing('__ns:=slippery') as view, open_page(view.url) as page:
         truth = Truth('/slippery/')
         page.dismiss_notices()
-        wait_until(lambda: count_pixels(page, 0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
-        assert count_pixels(page, 2, 0) < ROBOT_PIXELS / 10
+        wait_until(lambda: page.count_pixels(0, 1) > SCAN_PIXELS, TIMEOUT, 'a scan in the picture')
+        assert page.count_pixels(2, 0) < ROBOT_PIXELS / 10
         page.hold('forward')
         page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
         page.release()
         truth.wait_until_resting()
-        wait_until(lambda: count_pixels(page, 2, 0) > ROBOT_PIXELS, TIMEOUT,
+        wait_until(lambda: page.count_pixels(2, 0) > ROBOT_PIXELS, TIMEOUT,
                    'a blue robot beside the dark one')
+
+
+def test_a_lost_connection_is_said_in_words(page, view):
+    """The last test of this page."""
+    notice = 'return getComputedStyle(document.body, "::after").content'
+    assert page.run(notice) == 'none'
+    view.end()
+    wait_until(lambda: 'Connection lost' in page.run(notice), TIMEOUT, lambda: page.run(notice))

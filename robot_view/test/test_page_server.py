@@ -34,6 +34,22 @@ def test_others_are_not(host, origin):
     assert not is_own(NAMES, host, origin)
 
 
+def test_a_codespace_forwards_the_page(monkeypatch):
+    """To localhost, with the browser's Origin, or with its own name as Host; no other Codespace does."""
+    monkeypatch.setenv('CODESPACE_NAME', 'Fluffy-Disco-x7')
+    monkeypatch.setenv('GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN', 'app.github.dev')
+    with hold_port() as port:
+        address = read_address({'port': port})
+    forwarded, other = (f'{name}-{port}.app.github.dev' for name in ('fluffy-disco-x7', 'other'))
+
+    def admits(host, name):
+        return is_own(address.names, host, f'https://{name}', address.origins)
+
+    assert admits(f'localhost:{port}', forwarded) and admits(forwarded, forwarded)
+    assert not admits(f'localhost:{port}', other) and not admits(other, other)
+    assert not is_own(address.names, f'localhost:{port}', f'http://{forwarded}', address.origins)
+
+
 @pytest.mark.parametrize('host, url', [('localhost', 'http://localhost'), ('0.0.0.0', 'http://localhost'),
                                        ('127.0.0.2', 'http://127.0.0.2')])
 def test_the_page_has_a_url_that_every_browser_finds(host, url):

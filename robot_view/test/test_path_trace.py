@@ -45,11 +45,21 @@ def test_the_odometry_begins_where_the_robot_is_in_the_world():
     assert trace.trail.array()[-1] == pytest.approx([5.0, -2.0])
 
 
+def test_what_nobody_saw_is_not_counted():
+    """A recording that begins late says since when; the wheels may have slipped before."""
+    trace = PathTrace()
+    follow(trace, [PlanarPose(3.0 + pose.x, 0.0, 0.0) for pose in straight(1.0)], start=7.0,
+           ground_truth=straight(0.5))
+    assert trace.true_distance == pytest.approx(0.5)
+    assert trace.since == 7.0
+
+
 def test_slipping_wheels_show_as_drift():
     """The odometry counts a metre, and the robot goes nine tenths of it."""
     trace = PathTrace()
     follow(trace, straight(1.0), ground_truth=straight(1.0, scale=0.9))
     assert trace.drift == pytest.approx((-0.1, 0.0, 0.0))
+    assert trace.since is None
     assert trace.true_distance == pytest.approx(0.9)
 
 

@@ -20,6 +20,7 @@ Publishes:
     /tf (tf2_msgs/TFMessage): odom -> base_footprint, base_link -> wheels
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
+    ~world_markers (visualization_msgs/MarkerArray): latched; the world file's shapes
     ~warning (std_msgs/String): latched; the machine is too slow, a robot lies on its side, or why
         a pose was refused, until one is accepted; empty otherwise
 

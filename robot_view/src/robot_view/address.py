@@ -33,6 +33,7 @@ class Address(NamedTuple):
     port: int
     url: str  # for a browser on this machine
     names: set  # in lower case; with a port, a name is valid with that port only
+    origins: set  # of the page where it is forwarded, beside http:// and https:// of each name
 
 
 def read_address(source=None):
@@ -47,7 +48,15 @@ def read_address(source=None):
     if host in ANY_ADDRESS:
         names.add(socket.gethostname().lower())
         shown = 'localhost'
-    return Address(_find_ip(host, port), port, f'http://{shown}:{port}', names)
+    forwarded = _forwarded_name(port)
+    return Address(_find_ip(host, port), port, f'http://{shown}:{port}', names | forwarded,
+                   {f'https://{name}' for name in forwarded})
+
+
+def _forwarded_name(port):
+    """Return a set with the name under which GitHub's Codespaces forward the port; elsewhere an empty one."""
+    name, domain = map(os.environ.get, ('CODESPACE_NAME', 'GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN'))
+    return {f'{name}-{port}.{domain}'.lower()} if name and domain else set()
 
 
 def _parse(allowed_hosts):

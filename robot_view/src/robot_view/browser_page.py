@@ -1,133 +1,161 @@
 """The page: scene, panel, plots and pad, the same in every browser."""
 
 import math
+import threading
+import time
+from pathlib import Path
 
-from odometry_common.geometry import PlanarPose
+import rospy
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
-from robot_view.looks import load_links
-from robot_view.monitor import RobotMonitor
+from robot_view.camera import FIELD_OF_VIEW, look_at_all, look_at_robot
+from robot_view.looks import load_urdf
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import Readings, SimulationButtons, add_placing
 from robot_view.plots import Plots
-from robot_view.scene import TWO_METRES, RobotModel, add_floor_and_lights
+from robot_view.scene import WORLD, RobotModel, add_world
 from robot_view.server import start_server
+from robot_view.world_model import WorldModel
 
-PANEL_WIDTH = 320  # pixels
-FIELD_OF_VIEW = 45  # degrees
-CAMERA_DISTANCE = 3.2  # m, from the point at which it looks
-CAMERA_HEIGHT = 1.6  # m
-HALF_WAY = PlanarPose(TWO_METRES / 2, 0.0, 0.0)
-FAR = 3.0  # m
+PANEL_WIDTH = 316  # pixels; viser adds four
+FRAME_PERIOD = 0.05  # s of wall time between two pictures
+DRAWING_PERIOD = 0.2  # s between two updates of trails, readings and plots
+IDLE_PERIOD = 0.5  # s between two checks for a browser
+STYLE = Path(__file__).with_name('page.css')
 
 
 class BrowserPage:
     """The page in all browsers; served at an Address until the process exits."""
 
-    def __init__(self, address):
-        self._links = load_links()
-        self._robots = {}  # RobotMonitor and RobotModel by namespace
-        self._framed = set()
+    def __init__(self, address, robots):
+        """Show Robots."""
+        self._robots = robots
+        self._urdf = load_urdf()
+        self._models = {}  # RobotModel by namespace
         self._server = start_server(address)
+        scene = self._server.scene
+        self._world = add_world(scene)
+        self._shapes = WorldModel(scene, WORLD)
         self._build()
+        self._server.on_client_connect(self._on_connect)
         self._server.on_client_disconnect(self._on_disconnect)
 
     def _build(self):
         server, gui = self._server, self._server.gui
         gui.configure_theme(show_logo=False, show_share_button=False, control_width='medium')
-        add_floor_and_lights(server.scene)
+        gui.add_html(f'<style>{STYLE.read_text(encoding="utf-8")}</style>')
         self._readings = Readings(gui)
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
-        self._simulation = SimulationButtons(gui)
+        self._simulation = SimulationButtons(gui, self._robots)
         with gui.add_folder('drive: hold a button or an arrow key'):
-            self._pad = Pad(lambda: self.chosen if self._robots else None, self._speeds)
+            self._pad = Pad(lambda: self.chosen if self._models else None, self._speeds)
             add_pad(gui, self._pad)
-            self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2)
+            self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
             self._angular = gui.add_slider(
-                'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45)
-        self._placing = add_placing(gui, lambda: self.chosen)
-        panel = gui.add_panel()
-        self._plots = Plots(gui, panel.add_tab('plots'))
-        panel.dock_left()
-        panel.set_width(PANEL_WIDTH)
+                'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
+        self._follow = gui.add_checkbox('follow', True, hint='the chosen robot')
+        self._follow.on_update(self._on_follow)
+        gui.add_button('show all', color='gray').on_click(self._on_show_all)
+        self._plots = Plots(gui, gui.add_folder('plots'))
+        self._placing = add_placing(gui, self._put)
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
-        server.initial_camera.fov = math.radians(FIELD_OF_VIEW)
-        _point_camera(server.initial_camera, [HALF_WAY[:2]])
+        server.initial_camera.fov = FIELD_OF_VIEW
+        look_at_robot(server.initial_camera)
 
-    @property
-    def is_open(self):
-        """Whether a browser shows the page."""
-        return bool(self._server.get_clients())
+    def run(self):
+        """Draw while a browser shows the page, until shutdown."""
+        pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
+        drawn = 0.0
+        while not rospy.core.is_shutdown_requested():
+            if not self._server.get_clients():
+                pause.wait(IDLE_PERIOD)
+                continue
+            if time.monotonic() - drawn >= DRAWING_PERIOD:
+                drawn = time.monotonic()
+                self._draw()
+            self._move()
+            time.sleep(FRAME_PERIOD)
 
     @property
     def chosen(self):
-        """Namespace of the robot that the readings show and the pad drives."""
+        """Namespace of the robot that the readings show, the camera follows and the pad drives."""
         # viser also accepts a value that is not an option.
         options = self._choice.options
         name = self._choice.value if self._choice.value in options else options[0]
         return name and f'{name}/'
 
-    def update_simulation(self, is_simulated, complaint):
-        """Show the simulator's controls if there is one, and a complaint unless it is empty."""
-        self._simulation.update(is_simulated, complaint)
-        self._placing.visible = is_simulated
-
-    def set_robots(self, namespaces):
-        """Show the robots in these namespaces and no others."""
-        for namespace in set(self._robots) - set(namespaces):
-            for part in self._robots.pop(namespace):
-                part.close()
-        for namespace in namespaces:
-            if namespace not in self._robots:
-                self._robots[namespace] = RobotMonitor(namespace), RobotModel(
-                    self._server.scene, namespace.strip('/') or 'robot', self._links,
-                    labelled=len(namespaces) > 1)
-        names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
-        if self._choice.options != names:
-            self._choice.options = names
-        self._choice.visible = len(names) > 1
-        if not namespaces:
-            self._readings.show({})
-
-    def set_rotating(self, is_rotating):
-        """Set which robots rotate.py turns, by a function of their namespaces."""
-        for namespace, (monitor, _) in self._robots.items():
-            monitor.set_rotating(is_rotating(namespace))
-
-    def move(self):
+    def _move(self):
         """Draw the robots at their current poses."""
         with self._server.atomic():
-            for _, monitor, model in self._known():
+            for namespace, monitor, model in self._known():
                 with monitor.lock:
                     model.move(monitor)
-        self._frame_new_clients()
+                    if namespace == self.chosen and self._follow.value:
+                        (x, y, _), _ = monitor.pose
+                        self._world.position = (-x, -y, 0.0)
 
-    def draw(self):
-        """Draw the parts that change more slowly: paths, scans, readings, plots."""
+    def _draw(self):
+        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""
+        self._find_models()
+        self._simulation.update()
+        self._placing.visible = self._robots.is_simulated
+        self._shapes.draw(self._robots.world)
         for namespace, monitor, model in self._known():
             with monitor.lock:
                 model.draw_path(monitor)
                 if namespace == self.chosen:
                     self._readings.show(monitor.readings())
-                    self._plots.draw(monitor.trace.history.array())
+                    self._plots.draw(monitor.trace.history.array(), monitor.targets.distance)
+
+    def _find_models(self):
+        """Show the robots that are recorded, and no others."""
+        namespaces = list(self._robots.monitors)
+        for namespace in self._models.keys() - set(namespaces):
+            self._models.pop(namespace).close()
+        for namespace in namespaces:
+            if namespace not in self._models:
+                self._models[namespace] = RobotModel(
+                    self._server.scene, namespace.strip('/') or 'robot', self._urdf,
+                    labelled=len(namespaces) > 1)
+        names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
+        if self._choice.options != names:
+            self._choice.options = names
+        self._choice.visible = len(names) > 1
 
     def _known(self):
         """Return the namespaces, monitors and models of the robots with odometry."""
-        return [(namespace, monitor, model)
-                for namespace, (monitor, model) in self._robots.items() if monitor.is_known]
+        return [(namespace, monitor, self._models[namespace])
+                for namespace, monitor in self._robots.monitors.items()
+                if monitor.is_known and namespace in self._models]
+
+    def _put(self, *pose):
+        if self._models:
+            self._robots.monitors[self.chosen].put(*pose)
 
     def _speeds(self):
         return _clamped(self._linear), math.radians(_clamped(self._angular))
 
-    def _frame_new_clients(self):
-        """Point the camera of a new browser at the robots, once their poses are known."""
-        places = [_middle(monitor) for _, monitor, _ in self._known()]
+    def _on_follow(self, _):
+        if self._follow.value:
+            for client in self._server.get_clients().values():
+                look_at_robot(client.camera)
+
+    def _on_show_all(self, event):
+        """Show start, target and place of every robot to the browser that asks."""
+        self._follow.value = False
+        self._show_all(event.client)
+
+    def _show_all(self, client):
+        x, y, _ = self._world.position
+        places = [(x + place[0], y + place[1])
+                  for _, monitor, _ in self._known() for place in monitor.places()]
         if places:
-            clients = self._server.get_clients()
-            for number in set(clients) - self._framed:
-                _point_camera(clients[number].camera, places)
-            self._framed = set(clients)
+            look_at_all(client.camera, places)
+
+    def _on_connect(self, client):
+        if not self._follow.value:
+            self._show_all(client)
 
     async def _on_disconnect(self, client):
         # Not on a thread, or the last hold of the same browser could come later.
@@ -139,17 +167,3 @@ def _clamped(slider):
     if not math.isfinite(slider.value):
         return 0.0
     return min(max(slider.value, slider.min), slider.max)
-
-
-def _middle(robot):
-    """Return x, y (m) of the middle of the first two metres, or of a robot that is far away."""
-    half_way, place = robot.trace.origin.then(HALF_WAY)[:2], robot.pose[0][:2]
-    return half_way if math.dist(half_way, place) < FAR else place
-
-
-def _point_camera(camera, places):
-    """Show places, a list of x, y (m)."""
-    x, y = (sum(values) / len(places) for values in zip(*places))
-    distance = CAMERA_DISTANCE + max(math.dist(place, (x, y)) for place in places)
-    camera.position = (x, y - distance, CAMERA_HEIGHT)
-    camera.look_at = (x, y, 0.1)

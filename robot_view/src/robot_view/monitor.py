@@ -7,17 +7,18 @@ from collections import deque
 
 import numpy
 import rospy
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import PlanarPose, wrap_to_pi
+from odometry_common.geometry import PlanarPose, about_z, wrap_to_pi
 from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from odometry_common.orientation import yaw_from_orientation
-from odometry_common.parameters import as_number
 from sensor_msgs.msg import JointState, LaserScan
-from std_msgs.msg import Float64
+from std_msgs.msg import Empty, Float64
 
 from robot_view.path_trace import PathTrace
+from robot_view.targets import ROTATOR, Targets
 
-TARGET = 'rotate_robot/target'  # topic and parameter of rotate.py
+SIMULATOR = 'sim_turtlebot'  # node
 EPOCH = 1e9  # s; stamps beyond this are wall time
 RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 
@@ -33,31 +34,36 @@ class RobotMonitor:
         self.trace = PathTrace()
         self.wheels = {}  # angles (rad) by joint
         self.scan = None  # pose of the robot, and points in its frame: rows of x, y, z (m)
-        self._target_topic = f'{namespace}{TARGET}'
-        self._odometry = self._ground_truth = self._moved = self._target = None
+        self.targets = Targets(namespace)
+        self._odometry = self._ground_truth = self._moved = None
         self._first_stamp = None
         self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
+        self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
+        self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
         topics = [('odom', Odometry, self._on_odometry),
                   ('base_pose_ground_truth', Odometry, self._on_ground_truth),
                   ('joint_states', JointState, self._on_joints),
                   ('moved_distance', Float64, self._on_moved),
                   ('scan', LaserScan, self._on_scan),
-                  (TARGET, Float64, self._on_target)]
-        self._subscribers = [
+                  (f'{ROTATOR}/target', Float64, self._on_target)]
+        self._connections = [self._poses, self._reset, *(
             rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
-            for topic, kind, callback in topics]
+            for topic, kind, callback in topics)]
 
     def close(self):
-        """Unsubscribe."""
-        for subscriber in self._subscribers:
-            subscriber.unregister()
+        """Disconnect from the robot."""
+        for connection in self._connections:
+            connection.unregister()
 
-    def set_rotating(self, rotating):
-        """Set whether rotate.py turns this robot; its first target is a parameter, if set."""
-        if not rotating:
-            self._target = None
-        elif self._target is None:
-            self._target = as_number(rospy.get_param(self._target_topic, None))
+    def reset_distance(self):
+        """Let the detector start counting from zero."""
+        self._reset.publish()
+
+    def put(self, x, y, heading):
+        """Place a simulated robot in the world, at x, y (m) and a heading (degrees), at rest."""
+        message = PoseStamped(pose=Pose(Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
+        message.header.frame_id = 'world'
+        self._poses.publish(message)
 
     @property
     def is_known(self):
@@ -79,11 +85,17 @@ class RobotMonitor:
         """The time of the odometry (s)."""
         return self._odometry.header.stamp.to_sec()
 
+    def places(self):
+        """Return x, y (m) of the start, of the goal if there is one, and of the robot."""
+        start, goal = self.trace.origin, self.targets.goal
+        return [start[:2], self.pose[0][:2], *([start.then(goal)[:2]] if goal else [])]
+
     def readings(self):
         """Return the current values for panel.Readings by name; None if unknown."""
+        heading = self.trace.heading
         return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
-                'speed': self._odometry.twist.twist.linear.x,
-                'heading': math.degrees(wrap_to_pi(self.trace.heading)),
+                'true_since': self.trace.since, 'speed': self._odometry.twist.twist.linear.x,
+                'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
                 'simulated_time': self.stamp if self.stamp < EPOCH else None,
                 'real_time_factor': self._real_time_factor()}
 
@@ -103,7 +115,8 @@ class RobotMonitor:
             if self._first_stamp is None:
                 self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
             self.trace.add_odometry(self.stamp, pose)
-            self.trace.add_history(self.stamp - self._first_stamp, self._moved, self._target)
+            self.targets.aim(pose, self._moved)
+            self.trace.add_history(self.stamp - self._first_stamp, self._moved, self.targets.heading)
 
     def _on_ground_truth(self, message):
         pose = _planar_pose(message)
@@ -124,11 +137,13 @@ class RobotMonitor:
                 self.scan = self.pose, points
 
     def _on_moved(self, message):
-        self._moved = message.data if math.isfinite(message.data) else None
+        before, self._moved = self._moved, message.data if math.isfinite(message.data) else None
+        if None not in (before, self._moved) and self._moved < before:  # counting starts again
+            self.targets.goal = None
 
     def _on_target(self, message):
         if math.isfinite(message.data):
-            self._target = message.data
+            self.targets.heading = message.data
 
 
 def _pose_3d(message):

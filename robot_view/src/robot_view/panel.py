@@ -1,28 +1,17 @@
 """The panel: the robot's state in numbers, and the buttons for the simulation."""
 
-import functools
 import html
-import math
 
 import rospy
-from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
-from odometry_common.connections import has_subscriber_within
-from odometry_common.geometry import about_z
 from std_srvs.srv import Empty
 
-NODE = 'sim_turtlebot'
-SERVICES = {'pause': f'{NODE}/pause_physics', 'resume': f'{NODE}/unpause_physics',
-            'reset': f'{NODE}/reset_simulation'}
-PUT = 'put here'
-CONNECTING_TIMEOUT = 2.0  # s
+from robot_view.robots import SERVICES
+
 NOTICE_SECONDS = 10
 ROWS = [  # name, label, decimals, unit
     ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true distance', 3, ' m'),
     ('speed', 'speed', 2, ' m/s'), ('heading', 'heading', 1, '°'),
     ('simulated_time', 'simulated time', 1, ' s'), ('real_time_factor', 'real-time factor', 2, '')]
-STYLE = ('<style>#readings{width:100%;font-size:0.95em;padding:0 0.8em}'
-         '#readings td+td{text-align:right;font-weight:600;font-variant-numeric:tabular-nums}'
-         '#status{padding:0 1em 0.6em;font-size:0.85em;color:#b05010}</style>')
 
 
 class Readings:
@@ -33,78 +22,59 @@ class Readings:
         self.show({})
 
     def show(self, values):
-        """Show values by the names in ROWS; a dash for a value that is missing or None."""
+        """Show the values by the names in ROWS that are known; `true_since` is told beside its label."""
+        since = values.get('true_since')
+        notes = {'true_distance': '' if since is None else f' since {since:.1f} s'}
         rows = ''.join(
-            f'<tr><td>{label}</td><td id="{name}">{_format(values.get(name), *form)}</td></tr>'
-            for name, label, *form in ROWS)
-        self._html.content = f'{STYLE}<table id="readings">{rows}</table>'
+            f'<tr><td>{label}{notes.get(name, "")}</td><td id="{name}">{_format(values[name], *form)}</td></tr>'
+            for name, label, *form in ROWS if values.get(name) is not None)
+        self._html.content = f'<table id="readings">{rows}</table>'
 
 
 class SimulationButtons:
     """A status line, and the buttons that call the simulator's services."""
 
-    def __init__(self, gui):
+    def __init__(self, gui, robots):
+        self._robots = robots
         self._status = gui.add_html('')
         self._buttons = gui.add_button_group('simulation', tuple(SERVICES), visible=False)
         self._buttons.on_click(self._call)
 
-    def update(self, is_simulated, complaint):
-        """Show the buttons if there is a simulator, and a complaint unless it is empty."""
-        self._buttons.visible = is_simulated
+    def update(self):
+        """Show the buttons if there is a simulator, and the complaint if there is one."""
+        self._buttons.visible = is_simulated = self._robots.is_simulated
+        complaint = self._robots.complaint
         if not complaint and not is_simulated:
             complaint = 'no simulator here: no pause, resume and reset'
         self._status.content = f'<div id="status">{html.escape(complaint)}</div>'
 
-    @staticmethod
-    def _call(event):
+    def _call(self, event):
         button = event.target.value
         if button not in SERVICES:
             return
         try:
             rospy.ServiceProxy(SERVICES[button], Empty)()
+            if button == 'reset':
+                for monitor in self._robots.monitors.values():
+                    monitor.reset_distance()
         except rospy.ServiceException as error:
             event.client.add_notification(button, str(error), auto_close_seconds=NOTICE_SECONDS)
 
 
-def add_placing(gui, chosen):
+def add_placing(gui, put):
     """Add inputs for a pose, and a button that places a simulated robot there, at rest.
 
-    :param chosen: function that returns the namespace of the robot
+    :param put: function of x, y (m) and heading (degrees)
     :return: the folder of the inputs, hidden
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
         x, y = (gui.add_number(f'{name} (m)', 0.0, step=0.05) for name in 'xy')
         heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
-        button = gui.add_button(PUT)
-
-    @button.on_click
-    def _(event):
-        # Before the wait: the user may type another pose meanwhile.
-        pose = _pose(x.value, y.value, heading.value)
-        publisher = _pose_publisher(f'{NODE}/{chosen()}set_pose')
-        if has_subscriber_within(publisher, CONNECTING_TIMEOUT):
-            publisher.publish(pose)
-        else:
-            event.client.add_notification(PUT, f'{publisher.name} has no subscriber',
-                                          auto_close_seconds=NOTICE_SECONDS)
-
+        gui.add_button('put here').on_click(lambda _: put(x.value, y.value, heading.value))
     return folder
-
-
-@functools.lru_cache(maxsize=None)
-def _pose_publisher(topic):
-    return rospy.Publisher(topic, PoseStamped, queue_size=1)
-
-
-def _pose(x, y, heading):
-    """Return the PoseStamped of a robot on the floor of the world; m, m, degrees."""
-    message = PoseStamped(pose=Pose(
-        Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
-    message.header.frame_id = 'world'
-    return message
 
 
 def _format(value, decimals, unit):
     # Adding zero turns -0.0 into 0.0.
-    return '–' if value is None else f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'
+    return f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'

@@ -7,6 +7,7 @@ from odometry_common.geometry import PlanarPose, wrap_to_pi
 
 MAX_SPEED = 5.0  # m/s; a faster step is a reset, as for the movement detector
 STAMP_JITTER = 0.05  # s; error of the time between two poses, by their stamps
+START_RADIUS = 0.05  # m; an odometry that is closer to zero has just started
 TRAIL_SPACING = 0.01  # m
 HISTORY_SPACING = 0.1  # s
 ORIGIN = PlanarPose(0.0, 0.0, 0.0)
@@ -46,6 +47,7 @@ class PathTrace:
     def _restart(self):
         self.origin = ORIGIN  # of the odometry, in the frame of the path
         self.true_distance = None  # m
+        self.since = None  # the time (s) from which it counts, if that is not the odometry's start
         self.drift = ORIGIN  # from the odometry's pose to the true one
         self.heading = None  # rad, of the odometry, continuous
         self.trail = Samples(TRAIL_SPACING, 2)  # x, y (m)
@@ -106,8 +108,10 @@ class PathTrace:
             return
         if self.true_distance is None:
             self.origin = ground_truth.then(odometry.inverse())
-            # A page that opens late knows where the odometry started, but not the path since then.
+            # Of a robot that has driven before, wheels that slipped may be all that the odometry tells.
             self.true_distance = _distance(ORIGIN, odometry)
+            if self.true_distance > START_RADIUS:
+                self.true_distance, self.since = 0.0, stamp
         self.drift = self.origin.then(odometry).inverse().then(ground_truth)
 
 

@@ -1,10 +1,10 @@
 """The live plots: distance and heading over time."""
 
+import math
+
 import numpy
 
-from robot_view.scene import TWO_METRES
-
-HEIGHT = 180  # pixels
+HEIGHT = 150  # pixels
 PADDING = (10, 20, 0, 0)  # pixels: top, right, bottom, left
 MARGIN = 0.1  # of the range, above and below
 BLUE, ORANGE, RED = '#1e6fd0', '#e67814', '#d22828'
@@ -15,18 +15,22 @@ class Plots:
     """Moved and true distance, heading and target of one robot, over time."""
 
     def __init__(self, gui, place):
-        self._distance = _Plot(gui, place, 'distance (m)', (0.0, TWO_METRES), [
+        self._distance = _Plot(gui, place, 'distance (m)', (0.0, 1.0), [
             _series('moved', BLUE), _series('true', ORANGE, DASHES),
-            _series('two metres', RED, DOTS)], order=1)
+            _series('target', RED, DOTS)], order=1)
         self._heading = _Plot(gui, place, 'heading (degrees)', (-5.0, 5.0), [
             _series('heading', BLUE), _series('target', RED, DOTS)], order=2)
 
-    def draw(self, history):
-        """Draw rows of time (s), moved, true distance (m), heading and target (degrees)."""
+    def draw(self, history, wanted):
+        """Draw rows of time (s), moved, true distance (m), heading and target (degrees).
+
+        :param wanted: the distance (m) at which the mover stops, or None
+        """
         if len(history) < 2:
             return
         time, moved, true, heading, target = history.T
-        self._distance.draw(time, [moved, true, numpy.full(len(time), TWO_METRES)])
+        goal = numpy.full(len(time), math.nan if wanted is None else wanted)
+        self._distance.draw(time, [moved, true, goal])
         self._heading.draw(time, [heading, target])
 
 
@@ -39,7 +43,7 @@ class _Plot:
         y_range = {'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
                    'max': {'pad': MARGIN, 'soft': highest, 'mode': 1}}
         self._options = {'order': order, 'title': title, 'height': HEIGHT, 'padding': PADDING,
-                         'scales': {'x': {'time': False}, 'y': {'range': y_range}}}
+                         'legend': {'live': False}, 'scales': {'x': {'time': False}, 'y': {'range': y_range}}}
         self._shown = self._plot = None
 
     def draw(self, time, columns):

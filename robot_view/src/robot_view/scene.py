@@ -1,9 +1,11 @@
-"""The 3-D scene: a metric grid and robots on it."""
+"""The 3-D scene: a metric grid and robots on it, all below the node WORLD."""
 
 import numpy
-from odometry_common.geometry import about, about_z, compose
+from odometry_common.geometry import about_z
 
-TWO_METRES = 2.0  # m, the distance in the tutorial
+from robot_view.looks import add_robot, wxyz
+
+WORLD = '/world'
 GHOST_DISTANCE = 0.005  # m between odometry and ground truth; draw both if they differ by more
 GHOST_ANGLE = 0.01  # rad
 GHOST_COLOUR = (30, 120, 220)
@@ -13,49 +15,52 @@ TRAIL_HEIGHT = 0.004  # m, above the floor
 SCAN_COLOUR = (210, 30, 150)
 SCAN_POINT_SIZE = 0.02  # m
 START_COLOUR = (40, 160, 70)
+START_RADIUS = 0.07  # m
 GOAL_COLOUR = (210, 40, 40)
 MARK_HEIGHT = 0.008  # m, above the floor; lower ones flicker
+SHADOW_COLOUR = (20, 20, 30)
+SHADOW_OPACITY = 0.35
+SHADOW_RADIUS = 0.21  # m
 DAYLIGHT = 3.0
 DUSK_COLOUR = (110, 110, 120)  # of the light from below
-SPOKE_COLOUR = (235, 235, 235)
-SPOKES = 3  # from rim to rim
-SPOKE_WIDTH = 0.008  # m
-SPOKE_MARGIN = 0.002  # m, by which it is larger than the wheel
 
 
-def add_floor_and_lights(scene):
-    """Add lights, and a floor with a line at each metre, to an empty viser scene."""
+def add_world(scene):
+    """Add lights and a world, a floor with a line at each metre, to an empty viser scene; return its frame."""
     scene.set_up_direction('+z')
     # With reflections and shadows, a computer without a graphics card draws one frame a second.
     scene.configure_environment_map(None)
     scene.configure_default_lights(cast_shadow=False)
     scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)
-    scene.add_grid('/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
+    world = scene.add_frame(WORLD, show_axes=False)
+    scene.add_grid(f'{WORLD}/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
                    section_size=1.0, section_color=(170, 170, 178), fade_distance=20.0,
                    plane_color=(248, 248, 250), plane_opacity=1.0)
+    return world
 
 
 class RobotModel:
     """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
-    def __init__(self, scene, name, links, labelled):
+    def __init__(self, scene, name, urdf, labelled):
         """Add the model to viser's scene.
 
         :param name: of the scene node, without slashes
-        :param links: the robot's looks.Links
+        :param urdf: of looks.load_urdf()
         :param labelled: whether to show the name beside the robot
         """
         self._scene = scene
-        self._root = f'/robots/{name}'
+        self._root = f'{WORLD}/robots/{name}'
         self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
+        scene.add_cylinder(f'{self._root}/body/shadow', SHADOW_RADIUS, MARK_HEIGHT / 4, SHADOW_COLOUR,
+                           opacity=SHADOW_OPACITY)
         # Marks and ghost are in the odometry's frame.
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
-        self._wheels = []  # links and frames
-        for link in links:
-            self._add_link(link)
+        self._wheels = add_robot(scene, self._body.name, urdf)
+        add_robot(scene, self._ghost.name, urdf, color=GHOST_COLOUR, opacity=GHOST_OPACITY)
         if labelled:
             scene.add_label(f'{self._root}/body/label', name, position=(0.0, 0.0, 0.55))
         self._add_marks()
@@ -76,14 +81,19 @@ class RobotModel:
         origin, drift = robot.trace.origin, robot.trace.drift
         self._body.position, self._body.wxyz = robot.pose
         self._odometry.position = (origin.x, origin.y, 0.0)
-        self._odometry.wxyz = _wxyz(about_z(origin.yaw))
+        self._odometry.wxyz = wxyz(about_z(origin.yaw))
+        goal = robot.targets.goal
+        self._goal.visible = goal is not None
+        if goal is not None:
+            self._goal.position, self._goal.wxyz = (goal.x, goal.y, 0.0), wxyz(about_z(goal.yaw))
+            self._goal_label.text = f'{robot.targets.distance:g} m'
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
             self._ghost.position, self._ghost.wxyz = robot.odometry_pose
-        for link, frame in self._wheels:
-            if link.joint in robot.wheels:
-                frame.wxyz = _wxyz(compose(link.rotation, about(link.axis, robot.wheels[link.joint])))
+        for wheel in self._wheels:
+            if wheel.joint in robot.wheels:
+                wheel.turn(robot.wheels[wheel.joint])
 
     def draw_path(self, robot):
         """Draw the trail and the latest scan."""
@@ -99,47 +109,9 @@ class RobotModel:
             (self._scan.position, self._scan.wxyz), self._scan.points = robot.scan
             self._scan.visible = len(self._scan.points) > 0
 
-    def _add_link(self, link):
-        body = self._add_frame(self._body, link)
-        ghost = self._add_frame(self._ghost, link)
-        for number, shape in enumerate(link.shapes):
-            self._add_shape(f'{body.name}/{number}', shape, shape.colour)
-            self._add_shape(f'{ghost.name}/{number}', shape, GHOST_COLOUR, GHOST_OPACITY)
-        if link.axis:
-            self._wheels.append((link, body))
-            self._add_spokes(body, link.shapes[0])
-
-    def _add_frame(self, parent, link):
-        frame = self._scene.add_frame(f'{parent.name}{link.path}', show_axes=False)
-        frame.position, frame.wxyz = link.position, _wxyz(link.rotation)
-        return frame
-
-    def _add_shape(self, name, shape, colour, opacity=None):
-        options = {'color': colour, 'opacity': opacity, 'flat_shading': True,
-                   'position': shape.position, 'wxyz': _wxyz(shape.rotation)}
-        if len(shape.size) == 3:
-            self._scene.add_box(name, dimensions=shape.size, **options)
-        else:
-            self._scene.add_cylinder(name, *shape.size, **options)
-
-    def _add_spokes(self, wheel, shape):
-        """Mark a wheel, so that you see it turn: most of it is hidden by the base."""
-        radius, width = shape.size
-        for number in range(SPOKES):
-            rotation = compose(shape.rotation, about_z(numpy.pi * number / SPOKES))
-            self._scene.add_box(
-                f'{wheel.name}/spoke_{number}', SPOKE_COLOUR,
-                (2 * radius + SPOKE_MARGIN, SPOKE_WIDTH, width + SPOKE_MARGIN), wxyz=_wxyz(rotation))
-
     def _add_marks(self):
         node = self._odometry.name
-        self._scene.add_cylinder(f'{node}/start', 0.05, 2 * MARK_HEIGHT, START_COLOUR)
+        self._scene.add_cylinder(f'{node}/start', START_RADIUS, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
-        self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
-                            position=(TWO_METRES, 0.0, 0.0))
-        self._scene.add_label(f'{node}/goal/label', '2 m', position=(0.0, 0.3, 0.0))
-
-
-def _wxyz(quaternion):
-    """Return a quaternion x, y, z, w in viser's order."""
-    return numpy.roll(quaternion, 1)
+        self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
+        self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))

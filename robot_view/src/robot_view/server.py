@@ -34,7 +34,7 @@ def start_server(address):
     def guarded_serve(*arguments, process_request, **options):
         calls.append(arguments)
         return serve(*arguments, process_response=_forbid_framing, **options,
-                     process_request=functools.partial(_admit, address.names, process_request))
+                     process_request=functools.partial(_admit, address, process_request))
 
     server.serve = guarded_serve
     try:
@@ -49,11 +49,11 @@ def start_server(address):
     return started
 
 
-def _admit(names, process_request, connection, request):
+def _admit(address, process_request, connection, request):
     """Answer 403, unless the request is the page's own."""
     # A header that occurs twice is joined, and then matches nothing.
     host, origin = (', '.join(request.headers.get_all(name)) for name in ('Host', 'Origin'))
-    if is_own({*names, connection.local_address[0]}, host, origin):
+    if is_own({*address.names, connection.local_address[0]}, host, origin, address.origins):
         return process_request(connection, request)
     rospy.logwarn_throttle(LOG_PERIOD, (
         f'refused a connection with the Host header {host!a:.{LOG_LENGTH}} and the Origin header '
@@ -61,7 +61,7 @@ def _admit(names, process_request, connection, request):
     return connection.respond(http.HTTPStatus.FORBIDDEN, 'This is not an address of the page.\n')
 
 
-def is_own(names, host, origin):
+def is_own(names, host, origin, origins=()):
     """Return whether the page itself sent a request, by two headers that no script can change.
 
     Origin is the address of the page that connects. That of another page differs from the Host to
@@ -70,12 +70,13 @@ def is_own(names, host, origin):
 
     :param names: host names of the page
     :param host: the Host header
+    :param origins: addresses from which a proxy forwards the page to one of the names
     :param origin: the Origin header; '' if there is none, as from a program that is no browser
     """
     host = host.lower()
     name = re.sub(r':\d+$', '', host)
     is_known = not names.isdisjoint({host, name, name.strip('[]')})
-    return is_known and origin.lower() in ('', f'http://{host}', f'https://{host}')
+    return is_known and origin.lower() in ('', f'http://{host}', f'https://{host}', *origins)
 
 
 def _forbid_framing(_, __, response):

@@ -1,4 +1,4 @@
-"""The topics that a simulation publishes: the clock, the transforms, a warning, and its robots'."""
+"""The topics that a simulation publishes: the clock, transforms, world, a warning, its robots'."""
 
 from copy import copy
 
@@ -11,6 +11,7 @@ from tf2_msgs.msg import TFMessage
 
 from sim_turtlebot.frames import Frames
 from sim_turtlebot.robot_topics import RobotTopics
+from sim_turtlebot.world_markers import publish_world
 
 SLOW_SUBSCRIBER_BUDGET = 2.0  # s of wall time, while time is not paced
 
@@ -38,6 +39,7 @@ class SimulationTopics:
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
             [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
+        self._world = publish_world(simulation.world)
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
         self._warnings = {}  # texts by cause
         self.warn('', '')

@@ -1,0 +1,77 @@
+"""The robots on the master, recorded from the moment at which they appear."""
+
+import re
+import threading
+
+import rosgraph
+import rospy
+from std_msgs.msg import String
+from visualization_msgs.msg import MarkerArray
+
+from robot_view.monitor import SIMULATOR, RobotMonitor
+
+SERVICES = {'pause': f'{SIMULATOR}/pause_physics', 'resume': f'{SIMULATOR}/unpause_physics',
+            'reset': f'{SIMULATOR}/reset_simulation'}
+FIRST_PERIOD = 0.1  # s between two searches, until there is a robot: it may drive at once
+SEARCH_PERIOD = 1.0  # s
+
+
+class Robots:
+    """Finds robots and their nodes, on a thread of its own, and records them whether a browser shows them or not."""
+
+    def __init__(self):
+        self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
+        self.is_simulated = False
+        self.complaint = ''  # in words
+        self.world = None  # the simulator's MarkerArray
+        self._warning = ''
+        self.found = threading.Event()  # whether there has been a robot, or nothing is to be waited for
+        rospy.on_shutdown(self.found.set)
+        self._warnings = rospy.Subscriber(f'{SIMULATOR}/warning', String, self._on_warning)
+        rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._on_world)
+        threading.Thread(target=self._search_until_shutdown, daemon=True).start()
+
+    def _search_until_shutdown(self):
+        pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
+        while not rospy.core.is_shutdown_requested():
+            self._search()
+            pause.wait(SEARCH_PERIOD if self.monitors else FIRST_PERIOD)
+
+    def _search(self):
+        try:
+            publications, subscriptions, services = rosgraph.Master(rospy.get_name()).getSystemState()
+            self._record(find_robots({topic for topic, _ in publications}))
+            nodes = {node for _, names in subscriptions for node in names}
+            for monitor in self.monitors.values():
+                monitor.targets.find(nodes)
+        except (OSError, rosgraph.MasterException):
+            self.is_simulated, self.complaint = False, 'the ROS master does not answer'
+            return
+        names = {service for service, _ in services}
+        self.is_simulated = names.issuperset(map(rospy.resolve_name, SERVICES.values()))
+
+    def _record(self, found):
+        """Record these robots; if there are none, keep the last ones, which may come back."""
+        if not found:
+            self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
+            return
+        self.complaint = self._warning if self._warnings.get_num_connections() else ''
+        before = self.monitors
+        self.monitors = {robot: before.get(robot) or RobotMonitor(robot) for robot in found}
+        self.found.set()
+        for robot in before.keys() - self.monitors.keys():
+            before[robot].close()
+
+    def _on_warning(self, message):
+        self._warning = message.data
+
+    def _on_world(self, message):
+        self.world = message
+
+
+def find_robots(topics):
+    """Return the namespaces of the robots that publish odometry: '' or such as 'robot_1/'."""
+    namespace = re.escape(rospy.get_namespace())
+    numbers = [re.fullmatch(rf'{namespace}robot_(\d+)/odom', topic) for topic in topics]
+    robots = [f'robot_{number}/' for number in sorted(int(match[1]) for match in numbers if match)]
+    return ['', *robots] if rospy.resolve_name('odom') in topics else robots

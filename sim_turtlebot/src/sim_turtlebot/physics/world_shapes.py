@@ -1,0 +1,54 @@
+"""What is visible of a world file, read from PyBullet."""
+
+from typing import NamedTuple
+
+from odometry_common.geometry import compose, inverse, rotate
+
+from sim_turtlebot.physics.native_output import suppress_native_output
+
+with suppress_native_output():
+    import pybullet
+
+FLOORS = 1  # the first body is the floor, the last ones are the robots
+BOX, CYLINDER, SPHERE, MESH = range(4)
+# By PyBullet's number: the kind, and its size along x, y and z (m), of PyBullet's dimensions; a mesh is scaled.
+KINDS = {pybullet.GEOM_BOX: (BOX, lambda x, y, z: (x, y, z)),
+         pybullet.GEOM_CYLINDER: (CYLINDER, lambda length, radius, _: (2 * radius, 2 * radius, length)),
+         pybullet.GEOM_SPHERE: (SPHERE, lambda radius, *_: (2 * radius,) * 3),
+         pybullet.GEOM_MESH: (MESH, lambda x, y, z: (x, y, z))}
+
+
+class VisibleShape(NamedTuple):
+    """A shape where it stands in the world."""
+
+    kind: int
+    size: tuple  # along its x, y and z (m); of a mesh the scale
+    mesh: str  # the path of a mesh
+    position: tuple  # x, y, z (m)
+    rotation: tuple  # quaternion x, y, z, w
+    colour: tuple  # red, green, blue, alpha (0 to 1)
+
+
+def read_shapes(world):
+    """Return the VisibleShapes of a World's file; planes and capsules are left out."""
+    client = world.client
+    bodies = range(FLOORS, client.getNumBodies() - len(world.robots))
+    return [_shape(client, *data[:8]) for body in bodies
+            for data in client.getVisualShapeData(client.getBodyUniqueId(body)) if data[2] in KINDS]
+
+
+def _shape(client, body, link, number, dimensions, mesh, position, rotation, colour):
+    kind, size = KINDS[number]
+    origin, turned = _frame(client, body, link)
+    position = tuple(map(sum, zip(origin, rotate(turned, position))))
+    return VisibleShape(kind, size(*dimensions), mesh.decode(), position, compose(turned, rotation), colour)
+
+
+def _frame(client, body, link):
+    """Return position and rotation of a link; PyBullet keeps the centre of mass of the first one."""
+    if link >= 0:
+        return client.getLinkState(body, link)[4:6]
+    position, rotation = client.getBasePositionAndOrientation(body)
+    centre, axes = client.getDynamicsInfo(body, link)[3:5]
+    turned = compose(rotation, inverse(axes))
+    return tuple(here - off for here, off in zip(position, rotate(turned, centre))), turned
