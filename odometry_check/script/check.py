@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Judge a node that somebody else wrote for one of the tutorials."""
+"""Judge a node that you wrote for a tutorial."""
 
 import os
 

@@ -15,8 +15,8 @@ from odometry_check.scenarios import EXERCISES
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws check', description='Judge a node that you wrote for a tutorial: run it '
-        'unmodified with the simulated robot, and say what is right and what is not. Exit status '
+        prog='./ws check', description='Judge a node that you wrote for a tutorial. It runs '
+        'unmodified with the simulated robot; the report says what is right and what is not. Exit status '
         '0: all passed; 1: some failed; 2: the check could not run.')
     parser.add_argument('exercise', choices=EXERCISES, help='; '.join(
         f'{name}: it {exercise.task}' for name, exercise in EXERCISES.items()))
