@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy
 from odometry_launch.folders import path_in_errors
 
-from odometry_sweep.closed_loop import ARRIVED
+from odometry_sweep.closed_loop import ARRIVED, UNTIL
 
 FILE = 'runs.csv'
 CAMPAIGN_FILE = 'campaign.yaml'
@@ -16,13 +16,16 @@ METRICS = {
     'move': {'moved': 'm', 'moved_error': 'm', 'true_distance': 'm', 'true_error': 'm',
              'sideways': 'm', 'heading': 'degrees', 'time': 's'},
     'rotate': {'heading': 'degrees', 'heading_error': 'degrees', 'true_heading': 'degrees',
-               'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'}}
+               'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'},
+    'launch': {'distance': 'm', 'from_start': 'm', 'sideways': 'm', 'heading': 'degrees',
+               'heading_error': 'degrees', 'odometry_error': 'm', 'time': 's', 'commands': 'messages'}}
 # In table and picture.
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
-         'rotate': ['heading_error', 'true_error', 'overshoot', 'time']}
+         'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
+         'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
 STATISTICS = {'median': 0.5, 'p5': 0.05, 'p95': 0.95, 'worst': None}  # quantiles
 HEADINGS = ['median', '5 %', '95 %', 'worst']
-DECIMALS = {'m': 4, 'degrees': 3, 's': 2}
+DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
 COLUMN = 10  # characters
 
 
@@ -35,7 +38,7 @@ class Combination(NamedTuple):
     @property
     def not_arrived(self):
         """The number of runs that did not arrive."""
-        return sum(row['ended'] != ARRIVED for row in self.rows)
+        return sum(row['ended'] not in (ARRIVED, UNTIL) for row in self.rows)
 
     @property
     def all_equal(self):
