@@ -38,6 +38,11 @@ class Campaign(NamedTuple):
         return (dict(zip(self.values, row)) for row in itertools.product(*self.values.values()))
 
     @property
+    def name(self):
+        """The tutorial, or the launch file."""
+        return self.launched.file if self.launched else self.tutorial
+
+    @property
     def names(self):
         """A label for each combination: the parameters that vary."""
         varied = [name for name, values in self.values.items() if len(values) > 1]
@@ -64,19 +69,17 @@ class Campaign(NamedTuple):
             raise StartError(f'seeds is {self.seeds!r}, but must be a whole number from 1 to '
                              f'{MAX_RUNS}')
         if self.launched:
-            self._check_launched()
+            robot = {name: values for name, values in self.values.items() if is_robots(name)}
+            _check_values(self.launched.file, robot, ROBOT)
+            self.launched.check({name: self.values[name] for name in self.values.keys() - robot.keys()})
         else:
-            _check_values(self.tutorial, self.values)
+            _check_values(self.tutorial, self.values, {
+                row.name[1:]: row for row in (*TUTORIALS[self.tutorial].PARAMETERS, *PARAMETERS.rows)
+                if row.name[1:] not in NOT_IN_SWEEPS})
         if self.count > MAX_RUNS:
             raise StartError(f'there are {self.count} runs, but must be {MAX_RUNS} at most')
         _check_worlds(next(self.combinations), self.values.get('world', []))
         _check_limits(self.tutorial, self.limits)
-
-    def _check_launched(self):
-        for name in filter(is_robots, self.values):
-            for value in self.values[name]:
-                ROBOT[name].check(value)
-        self.launched.check({name: values for name, values in self.values.items() if not is_robots(name)})
 
     def text(self):
         """Return the content of a campaign file."""
@@ -124,15 +127,16 @@ def _launched(path, content):
     return Launched(*names, until)
 
 
-def _check_values(tutorial, values):
-    """Check each value alone: no range depends on another parameter of a sweep."""
-    known = {row.name[1:]: row for row in (*TUTORIALS[tutorial].PARAMETERS, *PARAMETERS.rows)
-             if row.name[1:] not in NOT_IN_SWEEPS}
+def _check_values(what, values, known):
+    """Check each value alone: no range depends on another parameter of a sweep.
+
+    :param known: Parameters by name
+    """
     for name, several in values.items():
         if name not in known:
             similar = difflib.get_close_matches(name, known, 1)
             hint = f'did you mean {similar[0]}?' if similar else f'it has {", ".join(sorted(known))}'
-            raise StartError(f'parameter {name} cannot be set in a sweep of {tutorial}: {hint}')
+            raise StartError(f'parameter {name} cannot be set in a sweep of {what}: {hint}')
         for value in several:
             known[name].check(value)
 

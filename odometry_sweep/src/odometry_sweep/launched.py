@@ -1,11 +1,11 @@
 """A run of the nodes in somebody's launch file, in a process of its own."""
 
+import concurrent.futures
+import contextlib
 import difflib
-import json
 import math
+import multiprocessing
 import os
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
@@ -57,14 +57,11 @@ class Launched(NamedTuple):
             raise StartError(f'{self.file} starts no node')
 
     def run(self, parameters):
-        """Run in a new process, since rospy begins only once; return the metrics by name."""
-        process = subprocess.run(
-            [sys.executable, '-m', 'odometry_sweep.launched'], input=json.dumps([self, parameters]),
-            capture_output=True, text=True, check=False)
-        if process.returncode:
-            last = process.stderr.strip().splitlines()[-1:] or [f'status {process.returncode}']
-            raise DemoError(last[0])
-        return json.loads(process.stdout.splitlines()[-1])
+        """Run in a process of its own, since rospy begins only once; return the metrics by name."""
+        context = multiprocessing.get_context('forkserver')  # a Dask worker has threads
+        context.set_forkserver_preload(['odometry_sweep.recorded', 'odometry_launch.stepping'])
+        with concurrent.futures.ProcessPoolExecutor(1, context) as executor:
+            return executor.submit(run_alone, self, parameters).result()
 
     def record(self, parameters, folder=None):
         """Run in this process; return the metrics, and the path of the bag in a folder or a new one."""
@@ -80,7 +77,7 @@ class Launched(NamedTuple):
 
 def is_robots(name):
     """Return whether a parameter is the simulator's."""
-    return name in ROBOT or name == 'seed'
+    return f'~{name}' in PARAMETERS.names
 
 
 def arguments_of(values):
@@ -116,17 +113,10 @@ def _metrics(ticks):
             'odometry_error': math.dist(seen[:2], travel[:2]), 'time': max(moving, default=0.0)}
 
 
-def main():
-    """Read a Launched and parameters from stdin, run it, and print the metrics."""
-    launched, parameters = json.load(sys.stdin)
-    with tempfile.TemporaryDirectory() as folder:
+def run_alone(launched, parameters):
+    """Run in this process, and leave no file; return the metrics by name."""
+    with tempfile.TemporaryDirectory() as folder, open(os.devnull, 'w', encoding='utf-8') as nowhere:
         os.environ['ROS_LOG_DIR'] = folder  # else each run leaves one
-        try:
-            metrics, _ = Launched(*launched).record(parameters, Path(folder))
-        except (DemoError, OSError) as error:
-            sys.exit(str(error))
-    print(json.dumps(metrics), flush=True)
-
-
-if __name__ == '__main__':
-    main()
+        with contextlib.redirect_stdout(nowhere):
+            metrics, _ = launched.record(parameters, Path(folder))
+    return metrics

@@ -13,6 +13,8 @@ def parse(arguments):
     """Return the options and their Campaign; exit if they contradict each other."""
     parser = make_parser()
     options = parser.parse_args(arguments)
+    if options.junit and not options.campaign:
+        parser.error('argument --junit: only with the limits of a --campaign')
     source = 'replay' if options.replay else 'campaign' if options.campaign else None
     if source and (options.what or options.set or options.seeds or options.until):
         parser.error(f'argument --{source}: the file sets tutorial, --seeds, --set and --until')
@@ -56,6 +58,7 @@ def make_parser():
                         help='values of a parameter of the nodes; each combination is run')
     source.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
+    parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
     machine.add_argument('--jobs', type=_whole, metavar='N',
                          help='number of processes (default: one for each processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',

@@ -29,6 +29,14 @@ DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
 COLUMN = 10  # characters
 
 
+class Exceeded(NamedTuple):
+    """A limit that a Combination exceeds."""
+
+    limit: str
+    line: str  # for the user
+    worst: int  # index of the worst run
+
+
 class Combination(NamedTuple):
     """The runs of a combination of parameter values, which differ only in their seeds."""
 
@@ -38,7 +46,12 @@ class Combination(NamedTuple):
     @property
     def not_arrived(self):
         """The number of runs that did not arrive."""
-        return sum(row['ended'] not in (ARRIVED, UNTIL) for row in self.rows)
+        return sum(self.is_late)
+
+    @property
+    def is_late(self):
+        """Whether each run did not arrive."""
+        return [row['ended'] not in (ARRIVED, UNTIL) for row in self.rows]
 
     @property
     def all_equal(self):
@@ -50,13 +63,14 @@ class Combination(NamedTuple):
         return numpy.array([row[metric] for row in self.rows])
 
     def exceeded(self, limits):
-        """Yield a line for each limit (a number by name) that the size of a metric exceeds."""
+        """Yield an Exceeded for each limit (a number by name) that the size of a metric exceeds."""
         for limit, most in limits.items():
             metric, _, name = limit.rpartition('_')
-            value = (self.not_arrived if limit == NOT_ARRIVED
-                     else statistic(abs(self.values(metric)), name))
+            sizes = self.is_late if limit == NOT_ARRIVED else abs(self.values(metric))
+            value = self.not_arrived if limit == NOT_ARRIVED else statistic(sizes, name)
             if not value <= most:
-                yield f'{limit} is {value:.6g}, over its limit of {most:g}, with {self.name}'
+                yield Exceeded(limit, f'{limit} is {value:.6g}, over its limit of {most:g}, with {self.name}',
+                               int(numpy.argmax(sizes)))
 
 
 def statistic(values, name):
