@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from odometry_common.parameters import StartError
 from odometry_launch.arrival import REST_ANGULAR_SPEED, REST_SPEED
-from odometry_launch.output import DemoError
 from sim_turtlebot.settings import PARAMETERS
 
 from odometry_sweep.closed_loop import ARRIVED, LATE, UNTIL, degrees, planar_pose
@@ -35,8 +34,8 @@ class Launched(NamedTuple):
     def check(self, values):
         """Raise StartError if this cannot run with these arguments (lists by name)."""
         import roslaunch
-        from roslaunch.arg_dump import get_args
         from odometry_launch.launch import load, path_of
+        from roslaunch.arg_dump import get_args
         if type(self.until) not in (int, float) or not 0 < self.until <= MAX_UNTIL:
             raise StartError(f'until is {self.until!r}, but must be s of simulated time, up to {MAX_UNTIL:g}')
         try:
@@ -66,6 +65,7 @@ class Launched(NamedTuple):
     def record(self, parameters, folder=None):
         """Run in this process; return the metrics, and the path of the bag in a folder or a new one."""
         from odometry_launch.stepping import record
+
         from odometry_sweep.recorded import read
         arguments = arguments_of({name: value for name, value in parameters.items() if not is_robots(name)})
         robot = {name: value for name, value in parameters.items() if is_robots(name)}

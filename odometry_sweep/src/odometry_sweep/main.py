@@ -11,8 +11,8 @@ from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import DemoError, Line, bar, complain, forget_output
 
 from odometry_sweep import limits
-from odometry_sweep.options import parse
 from odometry_sweep.limits import PROGRAM
+from odometry_sweep.options import parse
 from odometry_sweep.results import FILE, Combination, read_rows, table, write_results
 from odometry_sweep.running import LostError, side_by_side
 
