@@ -14,6 +14,7 @@ import roslaunch.core
 import roslaunch.launch
 import roslib
 from rosgraph.names import ns_join
+from roslaunch.core import RLException
 from roslaunch.config import load_config_default
 from roslaunch.parent import ROSLaunchParent
 from roslaunch.pmon import ProcessListener, start_process_monitor
@@ -156,7 +157,9 @@ def load(files, port=None):
 
 def path_of(package, name):
     """Return the path of a launch file; roslaunch.RLException: there is none."""
-    path, = resolve_launch_arguments([package, name])
+    path, *others = resolve_launch_arguments([package, name])
+    if others:
+        raise RLException(f'there is no package {package}')
     return path
 
 
