@@ -3,6 +3,7 @@
 import csv
 import os
 import re
+import shutil
 import sys
 from pathlib import Path
 from xml.etree import ElementTree
@@ -44,7 +45,7 @@ SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launc
 
 @pytest.fixture(autouse=True)
 def packages(tmp_path, monkeypatch):
-    """A package of launch files, and the example's."""
+    """A package of launch files, and the example under another name: it may be in the workspace."""
     folder = tmp_path / 'guest'
     folder.mkdir()
     (folder / 'package.xml').write_text('<package><name>guest</name></package>')
@@ -53,7 +54,10 @@ def packages(tmp_path, monkeypatch):
     (folder / 'none.launch').write_text('<launch/>')
     (folder / 'node.py').write_text(NODE.format(python=sys.executable))
     (folder / 'node.py').chmod(0o755)
-    monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{EXAMPLE}:{os.environ["ROS_PACKAGE_PATH"]}')
+    example = shutil.copytree(EXAMPLE, tmp_path / 'example')
+    for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
+        file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
+    monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{example}:{os.environ["ROS_PACKAGE_PATH"]}')
 
 
 def sweep(*arguments, status=0):
@@ -72,7 +76,7 @@ def rows_in(folder):
 
 def test_the_example_gives_the_same_bytes_each_time():
     """The robot's parameters reach the robot, and the others the node."""
-    arguments = ['one_metre', 'one_metre.launch', '--until', '4', '--seeds', '2', '--set', 'speed=0.5',
+    arguments = ['example', 'one_metre.launch', '--until', '4', '--seeds', '2', '--set', 'speed=0.5',
                  '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
     first, printed = sweep(*arguments)
     assert re.search(r'^from_start \(m\) .*\nall runs +1\.0', printed, re.MULTILINE), printed

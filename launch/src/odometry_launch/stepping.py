@@ -2,6 +2,7 @@
 
 import re
 import tempfile
+import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,7 +12,7 @@ import yaml
 from std_srvs.srv import Trigger
 
 from odometry_launch.following import is_answered, join
-from odometry_launch.launch import Launch
+from odometry_launch.launch import CHECK_PERIOD, Launch
 from odometry_launch.output import DemoError
 from odometry_launch.recording import Recording
 
@@ -21,6 +22,7 @@ OURS = SIMULATOR, 'master'
 UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')  # of the simulator's log
 ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
 SLACK = 1e-6  # s
+END_TIMEOUT = 20.0  # s of wall time; rospy takes a tenth of a second
 
 
 class Recorded(NamedTuple):
@@ -52,6 +54,7 @@ def record(nodes, robot, end, folder=None, are_watched=True):
             recording = Recording(folder)
             launch.wait_for(lambda: _are_there(launch, recording), 'the nodes do not answer')
             _step(launch, end)
+            _await_ends(launch)
             bag, statuses, required = recording.close(), launch.statuses(), launch.required - {SIMULATOR}
             found = filter(None, map(UNAWAITED.search, launch.lines()))
     if not bag:
@@ -66,6 +69,14 @@ def _are_there(launch, recording):
         master.lookupNode(f'/{name}')
     master.lookupService(f'/{STEP}')
     return recording.is_connected(*ROBOT_TOPICS)
+
+
+def _await_ends(launch):
+    """Return once the processes of the nodes that have left the graph have ended, too."""
+    master, end = rosgraph.Master(rospy.get_name()), time.monotonic() + END_TIMEOUT
+    known = {name.lstrip('/') for kind in master.getSystemState() for _, names in kind for name in names}
+    while launch.names - known - launch.statuses().keys() and time.monotonic() < end:
+        time.sleep(CHECK_PERIOD)
 
 
 def _step(launch, end):
