@@ -45,7 +45,7 @@ SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launc
 
 @pytest.fixture(autouse=True)
 def packages(tmp_path, monkeypatch):
-    """A package of launch files, and the example under another name: it may be in the workspace."""
+    """Make a package, and the example under another name: it may be in the workspace, too."""
     folder = tmp_path / 'guest'
     folder.mkdir()
     (folder / 'package.xml').write_text('<package><name>guest</name></package>')

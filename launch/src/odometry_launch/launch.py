@@ -14,8 +14,8 @@ import roslaunch.core
 import roslaunch.launch
 import roslib
 from rosgraph.names import ns_join
-from roslaunch.core import RLException
 from roslaunch.config import load_config_default
+from roslaunch.core import RLException
 from roslaunch.parent import ROSLaunchParent
 from roslaunch.pmon import ProcessListener, start_process_monitor
 from roslaunch.rlutil import resolve_launch_arguments
