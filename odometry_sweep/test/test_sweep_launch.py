@@ -99,7 +99,7 @@ def test_how_a_run_ended_is_a_column(ends):
 
 
 @pytest.mark.parametrize('launched, values, line', [
-    (('guest', 'nodes.launch', 1), {'edn': [1]}, 'has no argument edn, nor has the robot: did you mean end?'),
+    (('guest', 'nodes.launch', 1), {'ends': [1]}, 'has no argument ends, nor has the robot: did you mean end?'),
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
     (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be'),
