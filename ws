@@ -77,6 +77,7 @@ enter
 case $1 in
     test) cd "$ROOT"; exec python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
     shell) exec bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
+    dask) export DASK_DISTRIBUTED__WORKER__DAEMON=false ;;  # each run of a launch file is a process
 esac
 type -P -- "$1" >/dev/null || case $1 in
     rqt*) refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;

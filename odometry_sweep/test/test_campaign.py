@@ -50,7 +50,7 @@ def test_the_command_line_and_a_file_say_the_same(written):
     (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
     (['move', '--set', f'speed={"[" * 1000}'], "[[' contains a value that is not YAML"),
     (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
-    (['move', '--campaign', 'x.yaml'], 'the file sets tutorial, --seeds and --set')])
+    (['move', '--campaign', 'x.yaml'], 'the file sets tutorial, --seeds, --set and --until')])
 def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     with pytest.raises(SystemExit) as end:
         parse(arguments)
@@ -61,7 +61,7 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
 @pytest.mark.parametrize('content, line', [
     ('\0', 'is no YAML'), ('[' * 1000, 'is no YAML'), ('seeds: 3', 'names no tutorial'),
     ({'tutorial': ['move']}, "the tutorial is ['move'], but must be move or rotate"),
-    ({'tutorial': 'move', 'seed': 3}, "has 'seed', but may have tutorial, seeds, set, limits"),
+    ({'tutorial': 'move', 'seed': 3}, "has 'seed', but may have tutorial, launch, until, seeds, set, limits"),
     ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),
     ({'tutorial': 'move', 'set': [1]}, 'set is [1], but must have a line for each name'),
     ({'tutorial': 'move', 'set': {'speed': []}}, 'speed has no value'),

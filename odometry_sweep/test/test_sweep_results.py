@@ -33,7 +33,8 @@ def test_a_table_has_a_block_for_each_metric_and_a_line_for_each_combination():
         'time_p5 is 0.1, over its limit of 0.01, with kp 1',
         'not_arrived is 3, over its limit of 2, with kp 1'])])
 def test_a_limit_is_for_the_size_of_a_metric(limits, lines):
-    assert [*Combination('kp 1', rows([0.1, 0.1, -0.2], 'late')).exceeded(limits)] == lines
+    assert [exceeded.line for exceeded in
+            Combination('kp 1', rows([0.1, 0.1, -0.2], 'late')).exceeded(limits)] == lines
 
 
 def test_the_picture_has_a_diagram_for_each_metric_that_varies_and_a_line_for_each_combination():

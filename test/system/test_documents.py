@@ -88,6 +88,7 @@ NOT_HERE = {
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
     r'^(docker|podman) ': 'test_container types them',
+    r'^\./ws sweep (one_metre |--campaign \.ws/)': 'is of a package that is not here; test_sweep_launch has it',
     r'^\./ws sweep --replay ': 'is of a sweep that is not here; test_sweep_replay replays others',
     r'^\./ws check (?!heading rotate_robot)': 'is of a node that is not here',
     r'^\./ws (dask|sweep .*--cluster) ': 'needs more machines; test_sweep_cluster makes a cluster',

@@ -6,7 +6,6 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
 DISTANCE = 1.0  # m
-SPEED = 0.2  # m/s
 
 
 class OneMetre:
@@ -15,6 +14,7 @@ class OneMetre:
     def __init__(self):
         """Publish and subscribe."""
         self.x = 0.0
+        self.speed = rospy.get_param('~speed', 0.2)  # m/s
         self.publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
         rospy.Subscriber('odom', Odometry, self.on_odometry)
 
@@ -27,7 +27,7 @@ class OneMetre:
         rate = rospy.Rate(10)
         while not rospy.is_shutdown():
             command = Twist()
-            command.linear.x = SPEED if self.x < DISTANCE else 0.0
+            command.linear.x = self.speed if self.x < DISTANCE else 0.0
             self.publisher.publish(command)
             rate.sleep()
 

@@ -78,8 +78,13 @@ def _record():
 
 def unpause():
     """Start simulated time; return whether the simulator answers."""
+    return is_answered('sim_turtlebot/unpause_physics')
+
+
+def is_answered(service):
+    """Call a service without arguments; return whether it answers."""
     try:
-        rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()
+        rospy.ServiceProxy(service, Empty)()
     except rospy.ServiceException:
         return False
     return True

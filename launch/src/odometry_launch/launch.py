@@ -13,7 +13,9 @@ import rosgraph
 import roslaunch.core
 import roslaunch.launch
 import roslib
+from rosgraph.names import ns_join
 from roslaunch.config import load_config_default
+from roslaunch.core import RLException
 from roslaunch.parent import ROSLaunchParent
 from roslaunch.pmon import ProcessListener, start_process_monitor
 from roslaunch.rlutil import resolve_launch_arguments
@@ -31,16 +33,18 @@ CHECK_PERIOD = 0.02  # s
 class Launch(ProcessListener):
     """A context in which a master and the nodes of a launch file run."""
 
-    def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch'):
+    def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch',
+                 beside=None, watched=None):
         """Start with __enter__().
 
         :param launch_file: its name in `package`
         :param arguments: dictionary of its arguments
         :param may_end: names of nodes that may exit, with status 0
+        :param beside: package, name and arguments of another launch file that runs, too
+        :param watched: names of the nodes whose end is an error; None: of all
         """
-        self._file = package, launch_file
-        self._arguments = [f'{name}:={value}' for name, value in arguments.items()]
-        self._may_end = may_end
+        self._files = [(package, launch_file, arguments), *([beside] if beside else [])]
+        self._may_end, self._watched = may_end, watched
         self._ended = {}  # exit codes of nodes by name
         self._is_stopped = False
         self._output = NodeOutput()
@@ -68,9 +72,11 @@ class Launch(ProcessListener):
         return self
 
     def _start(self):
-        path, = resolve_launch_arguments(self._file)
-        self._parent.config = load_config_default([(path, self._arguments)], self._port.number)
-        self._parent.config.nodes_core.clear()  # no rosout: nobody reads its log
+        self._parent.config = config = load(self._files, self._port.number)
+        self.required = {name_of(node) for node in config.nodes if node.required}
+        for node in config.nodes:
+            node.required = False  # roslaunch would end the others; check() notices it
+        config.nodes_core.clear()  # no rosout: nobody reads its log
         with self._output.capture():
             self._parent.start()
 
@@ -103,8 +109,25 @@ class Launch(ProcessListener):
         if self._is_stopped:
             raise KeyboardInterrupt
         for name, status in list(self._ended.items()):
-            if status or name not in self._may_end:
+            is_watched = self._watched is None or name in self._watched
+            if is_watched and (status or name not in self._may_end):
                 raise DemoError(self._output.complaint_of(name) or f'{name} has ended{_how(status)}')
+
+    @property
+    def names(self):
+        """The names of all nodes."""
+        return {name_of(node) for node in self._parent.config.nodes}
+
+    def statuses(self):
+        """Return the exit codes of the nodes that have ended, by name; roslaunch notices it late."""
+        for process in list(self._parent.pm.procs):
+            if not process.is_alive():
+                self.process_died(process.name, process.exit_code)
+        return {**self._ended}
+
+    def lines(self):
+        """Return what the nodes have printed."""
+        return self._output.lines()
 
     def wait_for(self, condition, complaint):
         """Return once a condition holds; raise DemoError if it fails, or after START_TIMEOUT."""
@@ -122,6 +145,27 @@ class Launch(ProcessListener):
             return
         raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
                         f'{self._output.last_lines()}')
+
+
+def load(files, port=None):
+    """Return roslaunch's configuration of launch files: package, name and arguments of each."""
+    sources = []
+    for package, name, arguments in files:
+        sources.append((path_of(package, name), [f'{key}:={value}' for key, value in arguments.items()]))
+    return load_config_default(sources, port, assign_machines=port is not None)
+
+
+def path_of(package, name):
+    """Return the path of a launch file; roslaunch.RLException: there is none."""
+    path, *others = resolve_launch_arguments([package, name])
+    if others:
+        raise RLException(f'there is no package {package}')
+    return path
+
+
+def name_of(node):
+    """Return the name of a node in a configuration, as roslaunch names its process."""
+    return ns_join(node.namespace, node.name).lstrip('/')
 
 
 def _wait(condition, outcome):

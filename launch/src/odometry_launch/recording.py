@@ -17,18 +17,21 @@ from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import complain
 from odometry_launch.recorded_run import BagError, read_run
 
+COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleop',
+            'cmd_vel_mux/input/navi')
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
-          'cmd_vel': Twist}
+          **dict.fromkeys(COMMANDS, Twist)}
 
 
 class Recording:
-    """Records the robot's topics in a new folder until close(), or until the disk is full.
+    """Records the robot's topics until close(), or until the disk is full.
 
     OSError: the folder cannot be made.
     """
 
-    def __init__(self):
-        self.path = new_folder() / 'run.bag'
+    def __init__(self, folder=None):
+        """Record in a folder (a Path); None: in a new one."""
+        self.path = (folder or new_folder()) / 'run.bag'
         self._file = self.path.open('w+b')
         self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()

@@ -15,6 +15,7 @@ from odometry_common.publishing import advertise
 from odometry_launch.following import join
 from odometry_launch.launch import Launch
 from odometry_launch.output import DemoError
+from odometry_launch.recording import COMMANDS
 from rosgraph_msgs.msg import Log
 from roslib.packages import find_node
 from std_msgs.msg import Float64
@@ -22,8 +23,6 @@ from std_srvs.srv import Empty
 
 from odometry_check.processes import Started
 
-COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleop',
-            'cmd_vel_mux/input/navi')
 KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
          **dict.fromkeys(COMMANDS, Twist)}
 OURS = {'/sim_turtlebot', '/check_view', '/check_detector', '/rosout'}  # roslaunch starts the last

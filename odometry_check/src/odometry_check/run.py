@@ -1,6 +1,5 @@
 """What happens in one scenario, in memory."""
 
-import re
 import threading
 import time
 from typing import NamedTuple
@@ -8,11 +7,11 @@ from typing import NamedTuple
 import rospy
 from odometry_common.geometry import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
+from odometry_launch.stepping import UNAWAITED
 
 from odometry_check.scenarios import PERIOD
 
 ZERO = 1e-3  # m/s, rad/s; a slower command is none
-UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')
 
 
 class Pose(NamedTuple):

@@ -7,9 +7,10 @@ import time
 
 import rosnode
 import rospy
+from odometry_launch.recording import COMMANDS
 from roslib.packages import find_node
 
-from odometry_check.bench import COMMANDS, OURS, Pace
+from odometry_check.bench import OURS, Pace
 from odometry_check.endings import Drive, Route
 from odometry_check.processes import INTERRUPT_PATIENCE, Started
 from odometry_check.run import Run

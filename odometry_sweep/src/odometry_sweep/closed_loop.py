@@ -19,6 +19,7 @@ from straight_drive import drive
 from odometry_sweep.rate import Rate
 
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
+UNTIL = 'until'  # of nodes that go on for ever
 # A run is late after 1.5 times the time that a perfect robot takes, plus 10 s.
 TIMEOUT_FACTOR, TIMEOUT_MARGIN = 1.5, 10.0
 
@@ -57,11 +58,11 @@ class Move:
     def metrics(self, start, end):
         """Return the metrics by name, without time, from the true first and last Motion."""
         moved, wanted = self._counter.distance, self._drive.distance
-        travel = _planar_pose(start).inverse().then(_planar_pose(end))
+        travel = planar_pose(start).inverse().then(planar_pose(end))
         true_distance = math.hypot(travel.x, travel.y)
         return {'moved': moved, 'moved_error': moved - wanted,
                 'true_distance': true_distance, 'true_error': true_distance - wanted,
-                'sideways': travel.y, 'heading': _degrees(travel.yaw)}
+                'sideways': travel.y, 'heading': degrees(travel.yaw)}
 
 
 class Rotate:
@@ -98,8 +99,8 @@ class Rotate:
     def metrics(self, start, end):
         """Return the metrics by name, without time, from the true first and last Motion."""
         true_yaw = _yaw(end) - _yaw(start)
-        return {'heading': _degrees(self._yaw), 'heading_error': math.degrees(-self._error),
-                'true_heading': _degrees(true_yaw),
+        return {'heading': degrees(self._yaw), 'heading_error': math.degrees(-self._error),
+                'true_heading': degrees(true_yaw),
                 'true_error': math.degrees(-self._turn.error_at(true_yaw)),
                 'overshoot': math.degrees(self._overshoot)}
 
@@ -176,7 +177,8 @@ def _cached_world(step_rate, starts, world_file):
     return World(step_rate, starts, world_file=world_file)
 
 
-def _planar_pose(motion):
+def planar_pose(motion):
+    """Return the PlanarPose of a Motion."""
     return PlanarPose(*motion.position[:2], _yaw(motion))
 
 
@@ -184,5 +186,6 @@ def _yaw(motion):
     return yaw_from_orientation(Quaternion(*motion.orientation))
 
 
-def _degrees(angle):
+def degrees(angle):
+    """Return an angle (rad) in degrees, from -180 to 180."""
     return math.degrees(wrap_to_pi(angle))

@@ -10,11 +10,12 @@ from odometry_common.parameters import StartError
 from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import DemoError, Line, bar, complain, forget_output
 
+from odometry_sweep import limits
+from odometry_sweep.limits import PROGRAM
 from odometry_sweep.options import parse
 from odometry_sweep.results import FILE, Combination, read_rows, table, write_results
 from odometry_sweep.running import LostError, side_by_side
 
-PROGRAM = 'sweep'
 EXIT_FAILURE = 1
 EXIT_BAD_INPUT = 2
 LINE_PERIOD = 5.0  # s
@@ -52,11 +53,14 @@ def _run(options):
         return 0
     options.campaign.check()
     with side_by_side(options.campaign, options.jobs, options.cluster) as runs:
-        return _sweep(options.campaign, runs)
+        return _sweep(options.campaign, runs, options.junit)
 
 
-def _sweep(campaign, runs):
-    """Save the runs of a campaign, as side_by_side() yields them; return the exit status."""
+def _sweep(campaign, runs, junit):
+    """Save the runs of a campaign, as side_by_side() yields them; return the exit status.
+
+    :param junit: path of a file for CI, or None
+    """
     folder = new_folder('sweep-')
     total = campaign.count
     rows = []
@@ -67,7 +71,9 @@ def _sweep(campaign, runs):
         complain(f'{str(error) or "interrupted"} after {len(read_rows(folder))} of {total} runs, '
                  f'which are in {os.path.relpath(folder)}', PROGRAM)
         raise
-    return _report(campaign, _combinations(campaign, rows), folder)
+    combinations = _combinations(campaign, rows)
+    _report(campaign, combinations, folder)
+    return EXIT_FAILURE if limits.check(campaign, combinations, folder, junit) else 0
 
 
 def with_progress(runs, total):
@@ -105,7 +111,7 @@ def _print_table(campaign, combinations):
 
 
 def _report(campaign, combinations, folder):
-    """Print statistics, draw the picture, check the limits; return the exit status."""
+    """Print statistics, and draw the picture."""
     _print_table(campaign, combinations)
     for combination in combinations:
         if combination.not_arrived:
@@ -121,9 +127,3 @@ def _report(campaign, combinations, folder):
         picture.make_figure(campaign.tutorial, combinations).savefig(path)
     print(f'figures         {os.path.relpath(folder / FILE)}\n'
           f'picture         {os.path.relpath(path)}', flush=True)
-    lines = [line for combination in combinations for line in combination.exceeded(campaign.limits)]
-    for line in lines:
-        complain(line, PROGRAM)
-    if campaign.limits and not lines:
-        print(f'limits          all {len(campaign.limits)} hold', flush=True)
-    return EXIT_FAILURE if lines else 0

@@ -6,25 +6,38 @@ import yaml
 
 from odometry_sweep.campaign import MAX_RUNS, Campaign, read_campaign
 from odometry_sweep.closed_loop import TUTORIALS
+from odometry_sweep.launched import LAUNCH, Launched
 
 
 def parse(arguments):
     """Return the options and their Campaign; exit if they contradict each other."""
     parser = make_parser()
     options = parser.parse_args(arguments)
+    if options.junit and not options.campaign:
+        parser.error('argument --junit: only with the limits of a --campaign')
     source = 'replay' if options.replay else 'campaign' if options.campaign else None
-    if source and (options.tutorial or options.set or options.seeds):
-        parser.error(f'argument --{source}: the file sets tutorial, --seeds and --set')
+    if source and (options.what or options.set or options.seeds or options.until):
+        parser.error(f'argument --{source}: the file sets tutorial, --seeds, --set and --until')
     if source == 'campaign':
         options.campaign = read_campaign(options.campaign)
     elif not source:
-        if not options.tutorial:
-            parser.error('choose a tutorial: move or rotate')
+        launched = _launched(parser, options.what, options.until)
         values = dict(options.set)
         if len(values) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
-        options.campaign = Campaign(options.tutorial, options.seeds or 1, values, {})
+        options.campaign = Campaign(LAUNCH if launched else options.what[0], options.seeds or 1,
+                                    values, {}, launched)
     return options
+
+
+def _launched(parser, what, until):
+    """Return the Launched that is asked for, or None for a tutorial; exit if it is neither."""
+    is_tutorial = len(what) == 1 and what[0] in TUTORIALS
+    if not is_tutorial and len(what) != 2:
+        parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
+    if is_tutorial != (until is None):
+        parser.error('argument --until: for a launch file, and only for that')
+    return None if is_tutorial else Launched(*what, until)
 
 
 def make_parser():
@@ -34,8 +47,10 @@ def make_parser():
         'and seeds, without ROS. It uses all processors, prints statistics, and saves the metrics '
         'of each run in the folder runs.')
     source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
-    parser.add_argument('tutorial', nargs='?', choices=TUTORIALS,
-                        help='drive two metres, or turn to a heading')
+    parser.add_argument('what', nargs='*', metavar='move|rotate|PACKAGE FILE',
+                        help='drive two metres; turn to a heading; or a launch file of yours')
+    parser.add_argument('--until', type=float, metavar='S',
+                        help='how long a run of a launch file takes (simulated s)')
     parser.add_argument('--seeds', type=_whole, metavar='N',
                         help='runs of each combination of values, each with its own seed (default: 1)')
     parser.add_argument('--set', type=_values, action='append', default=[],
@@ -43,6 +58,7 @@ def make_parser():
                         help='values of a parameter of the nodes; each combination is run')
     source.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
+    parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
     machine.add_argument('--jobs', type=_whole, metavar='N',
                          help='number of processes (default: one for each processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',

@@ -3,27 +3,20 @@
 import csv
 import itertools
 import tempfile
-import time
 from pathlib import Path
 
-import rosbag
-import rospy
 import yaml
 from odometry_common.parameters import StartError
 from odometry_launch.folders import use_writable_logs
-from odometry_launch.following import join, unpause
-from odometry_launch.launch import Launch
 from odometry_launch.output import DemoError
-from odometry_launch.recording import Recording, leave_picture
-from sim_turtlebot.robot.odometry import Motion
+from odometry_launch.recording import leave_picture
+from odometry_launch.stepping import record
 
 from odometry_sweep.campaign import read_campaign
 from odometry_sweep.closed_loop import follow, run_parameters
+from odometry_sweep.launched import is_robots
+from odometry_sweep.recorded import read
 from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS, read_rows
-
-TOPICS = {'move': ['odom', 'base_pose_ground_truth', 'moved_distance', 'cmd_vel'],
-          'rotate': ['odom', 'base_pose_ground_truth', 'cmd_vel']}
-CHECK_PERIOD = 0.1  # s
 
 
 def replay(folder, number):
@@ -32,13 +25,19 @@ def replay(folder, number):
     :raises DemoError: if the result differs, or there is none
     :raises StartError: if there is no such run
     """
-    tutorial, parameters, row, end = _find(Path(folder), number)
-    bag = _record(tutorial, parameters, end)
-    metrics = metrics_of(bag, tutorial, parameters)
+    campaign, parameters, row = _find(Path(folder), number)
+    use_writable_logs()
+    targets = {}
+    if campaign.launched:
+        metrics, bag = campaign.launched.record(parameters)
+    else:
+        bag = _record(campaign.tutorial, parameters, float(row['time']))
+        metrics = metrics_of(bag, campaign.tutorial, parameters)
+        targets = run_parameters(campaign.tutorial, parameters)[0].targets
     print(f'{"":16}{"sweep":24}nodes in lockstep')
-    for name in (names := [*METRICS[tutorial], 'ended']):
+    for name in (names := [*METRICS[campaign.tutorial], 'ended']):
         print(f'{name:16}{row[name]:24}{metrics[name]}')
-    leave_picture(bag, **run_parameters(tutorial, parameters)[0].targets)
+    leave_picture(bag, **targets)
     different = [name for name in names if row[name] != str(metrics[name])]
     if different:
         raise DemoError(f'not the same: {", ".join(different)}')
@@ -46,13 +45,14 @@ def replay(folder, number):
 
 
 def _find(folder, number):
-    """Return tutorial and parameters of a run, its row of strings, and its duration (s)."""
+    """Return the Campaign and the parameters of a run, and its row of strings."""
     campaign = read_campaign(folder / CAMPAIGN_FILE)
     campaign.check()
     try:
         row = {row['run']: row for row in read_rows(folder)}[number]
         parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
-        return campaign.tutorial, parameters, row, float(row['time'])
+        float(row['time'])
+        return campaign, parameters, row
     except (OSError, KeyError, TypeError, ValueError, StopIteration, csv.Error):
         raise StartError(f'{folder / FILE} has no run {number}, or only a part of it') from None
 
@@ -60,56 +60,18 @@ def _find(folder, number):
 def _record(tutorial, parameters, end):
     """Run the nodes until a simulated time (s), and record them; return the path of the bag."""
     _, settings = run_parameters(tutorial, parameters)
-    use_writable_logs()
+    robot = {name: value for name, value in parameters.items() if is_robots(name)}
     with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
         yaml.safe_dump(parameters, file)
         file.flush()
-        arguments = {'tutorial': tutorial, 'odom_rate': settings.odom_rate, 'params': file.name}
-        with Launch('replay.launch', arguments, package='odometry_sweep') as launch:
-            join(launch, 'sweep')
-            recording = Recording()
-            launch.wait_for(lambda: recording.is_connected(*TOPICS[tutorial]),
-                            'the nodes do not answer')
-            launch.wait_for(unpause, 'the robot stays paused')
-            _wait_for_time(end, launch)
-            recording.close()
-    return recording.path
-
-
-def _wait_for_time(end, launch):
-    """Return after simulated time `end` (s); in lockstep all messages up to it are then recorded."""
-    while rospy.get_time() <= end:
-        launch.check()
-        time.sleep(CHECK_PERIOD)
+        nodes = 'odometry_sweep', 'replay.launch', {'tutorial': tutorial, 'params': file.name}
+        return record(nodes, {**robot, 'clock_rate': settings.odom_rate}, end).bag
 
 
 def metrics_of(bag_file, tutorial, parameters):
     """Return the metrics by name; raise DemoError if the recording contradicts itself."""
-    try:
-        with rosbag.Bag(str(bag_file)) as bag:
-            odometry, ground_truth, moved = (
-                [message for _, message, _ in bag.read_messages(topic)]
-                for topic in ('/odom', '/base_pose_ground_truth', '/moved_distance'))
-    except (OSError, rosbag.ROSBagException) as error:
-        raise DemoError(f'{bag_file} cannot be read: {error}') from None
-    ticks = [(seen.header.stamp.to_sec(), _motion(seen), _motion(true))
-             for seen, true in zip(_in_order(odometry), _in_order(ground_truth))]
+    ticks, moved, _ = read(bag_file)
     metrics = follow(run_parameters(tutorial, parameters)[0], ticks, lambda *_: None)
-    if tutorial == 'move' and metrics['moved'] not in [message.data for message in moved]:
+    if tutorial == 'move' and metrics['moved'] not in moved:
         raise DemoError('the detector published another distance')
     return metrics
-
-
-def _in_order(messages):
-    """Return the messages; raise DemoError if one is missing."""
-    if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
-        raise DemoError('the recording has gaps')
-    return messages
-
-
-def _motion(message):
-    pose, twist = message.pose.pose, message.twist.twist
-    position, orientation, linear, angular = (
-        tuple(getattr(part, name) for name in part.__slots__)
-        for part in (pose.position, pose.orientation, twist.linear, twist.angular))
-    return Motion(position, orientation, linear, angular)

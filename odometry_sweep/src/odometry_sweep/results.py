@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy
 from odometry_launch.folders import path_in_errors
 
-from odometry_sweep.closed_loop import ARRIVED
+from odometry_sweep.closed_loop import ARRIVED, UNTIL
 
 FILE = 'runs.csv'
 CAMPAIGN_FILE = 'campaign.yaml'
@@ -16,14 +16,25 @@ METRICS = {
     'move': {'moved': 'm', 'moved_error': 'm', 'true_distance': 'm', 'true_error': 'm',
              'sideways': 'm', 'heading': 'degrees', 'time': 's'},
     'rotate': {'heading': 'degrees', 'heading_error': 'degrees', 'true_heading': 'degrees',
-               'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'}}
+               'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'},
+    'launch': {'distance': 'm', 'from_start': 'm', 'sideways': 'm', 'heading': 'degrees',
+               'heading_error': 'degrees', 'odometry_error': 'm', 'time': 's', 'commands': 'messages'}}
 # In table and picture.
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
-         'rotate': ['heading_error', 'true_error', 'overshoot', 'time']}
+         'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
+         'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
 STATISTICS = {'median': 0.5, 'p5': 0.05, 'p95': 0.95, 'worst': None}  # quantiles
 HEADINGS = ['median', '5 %', '95 %', 'worst']
-DECIMALS = {'m': 4, 'degrees': 3, 's': 2}
+DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
 COLUMN = 10  # characters
+
+
+class Exceeded(NamedTuple):
+    """A limit that a Combination exceeds."""
+
+    limit: str
+    line: str  # for the user
+    worst: int  # index of the worst run
 
 
 class Combination(NamedTuple):
@@ -35,7 +46,12 @@ class Combination(NamedTuple):
     @property
     def not_arrived(self):
         """The number of runs that did not arrive."""
-        return sum(row['ended'] != ARRIVED for row in self.rows)
+        return sum(self.is_late)
+
+    @property
+    def is_late(self):
+        """Whether each run did not arrive."""
+        return [row['ended'] not in (ARRIVED, UNTIL) for row in self.rows]
 
     @property
     def all_equal(self):
@@ -47,13 +63,14 @@ class Combination(NamedTuple):
         return numpy.array([row[metric] for row in self.rows])
 
     def exceeded(self, limits):
-        """Yield a line for each limit (a number by name) that the size of a metric exceeds."""
+        """Yield an Exceeded for each limit (a number by name) that the size of a metric exceeds."""
         for limit, most in limits.items():
             metric, _, name = limit.rpartition('_')
-            value = (self.not_arrived if limit == NOT_ARRIVED
-                     else statistic(abs(self.values(metric)), name))
+            sizes = self.is_late if limit == NOT_ARRIVED else abs(self.values(metric))
+            value = self.not_arrived if limit == NOT_ARRIVED else statistic(sizes, name)
             if not value <= most:
-                yield f'{limit} is {value:.6g}, over its limit of {most:g}, with {self.name}'
+                yield Exceeded(limit, f'{limit} is {value:.6g}, over its limit of {most:g}, with {self.name}',
+                               int(numpy.argmax(sizes)))
 
 
 def statistic(values, name):

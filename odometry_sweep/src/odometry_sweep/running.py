@@ -3,6 +3,7 @@
 import collections
 import concurrent.futures
 import contextlib
+import functools
 import itertools
 import logging
 import multiprocessing
@@ -10,6 +11,7 @@ import os
 import signal
 
 from odometry_common.parameters import StartError
+from odometry_launch.output import DemoError
 from sim_turtlebot.physics.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import run
@@ -40,7 +42,8 @@ def side_by_side(campaign, jobs=None, cluster=None):
 
 
 def _run_all(campaign, executor):
-    begun = ((parameters, executor.submit(run, campaign.tutorial, parameters))
+    do = campaign.launched.run if campaign.launched else functools.partial(run, campaign.tutorial)
+    begun = ((parameters, executor.submit(do, parameters))
              for parameters in campaign.runs())
     try:
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
@@ -57,6 +60,8 @@ def _run_all(campaign, executor):
         raise LostError('a process that did runs was killed') from None
     except concurrent.futures.CancelledError:
         raise LostError('the scheduler of the cluster is gone') from None
+    except DemoError as error:
+        raise LostError(str(error)) from None
     except WorldFileError as error:
         raise LostError(f'{parameters["world"]} must be {error}') from None
 

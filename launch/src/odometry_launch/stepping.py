@@ -1,0 +1,91 @@
+"""Run the nodes of a launch file beside a robot in lockstep, and record them."""
+
+import re
+import tempfile
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+import rosgraph
+import rospy
+import yaml
+from std_srvs.srv import Trigger
+
+from odometry_launch.following import is_answered, join
+from odometry_launch.launch import CHECK_PERIOD, Launch
+from odometry_launch.output import DemoError
+from odometry_launch.recording import Recording
+
+SIMULATOR = 'sim_turtlebot'
+STEP, PAUSE = f'{SIMULATOR}/step', f'{SIMULATOR}/pause_physics'  # which is served after a step
+OURS = SIMULATOR, 'master'
+UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')  # of the simulator's log
+ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
+SLACK = 1e-6  # s
+END_TIMEOUT = 20.0  # s of wall time; rospy takes a tenth of a second
+
+
+class Recorded(NamedTuple):
+    """A run in lockstep."""
+
+    bag: Path
+    statuses: dict  # exit codes of the nodes that ended before it, by name
+    required: set  # names of the nodes without which the run is over
+    unawaited: dict  # why lockstep did not wait, by name of the node
+
+
+def record(nodes, robot, end, folder=None, are_watched=True):
+    """Run nodes until a simulated time (s), at full speed; return what was Recorded.
+
+    All that the nodes do up to that time is recorded, and nothing after it.
+
+    :param nodes: package, name and arguments of their launch file
+    :param robot: the simulator's parameters by name
+    :param folder: for the bag (a Path); None: a new one
+    :param are_watched: whether the end of a node is an error
+    :raises DemoError: if the simulator, or a node that is watched, has ended
+    """
+    with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+        yaml.safe_dump({'real_time_factor': 0, 'lockstep': True, 'paused': True, **robot}, file)
+        file.flush()
+        with Launch('sim.launch', {'params': file.name}, beside=nodes,
+                    watched=None if are_watched else OURS) as launch:
+            join(launch, 'record')
+            recording = Recording(folder)
+            launch.wait_for(lambda: _are_there(launch, recording), 'the nodes do not answer')
+            _step(launch, end)
+            _await_ends(launch)
+            bag, statuses, required = recording.close(), launch.statuses(), launch.required - {SIMULATOR}
+            found = filter(None, map(UNAWAITED.search, launch.lines()))
+    if not bag:
+        raise DemoError('the run is not recorded')
+    return Recorded(bag, statuses, required, {match[1]: match[2] for match in found})
+
+
+def _are_there(launch, recording):
+    """Return whether all nodes are known to the master, or have ended, and the robot is recorded."""
+    master = rosgraph.Master(rospy.get_name())
+    for name in launch.names - launch.statuses().keys():
+        master.lookupNode(f'/{name}')
+    master.lookupService(f'/{STEP}')
+    return recording.is_connected(*ROBOT_TOPICS)
+
+
+def _await_ends(launch):
+    """Return once the processes of the nodes that have left the graph have ended, too."""
+    master, end = rosgraph.Master(rospy.get_name()), time.monotonic() + END_TIMEOUT
+    known = {name.lstrip('/') for kind in master.getSystemState() for _, names in kind for name in names}
+    while launch.names - known - launch.statuses().keys() and time.monotonic() < end:
+        time.sleep(CHECK_PERIOD)
+
+
+def _step(launch, end):
+    """Advance simulated time until `end` (s); each step waits until all nodes are idle."""
+    step, now = rospy.ServiceProxy(STEP, Trigger, persistent=True), -1.0
+    while now < end - SLACK:
+        launch.check()
+        try:
+            now = float(step().message)
+        except rospy.ServiceException:  # a busy machine, or node; the step still goes on
+            launch.wait_for(lambda: is_answered(PAUSE), 'the simulator does not answer')
+            now = rospy.get_time()
