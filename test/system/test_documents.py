@@ -58,7 +58,7 @@ PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
                 'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
 # Of the figures of the bench, in its order.
 PRINTED = 'demo lockstep robot start unpaced'
-NOT_PRINTED = re.compile(r'latency at |(C\+\+|tf) client|1000 drives|cost per')
+NOT_PRINTED = re.compile(r'latency at |(C\+\+|tf) client|1000 drives|cost per|ROS, 0\.[05] ')
 OUR_PACKAGES = shlex.quote(str(ROOT)) + '/.venv/lib/*/site-packages'
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
