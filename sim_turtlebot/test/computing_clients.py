@@ -5,6 +5,7 @@ usage: computing_clients.py KIND
 
 import multiprocessing
 import os
+import signal
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -28,6 +29,8 @@ def fork(robot):
     for x in iter(robot.seen.get, None):
         reader, writer = os.pipe()
         if not os.fork():
+            # On Ctrl-C, rospy's handler would wait for threads that the child does not have.
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
             os.write(writer, str(work(x)).encode())
             os._exit(0)
         os.wait()
