@@ -18,7 +18,7 @@ from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 from std_msgs.msg import Float64
-from worlds import SPEED, BareWorld, RobotWorld
+from worlds import SPEED, BareWorld, RobotWorld, bare_worlds
 
 SLICES = 4  # of a window
 FOLDER = Path(__file__).parent
@@ -27,7 +27,7 @@ SCRIPTS = {'demo': 'launch/src/odometry_launch/following.py',
            'simulator': 'sim_turtlebot/script/sim_turtlebot_node.py',
            'detector': 'odom_movement_detector/src/odom_movement_detector.py',
            'mover': 'test_movement/src/test_movement.py'}
-ROBOTS, DRIVES = 50, 1000
+ROBOTS, DRIVES, PROCESSES = 50, 1000, 2
 PACE_WINDOW = 5.0  # s after each; the machine is not as fast in each second
 SWEEP_TIMEOUT = 300.0  # s
 
@@ -155,17 +155,18 @@ def start(options):
 
 @figure(f'{DRIVES} drives on two processors', 's', '<=', 1.15)
 def sweep(options):
-    """Compare ./ws sweep with PyBullet stepping as many drives."""
+    """Compare ./ws sweep with PyBullet stepping as many drives, in as many processes."""
     from odometry_sweep.closed_loop import run  # the package may be left out
 
     def run_sweep():
         begin = time.perf_counter()
-        with Process(ROOT / 'ws', 'sweep', 'move', '--seeds', DRIVES, '--jobs', 2) as process:
+        with Process(ROOT / 'ws', 'sweep', 'move', '--seeds', DRIVES, '--jobs', PROCESSES) as process:
             assert process.wait(SWEEP_TIMEOUT) == 0, process.output
         return time.perf_counter() - begin
 
-    bare, simulated = BareWorld(), run('move', {})['time']
-    return in_turns(options, run_sweep, lambda: DRIVES * simulated / 2 / bare.speed(PACE_WINDOW))
+    simulated = run('move', {})['time']
+    with bare_worlds(PROCESSES) as speed:
+        return in_turns(options, run_sweep, lambda: DRIVES * simulated / speed(PACE_WINDOW))
 
 
 @figure('graph unpaced', 'simulated s/s', '>=', 0.6)

@@ -1,5 +1,8 @@
 """TurtleBots without ROS: PyBullet alone, which is the limit, and the simulator's robots."""
 
+import concurrent.futures
+import contextlib
+import multiprocessing
 import time
 
 from odometry_tests.simulation import settings_of
@@ -38,6 +41,21 @@ class BareWorld:
 
     def speed(self, window):
         return speed_of(self.run_to_odometry, window)
+
+
+@contextlib.contextmanager
+def bare_worlds(count):
+    """Yield a function of s of wall time: the speed of so many bare worlds at once (simulated s/s)."""
+    def speed(window):
+        return sum(executor.map(_bare_speed, [window] * count))
+
+    with concurrent.futures.ProcessPoolExecutor(count, multiprocessing.get_context('spawn')) as executor:
+        speed(0.0)  # starts them
+        yield speed
+
+
+def _bare_speed(window):
+    return BareWorld().speed(window)
 
 
 class RobotWorld:

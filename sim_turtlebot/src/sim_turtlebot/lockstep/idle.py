@@ -169,8 +169,7 @@ class IdleWaiter:
             limit, threads = process.longest_poll, process.threads.values()
             for thread in threads if process.is_cpp else ():
                 thread.sample_polling()
-            usage[process] = {thread: thread.idle_usage for thread in threads
-                              if not (thread.may_poll or thread.may_run)}
+            usage[process] = process.usage()
             # ros::Rate and ros::Timer poll for the clock.
             if limit and (process.is_cpp or self._count_new(process, usage[process]) > receivers):
                 polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
@@ -182,7 +181,8 @@ class IdleWaiter:
     def _count_new(self, process, usages):
         """Return how many threads of a process have run since all were last idle."""
         earlier = self.idle_usage.get(process, {})
-        return sum(earlier.get(thread) != usage for thread, usage in usages.items())
+        return 0 if usages is earlier else sum(
+            earlier.get(thread) != usage for thread, usage in usages.items())
 
     def _has_news(self, thread, usage, before):
         """Return whether another node, which may have sent something, has run since `before`."""

@@ -34,6 +34,7 @@ class Process:
         self._folder = os.open(f'/proc/{pid}/task', os.O_RDONLY)
         self.threads = {}  # by id
         self._idle_cpu_time = None  # its CPU time (ns) when all threads were idle
+        self._usage = None  # what usage() returned, until a thread may have run
 
     def close(self):
         """Close its files."""
@@ -51,6 +52,7 @@ class Process:
         """Return whether each thread is idle, except those that may run."""
         cpu_time = self.cpu_time()
         if cpu_time != self._idle_cpu_time:
+            self._usage = None
             self._idle_cpu_time = cpu_time if all(
                 thread.may_run or thread.check_idle() for thread in self.threads.values()) else None
         return self._idle_cpu_time is not None
@@ -60,18 +62,33 @@ class Process:
         return not self.awake_thread()
 
     def is_still_idle(self):
-        """Return whether no thread has run since check_idle(), except those that may."""
-        if not all(thread.may_run or thread.is_still_idle() for thread in self.threads.values()):
-            self._idle_cpu_time = None
-        return self._idle_cpu_time is not None
+        """Return whether no thread has run since check_idle(), except those that may.
+
+        By all figures of their usage: a virtual machine that loses its processor may not count the CPU
+        time of what runs next.
+        """
+        for thread in self.threads.values():
+            if thread.read_usage() != thread.idle_usage and not thread.may_run:
+                self._idle_cpu_time = None
+                return False
+        return True
+
+    def usage(self):
+        """Return the usage of its threads that do not poll, by Thread, when they were last idle."""
+        if self._usage is None:
+            self._usage = {thread: thread.idle_usage for thread in self.threads.values()
+                           if not (thread.may_poll or thread.may_run)}
+        return self._usage
 
     def awake_thread(self):
         """Return a thread that is awake and may not run, or None."""
         links = os.fstat(self._folder).st_nlink  # two more than there are threads
         if links - 2 != len(self.threads) + bool(self._own_thread):
             self.list_threads()
-        return next((thread for thread in self.threads.values()
-                     if not thread.check_asleep() and not thread.may_run), None)
+        for thread in self.threads.values():
+            if not thread.check_asleep() and not thread.may_run:
+                return thread
+        return None
 
     def is_stopped(self):
         """Return whether a signal or a debugger has stopped it."""
@@ -80,6 +97,7 @@ class Process:
 
     def list_threads(self):
         """Add the threads that have started, and remove those that have ended."""
+        self._usage = None
         tids = {int(tid) for tid in os.listdir(self._folder)} - {self._own_thread}
         for tid in self.threads.keys() - tids:
             self.threads.pop(tid).close()

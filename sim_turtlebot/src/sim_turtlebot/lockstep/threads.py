@@ -2,6 +2,7 @@
 
 import os
 import time
+from functools import partial
 
 # The kernel functions of time.sleep(); Python to 3.10 selects instead, as servers do
 SLEEP, SELECT = b'hrtimer_nanosleep', b'do_select'
@@ -21,8 +22,10 @@ class Thread:
     def __init__(self, pid, tid):
         self.pid, self.tid = pid, tid
         self._path, self._function = f'/proc/{pid}/task/{tid}', None
-        self._schedstat, self._wchan, self._stat = (
-            os.open(f'{self._path}/{name}', os.O_RDONLY) for name in ('schedstat', 'wchan', 'stat'))
+        self._files = [os.open(f'{self._path}/{name}', os.O_RDONLY) for name in ('schedstat', 'wchan', 'stat')]
+        # Functions, since each check calls them for every thread of the graph.
+        self.read_usage, self._read_function, self._read_stat = (
+            partial(os.pread, file, MAX_LINE, 0) for file in self._files)
         self.ignored = False  # whether lockstep does not wait for it
         self.always_polls = None  # whether it polls even without work, as timers of roscpp do
         self.is_asleep = False  # at the last check
@@ -32,9 +35,8 @@ class Thread:
 
     def close(self):
         """Close its files."""
-        os.close(self._schedstat)
-        os.close(self._wchan)
-        os.close(self._stat)
+        for file in self._files:
+            os.close(file)
 
     @property
     def name(self):
@@ -43,7 +45,7 @@ class Thread:
 
     def check_asleep(self):
         """Return whether it sleeps."""
-        self._function = os.pread(self._wchan, MAX_LINE, 0)
+        self._function = self._read_function()
         self.is_asleep = self._function in _wait_functions or self._is_asleep_by_state()
         return self.is_asleep
 
@@ -57,24 +59,16 @@ class Thread:
     @property
     def state(self):
         """Its state, as in /proc/PID/task/TID/stat."""
-        return os.pread(self._stat, MAX_LINE, 0).rpartition(b')')[2][1:2]
+        return self._read_stat().rpartition(b')')[2][1:2]
 
     def check_idle(self):
         """Return whether it sleeps, or has not run since it was last seen asleep."""
-        usage = os.pread(self._schedstat, MAX_LINE, 0)
+        usage = self.read_usage()
         if usage != self.idle_usage:
             if not self.check_asleep():
                 return False
             self.idle_usage = usage
         return True
-
-    def is_still_idle(self):
-        """Return whether it has not run since check_idle(), by all figures of its usage.
-
-        Its CPU time is not enough: a virtual machine that loses its processor may not count the
-        time that runs next.
-        """
-        return os.pread(self._schedstat, MAX_LINE, 0) == self.idle_usage
 
     @property
     def may_run(self):
@@ -94,7 +88,7 @@ class Thread:
     @property
     def usage(self):
         """Its CPU time (ns), how long it waited for a processor (ns), and how often it has run."""
-        return tuple(map(int, os.pread(self._schedstat, MAX_LINE, 0).split()))
+        return tuple(map(int, self.read_usage().split()))
 
     @property
     def sleeps(self):
