@@ -6,7 +6,7 @@ import yaml
 
 from odometry_sweep.campaign import MAX_RUNS, Campaign, read_campaign
 from odometry_sweep.closed_loop import TUTORIALS
-from odometry_sweep.launched import LAUNCH, Launched
+from odometry_sweep.subjects import Launched, Tutorial
 
 
 def parse(arguments):
@@ -15,29 +15,27 @@ def parse(arguments):
     options = parser.parse_args(arguments)
     if options.junit and not options.campaign:
         parser.error('argument --junit: only with the limits of a --campaign')
-    source = 'replay' if options.replay else 'campaign' if options.campaign else None
-    if source and (options.what or options.set or options.seeds or options.until):
-        parser.error(f'argument --{source}: the file sets tutorial, --seeds, --set and --until')
-    if source == 'campaign':
+    if not (options.campaign or options.replay):
+        options.campaign = _campaign(parser, options)
+    elif options.what or options.set or options.seeds or options.until:
+        parser.error('the file of --campaign or --replay sets tutorial, --seeds, --set and --until')
+    elif options.campaign:
         options.campaign = read_campaign(options.campaign)
-    elif not source:
-        launched = _launched(parser, options.what, options.until)
-        values = dict(options.set)
-        if len(values) < len(options.set):
-            parser.error('argument --set: a parameter is set twice')
-        options.campaign = Campaign(LAUNCH if launched else options.what[0], options.seeds or 1,
-                                    values, {}, launched)
     return options
 
 
-def _launched(parser, what, until):
-    """Return the Launched that is asked for, or None for a tutorial; exit if it is neither."""
+def _campaign(parser, options):
+    """Return the Campaign that the options describe; exit if there is none."""
+    what, values = options.what, dict(options.set)
     is_tutorial = len(what) == 1 and what[0] in TUTORIALS
     if not is_tutorial and len(what) != 2:
         parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
-    if is_tutorial != (until is None):
+    if is_tutorial != (options.until is None):
         parser.error('argument --until: for a launch file, and only for that')
-    return None if is_tutorial else Launched(*what, until)
+    if len(values) < len(options.set):
+        parser.error('argument --set: a parameter is set twice')
+    subject = Tutorial(*what) if is_tutorial else Launched(what, options.until)
+    return Campaign(subject, options.seeds or 1, values, {})
 
 
 def make_parser():
@@ -80,6 +78,6 @@ def _values(text):
     if not separator or not name.isidentifier():
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
-        return name, [yaml.safe_load(value) for value in values.split(',')]
+        return name, yaml.safe_load(f'[{values}]')
     except (yaml.YAMLError, RecursionError):
         raise argparse.ArgumentTypeError(f'{text!r} contains a value that is not YAML') from None

@@ -3,7 +3,6 @@
 import collections
 import concurrent.futures
 import contextlib
-import functools
 import itertools
 import logging
 import multiprocessing
@@ -42,8 +41,7 @@ def side_by_side(campaign, jobs=None, cluster=None):
 
 
 def _run_all(campaign, executor):
-    do = campaign.launched.run if campaign.launched else functools.partial(run, campaign.tutorial)
-    begun = ((parameters, executor.submit(do, parameters))
+    begun = ((parameters, executor.submit(campaign.subject.run, parameters))
              for parameters in campaign.runs())
     try:
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
