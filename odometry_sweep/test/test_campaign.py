@@ -46,7 +46,7 @@ def test_the_command_line_and_a_file_say_the_same(written):
 
 @pytest.mark.parametrize('arguments, line', [
     ([], 'choose a tutorial'),
-    (['move', '--seeds', '1.5'], "'1.5' is not a whole number from 1"),
+    (['move', '--seeds', '1.5'], "invalid int value: '1.5'"),
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
     (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
     (['move', '--set', f'speed={"[" * 1000}'], "[[' contains a value that is not YAML"),
@@ -61,8 +61,8 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
 
 @pytest.mark.parametrize('content, line', [
     ('\0', 'is no YAML'), ('[' * 1000, 'is no YAML'), ('seeds: 3', 'names no tutorial'),
-    ({'tutorial': ['move']}, "the tutorial is ['move'], but must be move or rotate"),
-    ({'tutorial': 'move', 'seed': 3}, "has 'seed', but may have tutorial, launch, until, seeds, set, limits"),
+    ({'tutorial': ['move']}, "there is no tutorial ['move']: there is move, rotate"),
+    ({'tutorial': 'move', 'seed': 3}, "has 'seed': did you mean seeds?"),
     ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),
     ({'tutorial': 'move', 'set': [1]}, 'set is [1], but must have a line for each name'),
     ({'tutorial': 'move', 'set': {'speed': []}}, 'speed has no value'),
@@ -71,12 +71,12 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
      'there are 10000000000 runs, but must be 1000000 at most'),
     ({'tutorial': 'move', 'set': {'kp': 1}},
-     'parameter kp cannot be set in a sweep of move: it has cmd_vel_timeout, dist'),
+     'parameter kp cannot be set in a sweep of move: there is cmd_vel_timeout, dist'),
     ({'tutorial': 'move', 'set': {'wheel_nose': 0.1}},
      'parameter wheel_nose cannot be set in a sweep of move: did you mean wheel_noise?'),
     ({'tutorial': 'rotate', 'set': {'tolerance': 1}}, 'parameter tolerance cannot be set'),
     ({'tutorial': 'move', 'set': {'world': '/no.urdf'}}, "parameter ~world is '/no.urdf'"),
-    ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95; it is'),
+    ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95: there is '),
     ({'tutorial': 'move', 'limits': {'moved_error_p95': -1}},
      'limit moved_error_p95 is -1, but must be a number from 0'),
     ({'tutorial': 'move', 'limits': {'time_p5': 'x'}}, "limit time_p5 is 'x'")])

@@ -86,7 +86,7 @@ def test_how_a_run_ended_is_a_column(ends):
     (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
-    (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be'),
+    (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
     (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but the sweep does that'),
     (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
     (('guest', 'other.launch', 1), {}, 'other.launch] is neither a launch file in package'),

@@ -5,16 +5,17 @@ import math
 from typing import Any, NamedTuple
 
 import yaml
-from odometry_common.parameters import ParameterError, StartError
+from odometry_common.parameters import Parameter, ParameterError, StartError, at_least, between
 from sim_turtlebot.physics.world_file import WorldFileError
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
 
 from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
-from odometry_sweep.subjects import LAUNCH, Launched, Tutorial
+from odometry_sweep.subjects import LAUNCH, Launched, Tutorial, choose
 
-KEYS = ['tutorial', LAUNCH, 'until', 'seeds', 'set', 'limits']
+KEYS = dict.fromkeys(['tutorial', LAUNCH, 'until', 'seeds', 'set', 'limits'])
 MAX_RUNS = 10**6  # the metrics of each run stay in memory
+SEEDS = Parameter('seeds', 1, '', between(1, MAX_RUNS), '')
 
 
 class Campaign(NamedTuple):
@@ -50,8 +51,7 @@ class Campaign(NamedTuple):
 
     def check(self):
         """Raise StartError, with one line for the user, if the campaign cannot be run."""
-        if type(self.seeds) is not int or not 1 <= self.seeds <= MAX_RUNS:
-            raise StartError(f'seeds is {self.seeds!r}, but must be a whole number from 1 to {MAX_RUNS}')
+        SEEDS.check(self.seeds)
         self.subject.check(self.values)
         if self.count > MAX_RUNS:
             raise StartError(f'there are {self.count} runs, but must be {MAX_RUNS} at most')
@@ -60,7 +60,11 @@ class Campaign(NamedTuple):
                 Simulation(read_settings({**next(self.combinations), 'world': world}))
             except WorldFileError as error:
                 raise ParameterError('~world', world, error) from None
-        _check_limits(METRICS[self.subject.kind], self.limits)
+        known = dict.fromkeys([NOT_ARRIVED, *(f'{metric}_{name}' for metric in METRICS[self.subject.kind]
+                                              for name in STATISTICS)])
+        for name, limit in self.limits.items():
+            choose(name, known, f'unknown limit {name}')
+            Parameter(f'limit {name}', 0.0, '', at_least(0), '').check(limit)
 
     def text(self):
         """Return the content of a campaign file."""
@@ -80,8 +84,7 @@ def read_campaign(path):
     if not isinstance(content, dict) or ('tutorial' in content) == (LAUNCH in content):
         raise StartError(f'{path} names no tutorial, or a launch file, too')
     for key in content:
-        if key not in KEYS:
-            raise StartError(f'{path} has {key!r}, but may have {", ".join(KEYS)}')
+        choose(key, KEYS, f'{path} has {key!r}')
     values, limits = content.get('set') or {}, content.get('limits') or {}
     for key, table in (('set', values), ('limits', limits)):
         if not isinstance(table, dict):
@@ -102,13 +105,3 @@ def _subject(path, content):
     if not (isinstance(names, list) and [*map(type, names)] == [str, str]):
         raise StartError(f'{path}: launch is {names!r}, but must be [package, file]')
     return Launched(names, content.get('until'))
-
-
-def _check_limits(metrics, limits):
-    known = [NOT_ARRIVED, *(f'{metric}_{statistic}' for metric in metrics for statistic in STATISTICS)]
-    for name, limit in limits.items():
-        if name not in known:
-            raise StartError(f'unknown limit {name}; it is {NOT_ARRIVED}, or one of {", ".join(metrics)} '
-                             f'followed by one of {", ".join(f"_{statistic}" for statistic in STATISTICS)}')
-        if type(limit) not in (int, float) or not limit >= 0:
-            raise StartError(f'limit {name} is {limit!r}, but must be a number from 0')

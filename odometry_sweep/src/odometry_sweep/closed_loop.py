@@ -109,18 +109,10 @@ class Rotate:
 TUTORIALS = {'move': Move, 'rotate': Rotate}
 
 
-def run_parameters(tutorial, values):
-    """Return a tutorial's loop and the simulator's settings for parameter values by name.
-
-    :raises ParameterError: if a node would refuse one of them
-    """
-    return TUTORIALS[tutorial](values), read_settings(values)
-
-
 def run(tutorial, parameters):
     """Run a tutorial with parameter values by name; return its metrics by name."""
     with _run_lock:
-        loop, settings = run_parameters(tutorial, parameters)
+        loop, settings = TUTORIALS[tutorial](parameters), read_settings(parameters)
         settings.clock_rate = settings.odom_rate  # as for the nodes
         simulation = Simulation(settings, build_world=_world)
         return follow(loop, _ticks(simulation), simulation.command)

@@ -18,9 +18,10 @@ from odometry_launch.recorded_run import read_run
 from odometry_launch.recording import leave_picture
 from odometry_launch.stepping import record
 from sim_turtlebot.robot.odometry import Motion
+from sim_turtlebot.settings import read_settings
 
 from odometry_sweep.campaign import read_campaign
-from odometry_sweep.closed_loop import ARRIVED, LATE, UNTIL, degrees, follow, run_parameters
+from odometry_sweep.closed_loop import ARRIVED, LATE, TUTORIALS, UNTIL, degrees, follow
 from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS, read_rows
 from odometry_sweep.subjects import LAUNCH, ROBOT
 
@@ -73,12 +74,11 @@ def run_nodes(subject, parameters, folder=None):
     if subject.kind == LAUNCH:
         recorded = record(subject.nodes(parameters), robot, subject.until, folder, are_watched=False)
         return _launch_metrics(recorded), recorded.bag, {}
-    loop, settings = run_parameters(subject.kind, parameters)
     line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
     nodes = 'odometry_sweep', 'replay.launch', {'tutorial': subject.kind, 'params': line}
-    robot['clock_rate'] = settings.odom_rate  # these nodes need no finer one
+    robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
     bag = record(nodes, robot, subject.run(parameters)['time'], folder).bag
-    return tutorial_metrics(subject.kind, parameters, bag), bag, loop.targets
+    return tutorial_metrics(subject.kind, parameters, bag), bag, TUTORIALS[subject.kind](parameters).targets
 
 
 def tutorial_metrics(kind, parameters, path):
@@ -91,7 +91,7 @@ def tutorial_metrics(kind, parameters, path):
             raise DemoError('the recording has gaps')
     ticks = ((seen.header.stamp.to_sec(), _motion(seen), _motion(true))
              for seen, true in zip(odometry, ground_truth))
-    metrics = follow(run_parameters(kind, parameters)[0], ticks, lambda *_: None)
+    metrics = follow(TUTORIALS[kind](parameters), ticks, lambda *_: None)
     if kind == 'move' and metrics['moved'] not in [message.data for message in moved]:
         raise DemoError('the detector published another distance')
     return metrics

@@ -1,6 +1,7 @@
 """Run a campaign, show its progress, and print the result."""
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -9,11 +10,11 @@ from datetime import timedelta
 from odometry_common.parameters import StartError
 from odometry_launch import junit
 from odometry_launch.folders import new_folder, path_in_errors
-from odometry_launch.output import Line, bar, complain, run_command
+from odometry_launch.output import DemoError, Line, bar, complain, run_command
 
 from odometry_sweep.options import parse
 from odometry_sweep.results import FILE, Combination, read_rows, table, write_results
-from odometry_sweep.running import LostError, side_by_side
+from odometry_sweep.running import side_by_side
 
 PROGRAM = 'sweep'
 LINE_PERIOD = 5.0  # s
@@ -45,7 +46,7 @@ def _sweep(campaign, runs, report):
     folder, rows, lost = new_folder('sweep-'), [], None
     try:
         rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
-    except (KeyboardInterrupt, LostError) as error:
+    except (KeyboardInterrupt, DemoError) as error:
         lost = error
     parts = (rows[begin:begin + campaign.seeds] for begin in range(0, len(rows), campaign.seeds))
     combinations = [Combination(*part) for part in zip(campaign.names, parts)]
@@ -56,9 +57,7 @@ def _sweep(campaign, runs, report):
         return int(_exceeds_limits(campaign, combinations, folder, report))
     complain(f'{str(lost) or "interrupted"} after {len(read_rows(folder))} of {campaign.count} runs, '
              f'which are in {os.path.relpath(folder)}', PROGRAM)
-    if isinstance(lost, KeyboardInterrupt):
-        raise lost
-    return 1
+    return 1 if str(lost) else 128 + signal.SIGINT
 
 
 def with_progress(runs, total):
@@ -71,13 +70,10 @@ def with_progress(runs, total):
             yield run
         duration = max(1e-3, time.monotonic() - start)
         left = timedelta(seconds=round((total - done) * duration / max(done, 1)))
-        text = f'{bar(done / total)} {done} of {total} runs' + (
-            f', {done / duration:.1f} a second, {left} left' if done else
-            f' after {timedelta(seconds=round(duration))}')
-        if done < total:
-            line.show(text, start + duration)
-        else:
-            line.finish(text)
+        text = f'{bar(done / total)} {done} of {total} runs'
+        if done:
+            text += f', {done / duration:.1f} a second, {left} left'
+        line.show(text, start + duration) if done < total else line.finish(text)
 
 
 def _report(campaign, combinations, folder):
@@ -102,21 +98,21 @@ def _exceeds_limits(campaign, combinations, folder, report):
 
     The worst run of each such limit is repeated, which leaves its bag and its picture.
     """
-    lines, worst = {limit: [] for limit in campaign.limits}, {}
-    for index, combination in enumerate(combinations):
-        for limit, most in campaign.limits.items():
+    cases, worst = [], {}  # the numbers of runs, once each, in order
+    for limit, most in campaign.limits.items():
+        lines = []
+        for index, combination in enumerate(combinations):
             size, run = combination.size_of(limit)
             if not size <= most:
-                lines[limit].append(f'{limit} is {size:.6g}, over its limit of {most:g}, with {combination.name}')
-                complain(lines[limit][-1], PROGRAM)
-                worst.setdefault(limit, index * campaign.seeds + run + 1)
+                lines.append(f'{limit} is {size:.6g}, over its limit of {most:g}, with {combination.name}')
+                complain(lines[-1], PROGRAM)
+                if len(lines) == 1:
+                    worst[index * campaign.seeds + run + 1] = limit
+        cases.append(junit.Case(campaign.subject.name, limit, '; '.join(lines), 'limit'))
     if report:
-        junit.write(report, 'odometry_sweep', [
-            junit.Case(campaign.subject.name, limit, '; '.join(found), 'limit')
-            for limit, found in lines.items()])
-    for number in dict.fromkeys(worst.values()):
-        # In a process of its own, which is a node only once.
+        junit.write(report, 'odometry_sweep', cases)
+    for number in worst:  # in a process of its own, which is a node only once
         subprocess.run([sys.executable, sys.argv[0], '--replay', str(folder), str(number)], check=False)
-    if lines and not worst:
-        print(f'limits          all {len(lines)} hold', flush=True)
+    if cases and not worst:
+        print(f'limits          all {len(cases)} hold', flush=True)
     return bool(worst)

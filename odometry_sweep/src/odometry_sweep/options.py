@@ -4,7 +4,7 @@ import argparse
 
 import yaml
 
-from odometry_sweep.campaign import MAX_RUNS, Campaign, read_campaign
+from odometry_sweep.campaign import SEEDS, Campaign, read_campaign
 from odometry_sweep.closed_loop import TUTORIALS
 from odometry_sweep.subjects import Launched, Tutorial
 
@@ -13,29 +13,24 @@ def parse(arguments):
     """Return the options and their Campaign; exit if they contradict each other."""
     parser = make_parser()
     options = parser.parse_args(arguments)
+    if options.jobs is not None:
+        SEEDS._replace(name='--jobs').check(options.jobs)
     if options.junit and not options.campaign:
         parser.error('argument --junit: only with the limits of a --campaign')
     if not (options.campaign or options.replay):
-        options.campaign = _campaign(parser, options)
+        if not 1 <= len(options.what) <= 2:
+            parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
+        if len(options.what) == 1 and options.until:
+            parser.error('argument --until: only for a launch file')
+        if len(values := dict(options.set)) < len(options.set):
+            parser.error('argument --set: a parameter is set twice')
+        subject = Launched(options.what, options.until) if len(options.what) == 2 else Tutorial(*options.what)
+        options.campaign = Campaign(subject, SEEDS.default if options.seeds is None else options.seeds, values, {})
     elif options.what or options.set or options.seeds or options.until:
         parser.error('the file of --campaign or --replay sets tutorial, --seeds, --set and --until')
     elif options.campaign:
         options.campaign = read_campaign(options.campaign)
     return options
-
-
-def _campaign(parser, options):
-    """Return the Campaign that the options describe; exit if there is none."""
-    what, values = options.what, dict(options.set)
-    is_tutorial = len(what) == 1 and what[0] in TUTORIALS
-    if not is_tutorial and len(what) != 2:
-        parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
-    if is_tutorial != (options.until is None):
-        parser.error('argument --until: for a launch file, and only for that')
-    if len(values) < len(options.set):
-        parser.error('argument --set: a parameter is set twice')
-    subject = Tutorial(*what) if is_tutorial else Launched(what, options.until)
-    return Campaign(subject, options.seeds or 1, values, {})
 
 
 def make_parser():
@@ -49,7 +44,7 @@ def make_parser():
                         help='drive two metres; turn to a heading; or a launch file of yours')
     parser.add_argument('--until', type=float, metavar='S',
                         help='how long a run of a launch file takes (simulated s)')
-    parser.add_argument('--seeds', type=_whole, metavar='N',
+    parser.add_argument('--seeds', type=int, metavar='N',
                         help='runs of each combination of values, each with its own seed (default: 1)')
     parser.add_argument('--set', type=_values, action='append', default=[],
                         metavar='NAME=VALUE[,VALUE...]',
@@ -57,7 +52,7 @@ def make_parser():
     source.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
-    machine.add_argument('--jobs', type=_whole, metavar='N',
+    machine.add_argument('--jobs', type=int, metavar='N',
                          help='number of processes (default: one for each processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
                          help='run on the workers of a Dask cluster')
@@ -65,12 +60,6 @@ def make_parser():
                         help='repeat a run in the folder of a sweep with the nodes in lockstep, '
                              'record it, and compare to the last bit')
     return parser
-
-
-def _whole(text):
-    if not text.isdecimal() or not 1 <= int(text) <= MAX_RUNS:
-        raise argparse.ArgumentTypeError(f'{text!r} is not a whole number from 1 to {MAX_RUNS}')
-    return int(text)
 
 
 def _values(text):

@@ -3,14 +3,13 @@
 import numpy
 from odometry_launch.figure import BLUE, DARK, new_figure, tidy
 
-from odometry_sweep.results import METRICS, QUANTILES, SHOWN
+from odometry_sweep.results import METRICS, SHOWN
 
 FILE = 'distributions.png'
 DIGITS = 6  # of a value; those after them are noise of rounding
 WIDTH, ROW, FRAME, MARGIN = 2.2, 0.4, 1.5, 1.5  # inches: a diagram, a combination, titles and axes, labels
 MIN_SPANS = {'m': 0.01, 'degrees': 0.5, 's': 0.5}  # on a shorter axis noise looks large
 MAX_HEIGHT = 60.0  # inches
-WHISKERS = [100 * QUANTILES[name] for name in ('p5', 'p95')]
 
 
 def make_figure(kind, combinations):
@@ -26,7 +25,7 @@ def make_figure(kind, combinations):
     diagrams, = figure.subplots(1, len(metrics), sharey=True, squeeze=False)
     for metric, axes in zip(metrics, diagrams):
         unit = METRICS[kind][metric]
-        axes.boxplot(values[metric], vert=False, whis=WHISKERS, widths=0.6, patch_artist=True, manage_ticks=False,
+        axes.boxplot(values[metric], vert=False, whis=(5, 95), widths=0.6, patch_artist=True, manage_ticks=False,
                      boxprops={'facecolor': BLUE, 'linewidth': 0}, medianprops={'color': DARK, 'linewidth': 2},
                      flierprops={'marker': '.', 'markeredgewidth': 0, 'markerfacecolor': BLUE})
         low, high = axes.get_xlim()

@@ -23,9 +23,8 @@ METRICS = {
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
          'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
          'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
-QUANTILES = {'median': 0.5, 'p5': 0.05, 'p95': 0.95}
-STATISTICS = *QUANTILES, 'worst'
-HEADINGS = ['median', '5 %', '95 %', 'worst']
+QUANTILES = [0.5, 0.05, 0.95]
+STATISTICS = {'median': 'median', 'p5': '5 %', 'p95': '95 %', 'worst': 'worst'}  # headings by name
 DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
 COLUMN = 10  # characters
 
@@ -54,7 +53,7 @@ class Combination(NamedTuple):
 
 def statistics(values):
     """Return the STATISTICS of an array by name; the worst is farthest from zero."""
-    return dict(zip(STATISTICS, [*numpy.quantile(values, [*QUANTILES.values()]),
+    return dict(zip(STATISTICS, [*numpy.quantile(values, QUANTILES),
                                  values[abs(values).argmax()]]))
 
 
@@ -65,7 +64,7 @@ def table(kind, combinations):
     blocks = []
     for metric, title in titles.items():
         decimals = DECIMALS[METRICS[kind][metric]]
-        rows = [(title, HEADINGS), *((combination.name, [
+        rows = [(title, STATISTICS.values()), *((combination.name, [
             f'{round(value, decimals) + 0.0:.{decimals}f}'  # no -0.0
             for value in statistics(combination.values(metric)).values()]) for combination in combinations)]
         blocks.append('\n'.join(f'{name:{width}}' + ''.join(f'{cell:>{COLUMN}}' for cell in cells)

@@ -21,10 +21,6 @@ CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
-class LostError(RuntimeError):
-    """The sweep cannot continue; the message is one line for the user."""
-
-
 @contextlib.contextmanager
 def side_by_side(campaign, jobs=None, cluster=None):
     """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
@@ -34,7 +30,7 @@ def side_by_side(campaign, jobs=None, cluster=None):
     :param jobs: number of processes; None: one for each processor
     :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine
     :raises StartError: if the workers cannot start
-    :raises LostError: if they are lost, between two runs
+    :raises DemoError: if they are lost, between two runs, or a run cannot be done
     """
     with _on_cluster(cluster) if cluster else _on_this_machine(campaign, jobs) as executor:
         yield _run_all(campaign, executor)
@@ -55,13 +51,11 @@ def _run_all(campaign, executor):
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
     except concurrent.futures.BrokenExecutor:
-        raise LostError('a process that did runs was killed') from None
+        raise DemoError('a process that did runs was killed') from None
     except concurrent.futures.CancelledError:
-        raise LostError('the scheduler of the cluster is gone') from None
-    except DemoError as error:
-        raise LostError(str(error)) from None
+        raise DemoError('the scheduler of the cluster is gone') from None
     except WorldFileError as error:
-        raise LostError(f'{parameters["world"]} must be {error}') from None
+        raise DemoError(f'{parameters["world"]} must be {error}') from None
 
 
 @contextlib.contextmanager
@@ -95,20 +89,15 @@ def _on_cluster(address):
     except (OSError, ValueError) as error:
         raise StartError(f'no scheduler answers at {address}: {error}') from None
     with client:
-        _check_workers(client)
+        try:
+            client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
+            results = client.run(run, *TRIAL)
+        except TimeoutError:
+            raise StartError('the cluster has no workers') from None
+        except ImportError as error:
+            raise StartError(f'a worker was not started by ./ws dask worker: {error}') from None
+        expected = run(*TRIAL)
+        for worker, metrics in results.items():
+            if metrics != expected:  # in the last digits
+                raise StartError(f'the worker {worker} has another version of these packages')
         yield client.get_executor()
-
-
-def _check_workers(client):
-    """Compare a short run of each worker: other versions give other last digits."""
-    try:
-        client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
-        results = client.run(run, *TRIAL)
-    except TimeoutError:
-        raise StartError('the cluster has no workers') from None
-    except ImportError as error:
-        raise StartError(f'a worker was not started by ./ws dask worker: {error}') from None
-    expected = run(*TRIAL)
-    for worker, metrics in results.items():
-        if metrics != expected:
-            raise StartError(f'the worker {worker} has another version of these packages')

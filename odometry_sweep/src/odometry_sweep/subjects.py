@@ -5,14 +5,14 @@ import difflib
 import multiprocessing
 from typing import NamedTuple
 
-from odometry_common.parameters import StartError
+from odometry_common.parameters import Parameter, StartError, between
 from sim_turtlebot.settings import PARAMETERS
 
 from odometry_sweep import closed_loop
 from odometry_sweep.closed_loop import TUTORIALS
 
 LAUNCH = 'launch'  # in place of a tutorial
-MAX_UNTIL = 1e5  # s
+UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
 # The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
 # For wall time, tf, scans, late messages, and nodes that wait or exit.
@@ -30,9 +30,8 @@ class Tutorial(NamedTuple):
 
     def check(self, values):
         """Raise StartError if this cannot run with these values: lists by parameter."""
-        if self.kind not in list(TUTORIALS):
-            raise StartError(f'the tutorial is {self.kind!r}, but must be {" or ".join(TUTORIALS)}')
-        rows = {row.name[1:]: row for row in TUTORIALS[self.kind].PARAMETERS}
+        tutorial = choose(self.kind, TUTORIALS, f'there is no tutorial {self.kind!r}')
+        rows = {row.name[1:]: row for row in tutorial.PARAMETERS}
         _check_values(self, values, {**rows, **ROBOT}, NEEDS_ROS)
 
     def run(self, parameters):
@@ -54,8 +53,7 @@ class Launched(NamedTuple):
         import roslaunch
         from odometry_launch.launch import load, path_of
         from roslaunch.arg_dump import get_args
-        if type(self.until) not in (int, float) or not 0 < self.until <= MAX_UNTIL:
-            raise StartError(f'until is {self.until!r}, but must be s of simulated time, up to {MAX_UNTIL:g}')
+        UNTIL.check(self.until)
         try:
             _check_values(self, values, {**dict.fromkeys(get_args([path_of(*self.launch)])), **ROBOT})
             nodes = load([self.nodes({name: several[0] for name, several in values.items()})]).nodes
@@ -87,9 +85,15 @@ def _check_values(subject, values, known, left_out=frozenset()):
     """
     known = {name: row for name, row in known.items() if name not in NOT_SET | left_out}
     for name, several in values.items():
-        if name not in known:
-            similar = difflib.get_close_matches(name, known, 1)
-            hint = f'did you mean {similar[0]}?' if similar else f'it has {", ".join(sorted(known))}'
-            raise StartError(f'parameter {name} cannot be set in a sweep of {subject.name}: {hint}')
-        for value in several if known[name] else ():
-            known[name].check(value)
+        row = choose(name, known, f'parameter {name} cannot be set in a sweep of {subject.name}')
+        for value in several if row else ():
+            row.check(value)
+
+
+def choose(name, known, complaint):
+    """Return known[name]; without one raise StartError: the complaint, and what may be meant."""
+    if name not in list(known):
+        similar = difflib.get_close_matches(str(name), known, 1, cutoff=0.8)
+        hint = f'did you mean {similar[0]}?' if similar else f'there is {", ".join(sorted(known))}'
+        raise StartError(f'{complaint}: {hint}')
+    return known[name]
