@@ -1,9 +1,9 @@
 """A picture with the distributions of the metrics of a sweep."""
 
 import numpy
-from odometry_launch.figure import BLUE, DARK, new_figure, tidy
+from odometry_launch.figure import BLUE, DARK, ORANGE, new_figure, tidy
 
-from odometry_sweep.results import METRICS, SHOWN
+from odometry_sweep.results import METRICS, SHOWN, statistics
 
 FILE = 'distributions.png'
 DIGITS = 6  # of a value; those after them are noise of rounding
@@ -13,7 +13,7 @@ MAX_HEIGHT = 60.0  # inches
 
 
 def make_figure(kind, combinations):
-    """Return a figure with a diagram for each metric, and in it a box plot of each Combination."""
+    """Return a figure with a diagram for each metric, and in it a line for each Combination."""
     values = {metric: [combination.values(metric) for combination in combinations]
               for metric in SHOWN[kind]}
     # A diagram of a constant shows nothing.
@@ -25,9 +25,7 @@ def make_figure(kind, combinations):
     diagrams, = figure.subplots(1, len(metrics), sharey=True, squeeze=False)
     for metric, axes in zip(metrics, diagrams):
         unit = METRICS[kind][metric]
-        axes.boxplot(values[metric], vert=False, whis=(5, 95), widths=0.6, patch_artist=True, manage_ticks=False,
-                     boxprops={'facecolor': BLUE, 'linewidth': 0}, medianprops={'color': DARK, 'linewidth': 2},
-                     flierprops={'marker': '.', 'markeredgewidth': 0, 'markerfacecolor': BLUE})
+        handles = _draw(axes, values[metric])
         low, high = axes.get_xlim()
         margin = max(0.0, MIN_SPANS[unit] - (high - low)) / 2
         axes.set_xlim(low - margin, high + margin)
@@ -35,8 +33,19 @@ def make_figure(kind, combinations):
         axes.locator_params(axis='x', nbins=3)
         axes.set_title(f'{metric.replace("_", " ")} ({unit})')
     tidy(*diagrams)
-    diagrams[0].set_yticks(range(1, len(combinations) + 1), [combination.name for combination in combinations])
-    diagrams[0].invert_yaxis()
+    diagrams[0].set_yticks(range(len(combinations)), [combination.name for combination in combinations])
+    diagrams[0].set_ylim(len(combinations) - 0.5, -0.5)
+    figure.legend(handles=handles, loc='outside lower center', ncols=len(handles), frameon=False)
     figure.suptitle(f'{kind}, {sum(len(combination.rows) for combination in combinations)} runs', color=DARK)
-    figure.supxlabel('line: median; box: quartiles; whiskers: 5 and 95 %; dots: runs beyond', fontsize=9)
     return figure
+
+
+def _draw(axes, rows):
+    """Draw each row of values, and what the table says of it."""
+    places = range(len(rows))
+    runs, = axes.plot(numpy.concatenate(rows), numpy.repeat(places, [len(row) for row in rows]), '|',
+                      color=BLUE, markersize=12, markeredgewidth=0.5, label='each run')
+    medians, lows, highs, _ = zip(*(statistics(row).values() for row in rows))
+    most = axes.hlines(places, lows, highs, color=BLUE, linewidth=3, label='5 to 95 %')
+    median, = axes.plot(medians, places, 'o', color=ORANGE, label='median')
+    return runs, most, median
