@@ -60,7 +60,10 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
 
 
 @pytest.mark.parametrize('content, line', [
-    ('\0', 'is no YAML'), ('[' * 1000, 'is no YAML'), ('seeds: 3', 'names no tutorial'),
+    ('\0', 'cannot be read: '), ('[' * 1000, 'cannot be read: '), ('3', 'names no tutorial'),
+    ('seeds: 3', 'there is no tutorial None: there is move, rotate'),
+    ({'launch': 'move', 'until': 1}, "launch is 'move', but must be [package, file]"),
+    ({'tutorial': 'move', 'until': 1}, "has 'until': there is limits, seeds, set, tutorial"),
     ({'tutorial': ['move']}, "there is no tutorial ['move']: there is move, rotate"),
     ({'tutorial': 'move', 'seed': 3}, "has 'seed': did you mean seeds?"),
     ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),

@@ -13,7 +13,6 @@ from sim_turtlebot.simulation import Simulation
 from odometry_sweep.results import METRICS, NOT_ARRIVED, STATISTICS
 from odometry_sweep.subjects import LAUNCH, Launched, Tutorial, choose
 
-KEYS = dict.fromkeys(['tutorial', LAUNCH, 'until', 'seeds', 'set', 'limits'])
 MAX_RUNS = 10**6  # the metrics of each run stay in memory
 SEEDS = Parameter('seeds', 1, '', between(1, MAX_RUNS), '')
 
@@ -77,14 +76,13 @@ def read_campaign(path):
     try:
         with open(path, encoding='utf-8') as file:
             content = yaml.safe_load(file)
-    except (OSError, ValueError) as error:
-        raise StartError(f'{path} cannot be read: {error}') from None
-    except (yaml.YAMLError, RecursionError) as error:
-        raise StartError(f'{path} is no YAML: {" ".join(str(error).split())}') from None
-    if not isinstance(content, dict) or ('tutorial' in content) == (LAUNCH in content):
-        raise StartError(f'{path} names no tutorial, or a launch file, too')
+    except (OSError, ValueError, yaml.YAMLError, RecursionError) as error:
+        raise StartError(f'{path} cannot be read: {" ".join(str(error).split())}') from None
+    if not isinstance(content, dict):
+        raise StartError(f'{path} names no tutorial and no launch file')
+    kind = Launched if LAUNCH in content else Tutorial
     for key in content:
-        choose(key, KEYS, f'{path} has {key!r}')
+        choose(key, dict.fromkeys([*kind._fields, 'seeds', 'set', 'limits']), f'{path} has {key!r}')
     values, limits = content.get('set') or {}, content.get('limits') or {}
     for key, table in (('set', values), ('limits', limits)):
         if not isinstance(table, dict):
@@ -93,15 +91,4 @@ def read_campaign(path):
     for name, several in values.items():
         if not several:
             raise StartError(f'{path}: {name} has no value')
-    return Campaign(_subject(path, content), content.get('seeds', 1), values, limits)
-
-
-def _subject(path, content):
-    if LAUNCH not in content:
-        if 'until' in content:
-            raise StartError(f'{path}: until is for a launch file only')
-        return Tutorial(content['tutorial'])
-    names = content[LAUNCH]
-    if not (isinstance(names, list) and [*map(type, names)] == [str, str]):
-        raise StartError(f'{path}: launch is {names!r}, but must be [package, file]')
-    return Launched(names, content.get('until'))
+    return Campaign(kind(*map(content.get, kind._fields)), content.get('seeds', 1), values, limits)

@@ -54,6 +54,8 @@ class Launched(NamedTuple):
         from odometry_launch.launch import load, path_of
         from roslaunch.arg_dump import get_args
         UNTIL.check(self.until)
+        if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
+            raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
         try:
             _check_values(self, values, {**dict.fromkeys(get_args([path_of(*self.launch)])), **ROBOT})
             nodes = load([self.nodes({name: several[0] for name, several in values.items()})]).nodes
