@@ -76,7 +76,7 @@ def test_ctrl_c_keeps_what_is_done():
         assert found and 'Traceback' not in terminal.output, terminal.output
         rows = rows_in(folder_of(terminal.output))
     assert [row['run'] for row in rows] == [str(number + 1) for number in range(int(found[1]))]
-    assert len(rows) >= 2 and all(row['ended'] == 'arrived' for row in rows)
+    assert rows and all(row['ended'] == 'arrived' for row in rows)
 
 
 @pytest.mark.nightly

@@ -22,7 +22,7 @@ from sim_turtlebot.settings import read_settings
 
 from odometry_sweep.campaign import read_campaign
 from odometry_sweep.closed_loop import ARRIVED, LATE, TUTORIALS, UNTIL, degrees, follow
-from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS, read_rows
+from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS
 from odometry_sweep.subjects import LAUNCH, ROBOT
 
 CRASHED, NOT_AWAITED = 'crashed', 'not awaited'
@@ -39,7 +39,8 @@ def replay(folder, number):
     campaign.check()
     subject, names = campaign.subject, [*METRICS[campaign.subject.kind], 'ended']
     try:
-        row, = (row for row in read_rows(Path(folder)) if row['run'] == number)
+        with open(Path(folder, FILE), newline='', encoding='utf-8') as file:
+            row, = (row for row in csv.DictReader(file) if row['run'] == number)
         kept = {name: row[name] for name in names}
         parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
     except (OSError, KeyError, ValueError, StopIteration, csv.Error):

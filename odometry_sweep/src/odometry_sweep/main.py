@@ -13,8 +13,8 @@ from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import DemoError, Line, bar, complain, run_command
 
 from odometry_sweep.options import parse
-from odometry_sweep.results import FILE, Combination, read_rows, table, write_results
-from odometry_sweep.running import side_by_side
+from odometry_sweep.results import FILE, Combination, table, write_results
+from odometry_sweep.running import on_cluster, on_this_machine, run_all
 
 PROGRAM = 'sweep'
 LINE_PERIOD = 5.0  # s
@@ -33,13 +33,14 @@ def _run():
         from odometry_sweep.lockstep import replay
         replay(*options.replay)
         return 0
-    options.campaign.check()
-    with side_by_side(options.campaign, options.jobs, options.cluster) as runs:
-        return _sweep(options.campaign, runs, options.junit)
+    campaign = options.campaign
+    campaign.check()
+    with on_cluster(options.cluster) if options.cluster else on_this_machine(campaign, options.jobs) as executor:
+        return _sweep(campaign, run_all(campaign, executor), options.junit)
 
 
 def _sweep(campaign, runs, report):
-    """Save the runs of a campaign, as side_by_side() yields them; return the exit status.
+    """Save the runs of a campaign, as run_all() yields them; return the exit status.
 
     :param report: path of a file for CI, or None
     """
@@ -55,7 +56,7 @@ def _sweep(campaign, runs, report):
     if lost is None:
         _report(campaign, combinations, folder)
         return int(_exceeds_limits(campaign, combinations, folder, report))
-    complain(f'{str(lost) or "interrupted"} after {len(read_rows(folder))} of {campaign.count} runs, '
+    complain(f'{str(lost) or "interrupted"} after {len(rows)} of {campaign.count} runs, '
              f'which are in {os.path.relpath(folder)}', PROGRAM)
     return 1 if str(lost) else 128 + signal.SIGINT
 

@@ -90,9 +90,3 @@ def write_results(folder, campaign, runs):
 def _append(path, row):
     with path_in_errors(path), open(path, 'a', newline='', encoding='utf-8') as file:
         csv.writer(file, lineterminator='\n').writerow(row)
-
-
-def read_rows(folder):
-    """Return the rows of a folder, as dictionaries of strings."""
-    with open(folder / FILE, newline='', encoding='utf-8') as file:
-        return list(csv.DictReader(file))

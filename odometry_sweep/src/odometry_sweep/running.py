@@ -21,22 +21,11 @@ CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
-@contextlib.contextmanager
-def side_by_side(campaign, jobs=None, cluster=None):
-    """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
+def run_all(campaign, executor):
+    """Yield parameters and metrics of each run of a Campaign, in order; None every CHECK_PERIOD without one.
 
-    While none is done it yields None every CHECK_PERIOD.
-
-    :param jobs: number of processes; None: one for each processor
-    :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine
-    :raises StartError: if the workers cannot start
-    :raises DemoError: if they are lost, between two runs, or a run cannot be done
+    :raises DemoError: if a run cannot be done, or the processes are lost
     """
-    with _on_cluster(cluster) if cluster else _on_this_machine(campaign, jobs) as executor:
-        yield _run_all(campaign, executor)
-
-
-def _run_all(campaign, executor):
     begun = ((parameters, executor.submit(campaign.subject.run, parameters))
              for parameters in campaign.runs())
     try:
@@ -59,8 +48,8 @@ def _run_all(campaign, executor):
 
 
 @contextlib.contextmanager
-def _on_this_machine(campaign, jobs):
-    """Yield an executor with a process for each job."""
+def on_this_machine(campaign, jobs=None):
+    """Yield an executor with so many processes, or with one for each processor."""
     processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
@@ -80,8 +69,8 @@ def _reset_signals():
 
 
 @contextlib.contextmanager
-def _on_cluster(address):
-    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT."""
+def on_cluster(address):
+    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT; StartError: it is not usable."""
     import distributed
     logging.disable()  # Dask logs what its exceptions say
     try:
