@@ -7,7 +7,7 @@ import math
 
 import pytest
 from odometry_common.geometry import about_z
-from odometry_sweep.closed_loop import follow, run, run_parameters
+from odometry_sweep.closed_loop import TUTORIALS, follow, run
 from sim_turtlebot.robot.odometry import STILL, Motion
 
 SHORT = {'distance': 0.1, 'speed': 0.3}
@@ -20,10 +20,9 @@ UPRIGHT, LYING = about_z(0.0), (math.sin(math.pi / 4), 0.0, 0.0, math.cos(math.p
 
 def metrics_of(tutorial, parameters, orientations):
     """Return the metrics of a robot that only turns, without physics."""
-    part, _ = run_parameters(tutorial, parameters)
     motions = (Motion(STILL, orientation, STILL, STILL) for orientation in orientations)
     ticks = ((0.05 * number, motion, motion) for number, motion in enumerate(motions))
-    return follow(part, ticks, lambda *_: None)
+    return follow(TUTORIALS[tutorial](parameters), ticks, lambda *_: None)
 
 
 def test_two_metres_are_driven_as_the_demo_drives_them():

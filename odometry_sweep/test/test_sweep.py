@@ -1,17 +1,16 @@
 """./ws sweep as a user types it: rows, a table, and one line for what makes no sense."""
 
-import csv
 import os
 import re
-from pathlib import Path
+from xml.etree import ElementTree
 
 import psutil
 import pytest
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
+from sweeps import TIMEOUT, WS, folder_of, rows_in, sweep
 
-TIMEOUT = 60.0  # s
 WITHOUT_AVX = 'glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX'  # what ./ws switches off, and more
 NOISY = ['move', '--seeds', '3', '--set', 'distance=1', '--set', 'speed=0.5,0.3',
          '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
@@ -19,26 +18,11 @@ EQUAL = 'Runs with different seeds are equal: '
 MANY = ['move', '--seeds', '100000', '--set', 'distance=0.1', '--jobs', '2']
 
 
-def sweep(*arguments):
-    process = Process(ROOT / 'ws', 'sweep', *arguments)
-    process.wait(TIMEOUT)
-    return process
-
-
-def folder_of(output):
-    return Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', output)[0])
-
-
-def rows_in(folder):
-    with open(folder / 'runs.csv', newline='', encoding='utf-8') as file:
-        return list(csv.DictReader(file))
-
-
 def test_a_sweep_leaves_a_row_for_each_run_and_prints_a_table(monkeypatch):
     """And its campaign file gives the same rows again, to the last byte, on an older processor, too."""
     monkeypatch.setenv('MPLBACKEND', 'module://matplotlib_inline.backend_inline')
     first = sweep(*NOISY)
-    assert first.wait() == 0 and first.stderr == '', first.output
+    assert first.stderr == '', first.output
     folder = folder_of(first.stdout)
     rows = rows_in(folder)
     assert [(row['run'], row['speed'], row['seed']) for row in rows] == [
@@ -52,18 +36,22 @@ def test_a_sweep_leaves_a_row_for_each_run_and_prints_a_table(monkeypatch):
     assert (folder / 'distributions.png').read_bytes().startswith(b'\x89PNG')
     monkeypatch.setenv('GLIBC_TUNABLES', WITHOUT_AVX)
     second = sweep('--campaign', str(folder / 'campaign.yaml'), '--jobs', '1')
-    assert second.wait() == 0, second.output
     assert rows_in(folder_of(second.stdout)) == rows
 
 
-def test_a_limit_that_does_not_hold_is_one_line_and_status_1(tmp_path):
-    file = tmp_path / 'limits.yaml'
+def test_a_limit_that_does_not_hold_is_one_line_and_status_1_and_its_worst_run(tmp_path):
+    file, report = tmp_path / 'limits.yaml', tmp_path / 'junit.xml'
     file.write_text('tutorial: move\nseeds: 2\nset: {distance: 0.1, speed: 0.3}\n'
                     'limits: {moved_error_p95: 0.001, not_arrived: 0}\n')
-    run = sweep('--campaign', str(file))
-    assert run.wait() == 1 and EQUAL in run.stdout, run.output
-    assert re.fullmatch('sweep: moved_error_p95 is .*, over its limit of 0.001, with all runs',
-                        run.stderr), run.stderr
+    run = sweep('--campaign', str(file), '--junit', str(report), status=1)
+    line, = run.stderr.splitlines()
+    assert re.fullmatch('sweep: moved_error_p95 is .*, over its limit of 0.001, with all runs', line), line
+    assert EQUAL in run.stdout and run.stdout.endswith('\nthe same, to the last bit'), run.output
+    picture = ROOT / re.findall('^picture +(.*)$', run.stdout, re.MULTILINE)[-1]
+    assert picture.exists() and picture.with_name('run.bag').exists()
+    cases = {case.get('name'): [failure.get('message') for failure in case.iter('failure')]
+             for case in ElementTree.parse(report).iter('testcase')}
+    assert cases == {'moved_error_p95': [line[len('sweep: '):]], 'not_arrived': []}
 
 
 @pytest.mark.parametrize('arguments, line', [
@@ -73,8 +61,7 @@ def test_a_limit_that_does_not_hold_is_one_line_and_status_1(tmp_path):
     (['--replay', '/no/such', '1'], 'sweep: /no/such/campaign.yaml cannot be read')])
 def test_what_makes_no_sense_gets_one_line_and_status_2(arguments, line):
     """Before anything is run; test_campaign has the others."""
-    run = sweep(*arguments)
-    assert run.wait() == 2
+    run = sweep(*arguments, status=2)
     assert run.stdout == '' and run.stderr.splitlines()[-1].startswith(line), run.stderr
 
 
@@ -89,7 +76,7 @@ def test_ctrl_c_keeps_what_is_done():
         assert found and 'Traceback' not in terminal.output, terminal.output
         rows = rows_in(folder_of(terminal.output))
     assert [row['run'] for row in rows] == [str(number + 1) for number in range(int(found[1]))]
-    assert len(rows) >= 2 and all(row['ended'] == 'arrived' for row in rows)
+    assert rows and all(row['ended'] == 'arrived' for row in rows)
 
 
 @pytest.mark.nightly
@@ -98,7 +85,7 @@ def test_a_process_that_is_killed_ends_the_sweep_with_one_line():
 
     Whichever it is: no helper stands beside those that do runs, which would print tracebacks.
     """
-    with Process(ROOT / 'ws', 'sweep', *MANY) as run:
+    with Process(*WS, *MANY) as run:
         run.wait_for_output(' of 100000 runs, ', TIMEOUT)
         next(process for process in psutil.Process(run.pid).children(recursive=True)
              if not process.children()).kill()

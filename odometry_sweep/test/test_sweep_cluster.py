@@ -10,8 +10,8 @@ import pytest
 from odometry_tests.processes import Process, hold_port
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
+from sweeps import TIMEOUT, folder_of, sweep
 
-TIMEOUT = 90.0  # s
 RUNS, MANY, SOME = 150, 100000, 10
 CAMPAIGN = ['move', '--set', 'distance=0.4321', '--set', 'odometry_source=encoder',
             '--set', 'wheel_noise=0.01', '--seeds']
@@ -66,9 +66,7 @@ def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers
         assert len(lines_in(folder)) < RUNS, 'too late'
         assert run.wait(TIMEOUT) == 0, run.output
     assert killed.wait() == 128 + signal.SIGKILL and other.running
-    alone = ws('sweep', *CAMPAIGN, str(RUNS))
-    assert alone.wait(TIMEOUT) == 0, alone.output
-    rows = lines_in(Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', alone.stdout)[0]))
+    rows = lines_in(folder_of(sweep(*CAMPAIGN, str(RUNS)).stdout))
     assert lines_in(folder) == rows and len(rows) == RUNS
 
 
@@ -86,12 +84,11 @@ def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
 @pytest.mark.parametrize('address', [
     pytest.param('tcp://127.0.0.1:1', marks=pytest.mark.nightly), 'nonsense'])
 def test_no_scheduler_is_one_line(address):
-    run = ws('sweep', 'move', '--cluster', address)
-    assert run.wait(TIMEOUT) == 2, run.output
+    run = sweep('move', '--cluster', address, status=2)
     assert re.fullmatch(f'sweep: no scheduler answers at {address}: .*', run.stderr), run.stderr
 
 
 @pytest.mark.nightly
 def test_a_cluster_without_workers_is_one_line(scheduler):
-    run = ws('sweep', 'move', '--cluster', scheduler.address)
-    assert run.wait(TIMEOUT) == 2 and run.stderr == 'sweep: the cluster has no workers', run.output
+    run = sweep('move', '--cluster', scheduler.address, status=2)
+    assert run.stderr == 'sweep: the cluster has no workers', run.output

@@ -1,21 +1,17 @@
 """A sweep of somebody's launch file: rows, what is refused, and nodes that end or crash."""
 
-import csv
 import os
 import re
 import shutil
 import sys
-from pathlib import Path
-from xml.etree import ElementTree
 
 import pytest
 from odometry_common.parameters import StartError
 from odometry_sweep.campaign import Campaign
-from odometry_sweep.launched import LAUNCH, Launched
-from odometry_tests.processes import Process
+from odometry_sweep.subjects import Launched
 from odometry_tests.scripts import ROOT
+from sweeps import SCRIPT, folder_of, rows_in, sweep
 
-TIMEOUT = 120.0  # s
 EXAMPLE = ROOT / 'docs' / 'example'
 NODE = '''#!{python}
 import rospy
@@ -60,71 +56,53 @@ def packages(tmp_path, monkeypatch):
     monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{example}:{os.environ["ROS_PACKAGE_PATH"]}')
 
 
-def sweep(*arguments, status=0):
-    """Run a sweep; return its folder and what it printed."""
-    with Process(sys.executable, ROOT / 'odometry_sweep' / 'script' / 'sweep.py', *arguments,
-                 cwd=ROOT) as run:
-        assert run.wait(TIMEOUT) == status, run.output
-    folder = re.search(r'sweep-[-\w]+', run.stdout)
-    return folder and Path(os.environ['ODOMETRY_RUNS'], folder[0]), run.stdout
-
-
-def rows_in(folder):
-    with open(folder / 'runs.csv', newline='') as file:
-        return list(csv.DictReader(file))
-
-
 def test_the_example_gives_the_same_bytes_each_time():
     """The robot's parameters reach the robot, and the others the node."""
     arguments = ['example', 'one_metre.launch', '--until', '4', '--seeds', '2', '--set', 'speed=0.5',
                  '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
-    first, printed = sweep(*arguments)
+    run = sweep(*arguments, command=SCRIPT)  # ./ws knows only its own packages
+    first, printed = folder_of(run.stdout), run.stdout
     assert re.search(r'^from_start \(m\) .*\nall runs +1\.0', printed, re.MULTILINE), printed
     rows = rows_in(first)
     assert [row['ended'] for row in rows] == ['until', 'until']
     assert all(float(row['time']) < 4.0 and row['commands'] == '40' for row in rows), rows
     assert len({row['odometry_error'] for row in rows} - {'0.0'}) == 2, 'no noise, or always the same'
-    second, _ = sweep('--campaign', str(first / 'campaign.yaml'), '--jobs', '1')
-    assert (second / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
+    run = sweep('--campaign', str(first / 'campaign.yaml'), '--jobs', '1', command=SCRIPT)
+    assert (folder_of(run.stdout) / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
 
 
 @pytest.mark.parametrize('ends', [['crash'], pytest.param(
     ['done', 'crash', 'busy', 'never'], marks=pytest.mark.nightly)], ids=len)
 def test_how_a_run_ended_is_a_column(ends):
     """A crash ends neither the campaign nor the run."""
-    folder, printed = sweep('guest', 'nodes.launch', '--until', '2', '--set', f'end={",".join(ends)}')
+    printed = sweep('guest', 'nodes.launch', '--until', '2', '--set', f'end={",".join(ends)}',
+                    command=SCRIPT).stdout
     expected = {'done': 'arrived', 'crash': 'crashed', 'busy': 'not awaited', 'never': 'late'}
-    assert [row['ended'] for row in rows_in(folder)] == [expected[end] for end in ends]
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == [expected[end] for end in ends]
     assert printed.count('not arrived') == len({*ends} - {'done'}), printed
 
 
 @pytest.mark.parametrize('launched, values, line', [
-    (('guest', 'nodes.launch', 1), {'ends': [1]}, 'has no argument ends, nor has the robot: did you mean end?'),
+    (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
-    (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be'),
+    (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
     (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but the sweep does that'),
     (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
     (('guest', 'other.launch', 1), {}, 'other.launch] is neither a launch file in package'),
     ((str(EXAMPLE / 'launch' / 'one_metre.launch'), 'x', 1), {}, 'there is no package /')])
 def test_a_launch_file_that_cannot_be_swept_is_one_line(launched, values, line):
     with pytest.raises(StartError) as refusal:
-        Campaign(LAUNCH, 1, values, {}, Launched(*launched)).check()
+        Campaign(Launched(launched[:2], launched[2]), 1, values, {}).check()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
 
 
 @pytest.mark.nightly
-def test_a_limit_that_fails_leaves_its_worst_run_and_a_failure_for_ci(tmp_path):
-    file, report = tmp_path / 'campaign.yaml', tmp_path / 'junit.xml'
+def test_a_limit_that_fails_leaves_its_worst_run(tmp_path):
+    file = tmp_path / 'campaign.yaml'
     file.write_text('launch: [guest, nodes.launch]\nuntil: 2\nset: {end: [done, crash]}\n'
                     'limits: {not_arrived: 0, from_start_worst: 2}\n')
-    folder, printed = sweep('--campaign', str(file), '--junit', str(report), status=1)
-    picture = ROOT / re.search(r'^run 2 +(.*)$', printed, re.MULTILINE)[1]
-    assert picture.exists() and picture.with_name('run.bag').exists()
-    cases = {case.get('name'): [failure.get('message') for failure in case.iter('failure')]
-             for case in ElementTree.parse(report).iter('testcase')}
-    assert cases == {'not_arrived': ['not_arrived is 1, over its limit of 0, with end crash'],
-                     'from_start_worst': []}
-    _, printed = sweep('--replay', str(folder), '1')
-    assert printed.splitlines()[-1] == 'the same, to the last bit'
+    run = sweep('--campaign', str(file), status=1, command=SCRIPT)
+    assert run.stderr == 'sweep: not_arrived is 1, over its limit of 0, with end crash', run.output
+    assert re.search('^run 2 .*^picture .*^the same, to the last bit$', run.stdout, re.MULTILINE | re.DOTALL)

@@ -1,21 +1,19 @@
 """A run of a sweep is what the nodes do in lockstep, to the last bit."""
 
-import os
 import re
-from pathlib import Path
 
 import pytest
 import rosbag
 import rospy
 from odometry_common.parameters import StartError
 from odometry_launch.output import DemoError
-from odometry_sweep.replay import metrics_of, replay
+from odometry_launch.stepping import Recorded
+from odometry_sweep.lockstep import replay, tutorial_metrics
 from odometry_tests.messages import odometry
-from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from std_msgs.msg import Float64
+from sweeps import folder_of, sweep
 
-TIMEOUT = 90.0  # s
 NOISE = ['odometry_source=encoder', 'wheel_slip=0.01', 'wheel_noise=0.01']
 PLACES = [0.0, 0.01, 0.06, 0.11, 0.11]  # m
 ROBOT = ['/odom', '/base_pose_ground_truth']
@@ -42,11 +40,8 @@ def recorded(tmp_path):
 def test_a_row_and_its_replay_are_equal(tutorial, parameters, topics):
     """With noise from its own seed; the bag and the picture are those of the nodes."""
     options = [word for value in [*parameters, *NOISE] for word in ('--set', value)]
-    with Process(ROOT / 'ws', 'sweep', tutorial, '--seeds', '2', *options) as swept:
-        assert swept.wait(TIMEOUT) == 0, swept.output
-    folder = Path(os.environ['ODOMETRY_RUNS'], re.search(r'sweep-[-\w]+', swept.stdout)[0])
-    with Process(ROOT / 'ws', 'sweep', '--replay', str(folder), '3', cwd=ROOT) as run:
-        assert run.wait(TIMEOUT) == 0, run.output
+    swept = sweep(tutorial, '--seeds', '2', *options)
+    run = sweep('--replay', str(folder_of(swept.stdout)), '3')
     assert run.stdout.splitlines()[-1] == 'the same, to the last bit'
     picture = ROOT / re.search(r'picture +(.*)', run.stdout)[1]
     assert picture.exists()
@@ -56,12 +51,12 @@ def test_a_row_and_its_replay_are_equal(tutorial, parameters, topics):
 
 def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch, recorded, capsys):
     bag = recorded()
-    row = metrics_of(bag, 'move', {'distance': 0.1})
+    row = tutorial_metrics('move', {'distance': 0.1}, bag)
     assert (row['true_distance'], row['time'], row['ended']) == (0.11, 0.2, 'arrived')
     (tmp_path / 'campaign.yaml').write_text('tutorial: move\nset: {distance: 0.1}\n')
     row.update(run=1, moved=0.11000000000000001)
     (tmp_path / 'runs.csv').write_text(f'{",".join(row)}\n{",".join(map(str, row.values()))}\n')
-    monkeypatch.setattr('odometry_sweep.replay._record', lambda *_: bag)
+    monkeypatch.setattr('odometry_sweep.lockstep.record', lambda *_: Recorded(bag, {}, set(), {}))
     with pytest.raises(DemoError, match='not the same: moved$'):
         replay(tmp_path, '1')
     assert 'moved           0.11000000000000001     0.11\n' in capsys.readouterr().out
@@ -71,13 +66,7 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
     ({'moved': 0.11000000000000001}, 'published another distance'), ({'missing': 2}, 'has gaps')])
 def test_a_recording_that_is_not_that_of_the_run_is_refused(recorded, recording, line):
     with pytest.raises(DemoError, match=line):
-        metrics_of(recorded(**recording), 'move', {'distance': 0.1})
-
-
-def test_a_recording_that_is_cut_off_is_one_line(tmp_path):
-    (tmp_path / 'run.bag').write_bytes(b'#ROSBAG V2.0\n')
-    with pytest.raises(DemoError, match='run.bag cannot be read'):
-        metrics_of(tmp_path / 'run.bag', 'move', {})
+        tutorial_metrics('move', {'distance': 0.1}, recorded(**recording))
 
 
 @pytest.mark.parametrize('number, rows', [

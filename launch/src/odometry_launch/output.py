@@ -3,6 +3,7 @@
 import math
 import os
 import shutil
+import signal
 import sys
 
 REWRITE = '\r\033[K'  # moves to the start of a terminal's line and clears it
@@ -44,6 +45,28 @@ def bar(share):
 def complain(text, program='demo'):
     """Print a line to stderr; it replaces the line of progress."""
     print(f'{REWRITE if sys.stderr.isatty() else ""}{program}: {text}', file=sys.stderr, flush=True)
+
+
+def run_command(program, run, mistakes):
+    """Exit with the status that run() returns; with 2 for the user's mistakes, and 1 for other known errors.
+
+    :param mistakes: classes of errors, whose message is one line for the user
+    """
+    # ./ws ends its child by SIGTERM, whatever signal it receives.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        status = run()
+        sys.stdout.flush()
+    except BrokenPipeError:
+        status = 128 + signal.SIGPIPE
+    except KeyboardInterrupt:
+        status = 128 + signal.SIGINT
+    except (DemoError, OSError, *mistakes) as error:
+        complain(error, program)
+        status = 2 if isinstance(error, mistakes) else 1
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one exits without a message
+    forget_output()
+    sys.exit(status)
 
 
 def forget_output():

@@ -12,8 +12,9 @@ from odometry_common.geometry import PlanarPose, wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 
 ODOMETRY, ODOMETRY_TOPIC = 'nav_msgs/Odometry', '/odom'
-# Other topics in the picture, with their types.
-OTHERS = {'/base_pose_ground_truth': ODOMETRY, '/cmd_vel': 'geometry_msgs/Twist'}
+TRUTH = '/base_pose_ground_truth'
+COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleop',
+            'cmd_vel_mux/input/navi')
 
 
 class BagError(ValueError):
@@ -72,12 +73,15 @@ class Run(NamedTuple):
                           *(self._error() if self.ground_truth else []),
                           *([f'left out    {", ".join(left_out)}'] if left_out else [])])
 
-    def _error(self):
-        """Yield a line with the distance between odometry and truth at the end."""
+    @property
+    def error(self):
+        """The PlanarPose of the odometry, relative to the true one, at the end."""
         end = min(self.odometry.time[-1], self.ground_truth.time[-1])
-        error = self.ground_truth.at(end).inverse().then(self.odometry.at(end))
-        yield (f'off truth   {math.hypot(error.x, error.y):.3f} m, '
-               f'{abs(math.degrees(wrap_to_pi(error.yaw))):.2f} degrees at the end')
+        return self.ground_truth.at(end).inverse().then(self.odometry.at(end))
+
+    def _error(self):
+        yield (f'off truth   {math.hypot(self.error.x, self.error.y):.3f} m, '
+               f'{abs(math.degrees(wrap_to_pi(self.error.yaw))):.2f} degrees at the end')
 
 
 def read_run(path, topic=None, end=math.inf):
@@ -93,9 +97,9 @@ def read_run(path, topic=None, end=math.inf):
                      for name, topic in bag.get_type_and_topic_info().topics.items()}
             topic = topic or _odometry_topic(types)
             odometry, ground_truth, commands = (
-                [row for row in bag.read_messages(name) if _stamp(row) <= end]
-                if types.get(name) == kind else []
-                for name, kind in ((topic, ODOMETRY), *OTHERS.items()))
+                [row for row in bag.read_messages(names) if types[row.topic] == kind and _stamp(row) <= end]
+                for names, kind in (([topic], ODOMETRY), ([TRUTH], ODOMETRY), (
+                    [f'/{name}' for name in COMMANDS], 'geometry_msgs/Twist')))
     except rosbag.ROSBagUnindexedException:
         raise BagError(f'{path} is not indexed: rosbag reindex {shlex.quote(str(path))}') from None
     except (OSError, rosbag.ROSBagException) as error:

@@ -15,10 +15,8 @@ from std_msgs.msg import Float64
 from odometry_launch.figure import make_figure
 from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import complain
-from odometry_launch.recorded_run import BagError, read_run
+from odometry_launch.recorded_run import COMMANDS, BagError, read_run
 
-COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleop',
-            'cmd_vel_mux/input/navi')
 TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
           **dict.fromkeys(COMMANDS, Twist)}
 

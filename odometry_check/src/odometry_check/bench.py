@@ -1,7 +1,6 @@
 """A master, the simulator and this process as a node, in which scenarios can be repeated."""
 
 import math
-import threading
 from functools import partial
 from typing import NamedTuple
 
@@ -27,7 +26,6 @@ KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance':
          **dict.fromkeys(COMMANDS, Twist)}
 OURS = {'/sim_turtlebot', '/check_view', '/check_detector', '/rosout'}  # roslaunch starts the last
 FLOOD = 20  # commands that arrive together; of more, the latest
-ANSWER_TIMEOUT = 30.0  # s of wall time
 NEAR = 0.01  # m
 SERVICES = 'pause_physics', 'unpause_physics', 'reset_simulation'
 
@@ -42,13 +40,11 @@ class Pace(NamedTuple):
 class Bench:
     """A context with a simulator that is always paused, but for what its user does."""
 
-    def __init__(self, drives):
-        """Say whether the check commands the robot itself."""
-        self._launch = Launch('check.launch', {}, package='odometry_check')
+    def __init__(self, drives, page_port=0):
+        """Say whether the check commands the robot itself, and where a page is served, if one is."""
+        self._launch = Launch('check.launch', {'page_port': page_port}, package='odometry_check')
         self._drives = drives
-        self._simulator = self._settings = None
-        self._moved = threading.Condition()
-        self._position = None
+        self._simulator = self._settings = self._position = None
         self.run = None  # which takes the messages
 
     def __enter__(self):
@@ -134,7 +130,7 @@ class Bench:
         self._services = {name: rospy.ServiceProxy(f'sim_turtlebot/{name}', Empty, persistent=True)
                           for name in SERVICES}
         self.call('unpause_physics')
-        self._await_position(lambda: self._position is not None)
+        self.wait_for(lambda: self._position, 'no odometry comes from the simulator')
         self.call('pause_physics')
 
     def _is_ready(self):
@@ -150,18 +146,11 @@ class Bench:
         orientation = pose.pose.orientation
         orientation.x, orientation.y, orientation.z, orientation.w = about_z(math.radians(yaw))
         self._placing.publish(pose)
-        self._await_position(lambda: math.dist(self._position, (x, y)) < NEAR)
-
-    def _await_position(self, condition):
-        with self._moved:
-            if not self._moved.wait_for(condition, ANSWER_TIMEOUT):
-                raise DemoError('no odometry comes from the simulator')
+        self.wait_for(lambda: math.dist(self._position, (x, y)) < NEAR, 'the robot is not put in its place')
 
     def _receive(self, topic, message):
         if topic == 'odom':
-            with self._moved:
-                self._position = message.pose.pose.position.x, message.pose.pose.position.y
-                self._moved.notify_all()
+            self._position = message.pose.pose.position.x, message.pose.pose.position.y
         if self.run:
             self.run.add(topic, message)
 

@@ -1,46 +1,31 @@
 """Judge a node, or each of a folder, and report."""
 
 import contextlib
-import signal
 import socket
 import sys
 import time
 
-import rospkg
 from odometry_common.parameters import StartError
 from odometry_launch.folders import use_writable_logs
-from odometry_launch.output import DemoError, complain, forget_output
+from odometry_launch.output import DemoError, run_command
 from odometry_launch.ports import HOST, next_port
-from roslib.packages import find_node
 
 from odometry_check.options import command_of, parse
 from odometry_check.scenarios import EXERCISES
 
 PROGRAM = 'check'
-EXIT_FAILED, EXIT_NOT_RUN = 1, 2
 PAGE_PORT = 8080
 PAGE_PATIENCE = 60.0  # s of wall time, for a browser
 
 
 def main():
     """Exit 0 if all passed, 1 if some failed, 2 if the check could not run."""
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        status = _run(parse(sys.argv[1:]))
-        sys.stdout.flush()
-    except BrokenPipeError:
-        status = 128 + signal.SIGPIPE
-    except KeyboardInterrupt:
-        status = 128 + signal.SIGINT
-    except (StartError, DemoError, OSError) as error:
-        status = EXIT_NOT_RUN
-        complain(error, PROGRAM)
-    forget_output()
-    sys.exit(status)
+    run_command(PROGRAM, _run, (StartError, DemoError, OSError))
 
 
-def _run(options):
+def _run():
     """Judge what the options name; return the exit status."""
+    options = parse(sys.argv[1:])
     from odometry_check import report
     if options.is_class:
         from odometry_check.classroom import judge_all
@@ -51,19 +36,23 @@ def _run(options):
     for path, write in (options.csv, report.write_csv), (options.junit, report.write_junit):
         if path:
             write(path, rows)
-    return EXIT_FAILED if any(row['verdict'] != report.PASSED for row in rows) else 0
+    return int(any(row['verdict'] != report.PASSED for row in rows))
 
 
 def _judge(options, command):
     """Run a node in its scenarios; print and return the Verdicts."""
     from odometry_check import report
-    from odometry_check.bench import Bench
+    from odometry_check.bench import Bench, Pace
     from odometry_check.judging import PASSED, Judge
     from odometry_check.runner import Runner
     use_writable_logs()
     exercise, verdicts = EXERCISES[options.exercise], []
     print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
-    with Bench(bool(exercise.route)) as bench, _page(options, bench):
+    with contextlib.closing(next_port(PAGE_PORT)) as port, Bench(
+            bool(exercise.route), options.view and port.number) as bench:
+        if options.view:
+            bench.prepare(options.scenarios[0], Pace(True, 1.0))
+            _await_spectator(bench, port.number)
         judge = Judge(options.exercise, exercise)
         runner = Runner(bench, exercise, command, float(options.view))
         for number, scenario in enumerate(options.scenarios):
@@ -87,30 +76,12 @@ def _judge(options, command):
     return verdicts
 
 
-@contextlib.contextmanager
-def _page(options, bench):
-    """Show the robot on a page while the context lasts, which begins when a browser is there."""
-    if not options.view:
-        yield
-        return
-    from odometry_check.bench import Pace
-    from odometry_check.processes import Started
-    try:
-        path = find_node('robot_view', 'view.py')[0]
-    except rospkg.ResourceNotFound:
-        raise StartError('--view needs the package robot_view') from None
-    port = next_port(PAGE_PORT)
-    viewer = Started([path, '__name:=check_view', f'_port:={port.number}'])
-    try:
-        bench.wait_for(lambda: socket.create_connection((HOST, port.number)).close() or True,
-                       'the page does not answer')
-        bench.prepare(options.scenarios[0], Pace(True, 1.0))
-        print(f'open http://{HOST}:{port.number}: it begins when the page is there', flush=True)
-        end = time.monotonic() + PAGE_PATIENCE
-        while not bench.has_spectator() and time.monotonic() < end:
-            bench.check()
-            time.sleep(0.1)
-        yield
-    finally:
-        viewer.end()
-        port.close()
+def _await_spectator(bench, port):
+    """Return once a browser shows the page, or after PAGE_PATIENCE."""
+    bench.wait_for(lambda: socket.create_connection((HOST, port)).close() or True,
+                   'the page does not answer')
+    print(f'open http://{HOST}:{port}: it begins when the page is there', flush=True)
+    end = time.monotonic() + PAGE_PATIENCE
+    while not bench.has_spectator() and time.monotonic() < end:
+        bench.check()
+        time.sleep(0.1)

@@ -1,6 +1,7 @@
 """The check's command line."""
 
 import argparse
+import contextlib
 import os
 import sys
 from pathlib import Path
@@ -43,7 +44,14 @@ def parse(arguments):
     options.is_class = len(options.node) == 1 and os.path.isdir(options.node[0])
     if options.view and options.is_class:
         parser.error('--view shows one node, not a folder')
+    if options.view and not _is_package('robot_view'):
+        parser.error('--view needs the package robot_view')
     return options
+
+
+def _is_package(name):
+    with contextlib.suppress(rospkg.ResourceNotFound):
+        return bool(rospkg.RosPack().get_path(name))
 
 
 def command_of(words):

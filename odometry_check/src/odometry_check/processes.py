@@ -1,40 +1,36 @@
 """Processes that a check starts: nodes as they are, and everything that they start."""
 
+import contextlib
 import os
 import signal
 import subprocess
 import tempfile
-import threading
 import time
 import uuid
 
 import psutil
 
 MARK = 'ODOMETRY_CHECK'  # in the environment of a process and its descendants, wherever they hide
-INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
-# How a process is asked to end, and how long it then may take (s of wall time).
-ASKING = (signal.SIGINT, INTERRUPT_PATIENCE), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
+ENDING = (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)  # and how long it then may take (s of wall time)
 LAST = 2**20  # bytes
-LOOK_PERIOD = 0.1  # s
+LOOK_PERIOD = 0.05  # s
 
 
 class Started:
     """A process in a session of its own, without a keyboard; it ends with all that it has started."""
 
-    def __init__(self, command, on_end=lambda status: None):
-        """Start a command (a list); call a function of its exit status on another thread."""
+    def __init__(self, command):
+        """Start a command (a list)."""
         self._mark = str(uuid.uuid4())
         self._output = tempfile.TemporaryFile()  # noqa: SIM115
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=self._output, stderr=subprocess.STDOUT,
             start_new_session=True, env={**os.environ, MARK: self._mark, 'PYTHONUNBUFFERED': '1'})
-        self.status, self._ended = None, threading.Event()  # its exit status, once it has ended
-        threading.Thread(target=self._wait, args=[on_end], daemon=True).start()
 
-    def _wait(self, on_end):
-        self.status = self._process.wait()
-        self._ended.set()
-        on_end(self.status)
+    @property
+    def status(self):
+        """Its exit status; None while it runs."""
+        return self._process.poll()
 
     @property
     def output(self):
@@ -50,10 +46,8 @@ class Started:
 
     def cpu_time(self):
         """Return the processor time (s) of this process; None if it has ended."""
-        try:
+        with contextlib.suppress(psutil.NoSuchProcess):
             return sum(psutil.Process(self._process.pid).cpu_times()[:2])
-        except psutil.NoSuchProcess:
-            return None
 
     def interrupt(self):
         """Press Ctrl-C."""
@@ -63,27 +57,17 @@ class Started:
     def wait(self, timeout):
         """Return whether all of them have ended within `timeout` s of wall time."""
         end = time.monotonic() + timeout
-        self._ended.wait(timeout)
-        while is_there := self.status is None or bool(self.family()):
+        while self.status is None or self.family():
             if time.monotonic() > end:
-                break
+                return False
             time.sleep(LOOK_PERIOD)
-        return not is_there
+        return True
 
-    def end(self, is_stubborn=False):
-        """End all of them, by force if need be; return whether Ctrl-C was enough.
-
-        :param is_stubborn: whether Ctrl-C is known not to end them
-        """
-        for signum, patience in ASKING[is_stubborn:]:
-            self.interrupt() if signum == signal.SIGINT else self._send(signum)
+    def end(self):
+        """End all of them, by force if need be."""
+        for signum, patience in ENDING:
+            for process in self.family():
+                with contextlib.suppress(psutil.NoSuchProcess):
+                    process.send_signal(signum)
             if self.wait(patience):
-                return signum == signal.SIGINT
-        return False
-
-    def _send(self, signum):
-        for process in self.family():
-            try:
-                process.send_signal(signum)
-            except psutil.NoSuchProcess:
-                continue
+                return

@@ -43,9 +43,9 @@ class Command(NamedTuple):
 class Run:
     """A scenario as it goes: what the topics show, until it is over."""
 
-    def __init__(self, scenario, is_over):
+    def __init__(self, scenario, pace, is_over):
         """Record until a function of this Run says that it is over."""
-        self.scenario, self._is_over = scenario, is_over
+        self.scenario, self.pace, self._is_over = scenario, pace, is_over
         self.changed = threading.Condition()
         self.begin = time.monotonic()  # when time began (s of wall time)
         self.over = False
@@ -61,7 +61,6 @@ class Run:
         self.forked = False  # whether its process has ended, and another that it started goes on
         self.refused = set()  # topics whose publisher takes no connection
         self.walls = []  # s of wall time of the commands
-        self.pace = None
         self.status, self.output = None, ''  # exit status, if it has ended by itself
 
     @property
@@ -89,15 +88,11 @@ class Run:
             self.messages.append((topic, message, now))
             getattr(self, f'_on_{type(message).__name__.lower()}')(topic, message, now.to_sec())
 
-    def note(self, **facts):
-        """Change attributes, and have the main thread look."""
+    def finish(self, over=True, **facts):
+        """Set attributes, record nothing more unless it is not over, and have the main thread look."""
         with self.changed:
-            vars(self).update(facts)
+            vars(self).update(facts, over=over)
             self.changed.notify_all()
-
-    def finish(self, **facts):
-        """Record nothing more, and note facts."""
-        self.note(over=True, **facts)
 
     def _on_odometry(self, topic, message, _now):
         if topic != 'odom':

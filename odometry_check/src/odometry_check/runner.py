@@ -12,15 +12,17 @@ from roslib.packages import find_node
 
 from odometry_check.bench import OURS, Pace
 from odometry_check.endings import Drive, Route
-from odometry_check.processes import INTERRUPT_PATIENCE, Started
+from odometry_check.processes import Started
 from odometry_check.run import Run
 
+DETECTOR = 'check_detector'
 TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 STANDSTILL = 60.0  # s of wall time without odometry
 LOOK_PERIOD = 0.05  # s of wall time, while time stands still
 REGISTRATION_TIMEOUT, QUIET, BUSY = 20.0, 0.3, 2.0  # s of wall time
 HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
+INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
 ARRIVAL = 0.1  # s of wall time, for the last commands of a node that has ended
 NAP_SHARE = 0.25  # s of simulated time that may go by while a node sleeps by wall time
 FASTEST = 5.0  # times real time at which a loop without a sleep copes
@@ -57,33 +59,28 @@ class Runner:
     def _run(self, scenario):
         self._bench.prepare(scenario, self.pace)
         ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
-        self._bench.run = run = Run(scenario, ending.is_over)
-        detector = None
+        self._bench.run = run = Run(scenario, self.pace, ending.is_over)
+        beside = []
         if self._exercise.needs_detector:
             path = find_node('odom_movement_detector', 'odom_movement_detector.py')[0]
-            detector = Started([path, '__name:=check_detector'])
-        node = Started(self._command, lambda status: run.note(status=status))
+            beside.append(Started([path, f'__name:={DETECTOR}']))
+        node = Started(self._command)
         try:
-            if detector:
-                self._bench.wait_for(lambda: '/check_detector' in self._graph(1),
-                                     'the detector does not start')
+            self._bench.wait_for(lambda: not beside or f'/{DETECTOR}' in self._graph(1),
+                                 'the detector does not start')
             self._await_ready(node, run)
             if run.nodes:
                 self._begin(run, node)
-            run.finish(output=node.output, forked=node.status is not None and bool(node.family()))
+            run.finish(status=node.status, output=node.output,
+                       forked=node.status is not None and bool(node.family()))
             self._look_at_graph(run)
             run.refused = {topic for topic in run.publishes if self._bench.is_refused(topic)}
         finally:
-            status = run.status  # before Ctrl-C
-            if detector:
-                detector.interrupt()  # both end at once
             run.ends = self._press_ctrl_c(node) and run.ends
             self._is_stubborn = not run.ends
-            node.end(is_stubborn=True)
-            if detector:
-                detector.end()
+            for process in (node, *beside):
+                process.end()
             self._forget(run.nodes)
-        run.finish(status=status, pace=self.pace)
         return run
 
     def _begin(self, run, node):
@@ -95,6 +92,7 @@ class Runner:
         with run.changed:
             while not run.over:
                 run.changed.wait(SIGNAL_PERIOD)
+                run.status = node.status
                 self._bench.check()
                 if len(run.odometry) > seen:
                     seen, since = len(run.odometry), time.monotonic()
@@ -103,12 +101,9 @@ class Runner:
         self._bench.call('pause_physics')
         run.sent = (self._bench.received(*COMMANDS) - before) // TWIST_SIZE
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
-            self._interrupt(run, node)
-
-    def _interrupt(self, run, node):
-        run.note(interrupted=len(run.commands), over=False)
-        run.ends = self._press_ctrl_c(node)
-        time.sleep(ARRIVAL)
+            run.finish(interrupted=len(run.commands), over=False)
+            run.ends = self._press_ctrl_c(node)
+            time.sleep(ARRIVAL)
 
     def _press_ctrl_c(self, node):
         """Return whether Ctrl-C ends a node, which may sleep by simulated time before it ends."""

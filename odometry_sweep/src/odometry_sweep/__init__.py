@@ -1,4 +1,1 @@
-"""Run a tutorial many times, without ROS.
-
-The package cannot be called sweep: Python would import the script sweep.py instead.
-"""
+"""Run a tutorial or a launch file many times; a package called sweep would hide behind sweep.py."""

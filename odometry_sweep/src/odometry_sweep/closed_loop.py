@@ -58,7 +58,8 @@ class Move:
     def metrics(self, start, end):
         """Return the metrics by name, without time, from the true first and last Motion."""
         moved, wanted = self._counter.distance, self._drive.distance
-        travel = planar_pose(start).inverse().then(planar_pose(end))
+        poses = [PlanarPose(*motion.position[:2], _yaw(motion)) for motion in (start, end)]
+        travel = poses[0].inverse().then(poses[1])
         true_distance = math.hypot(travel.x, travel.y)
         return {'moved': moved, 'moved_error': moved - wanted,
                 'true_distance': true_distance, 'true_error': true_distance - wanted,
@@ -108,24 +109,12 @@ class Rotate:
 TUTORIALS = {'move': Move, 'rotate': Rotate}
 
 
-def run_parameters(tutorial, values):
-    """Return a tutorial's loop and the simulator's settings for parameter values by name.
-
-    :raises ParameterError: if a node would refuse one of them
-    """
-    return TUTORIALS[tutorial](values), read_settings(values)
-
-
-def run(tutorial, parameters, build_world=None):
-    """Run a tutorial with parameter values by name; return its metrics by name.
-
-    :param build_world: as for sim_turtlebot.simulation.Simulation; None: PyBullet's, reused by the
-        next run
-    """
+def run(tutorial, parameters):
+    """Run a tutorial with parameter values by name; return its metrics by name."""
     with _run_lock:
-        loop, settings = run_parameters(tutorial, parameters)
+        loop, settings = TUTORIALS[tutorial](parameters), read_settings(parameters)
         settings.clock_rate = settings.odom_rate  # as for the nodes
-        simulation = Simulation(settings, build_world=build_world or _world)
+        simulation = Simulation(settings, build_world=_world)
         return follow(loop, _ticks(simulation), simulation.command)
 
 
@@ -158,28 +147,18 @@ def _ticks(simulation):
             pass
 
 
-def _world(step_rate, starts, _gui, world_file):
+_cached_world = functools.lru_cache(maxsize=1)(World)
+
+
+def _world(step_rate, starts, gui, world_file):
     """Return a World whose robots are at their starts; reuse that of the last run if possible.
 
     Building one takes a tenth as long as a drive of two metres. In a world with a file, other things
     may have moved, too.
     """
-    world = _cached_world(step_rate, tuple(starts), world_file)
-    if world_file:
-        world.rebuild()
-    else:
-        world.restart()
+    world = _cached_world(step_rate, tuple(starts), gui, world_file)
+    (world.rebuild if world_file else world.restart)()
     return world
-
-
-@functools.lru_cache(maxsize=1)
-def _cached_world(step_rate, starts, world_file):
-    return World(step_rate, starts, world_file=world_file)
-
-
-def planar_pose(motion):
-    """Return the PlanarPose of a Motion."""
-    return PlanarPose(*motion.position[:2], _yaw(motion))
 
 
 def _yaw(motion):

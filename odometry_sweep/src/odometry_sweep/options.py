@@ -4,40 +4,33 @@ import argparse
 
 import yaml
 
-from odometry_sweep.campaign import MAX_RUNS, Campaign, read_campaign
+from odometry_sweep.campaign import SEEDS, Campaign, read_campaign
 from odometry_sweep.closed_loop import TUTORIALS
-from odometry_sweep.launched import LAUNCH, Launched
+from odometry_sweep.subjects import Launched, Tutorial
 
 
 def parse(arguments):
     """Return the options and their Campaign; exit if they contradict each other."""
     parser = make_parser()
     options = parser.parse_args(arguments)
+    if options.jobs is not None:
+        SEEDS._replace(name='--jobs').check(options.jobs)
     if options.junit and not options.campaign:
         parser.error('argument --junit: only with the limits of a --campaign')
-    source = 'replay' if options.replay else 'campaign' if options.campaign else None
-    if source and (options.what or options.set or options.seeds or options.until):
-        parser.error(f'argument --{source}: the file sets tutorial, --seeds, --set and --until')
-    if source == 'campaign':
-        options.campaign = read_campaign(options.campaign)
-    elif not source:
-        launched = _launched(parser, options.what, options.until)
-        values = dict(options.set)
-        if len(values) < len(options.set):
+    if not (options.campaign or options.replay):
+        if not 1 <= len(options.what) <= 2:
+            parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
+        if len(options.what) == 1 and options.until:
+            parser.error('argument --until: only for a launch file')
+        if len(values := dict(options.set)) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
-        options.campaign = Campaign(LAUNCH if launched else options.what[0], options.seeds or 1,
-                                    values, {}, launched)
+        subject = Launched(options.what, options.until) if len(options.what) == 2 else Tutorial(*options.what)
+        options.campaign = Campaign(subject, SEEDS.default if options.seeds is None else options.seeds, values, {})
+    elif options.what or options.set or options.seeds or options.until:
+        parser.error('the file of --campaign or --replay sets tutorial, --seeds, --set and --until')
+    elif options.campaign:
+        options.campaign = read_campaign(options.campaign)
     return options
-
-
-def _launched(parser, what, until):
-    """Return the Launched that is asked for, or None for a tutorial; exit if it is neither."""
-    is_tutorial = len(what) == 1 and what[0] in TUTORIALS
-    if not is_tutorial and len(what) != 2:
-        parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
-    if is_tutorial != (until is None):
-        parser.error('argument --until: for a launch file, and only for that')
-    return None if is_tutorial else Launched(*what, until)
 
 
 def make_parser():
@@ -51,7 +44,7 @@ def make_parser():
                         help='drive two metres; turn to a heading; or a launch file of yours')
     parser.add_argument('--until', type=float, metavar='S',
                         help='how long a run of a launch file takes (simulated s)')
-    parser.add_argument('--seeds', type=_whole, metavar='N',
+    parser.add_argument('--seeds', type=int, metavar='N',
                         help='runs of each combination of values, each with its own seed (default: 1)')
     parser.add_argument('--set', type=_values, action='append', default=[],
                         metavar='NAME=VALUE[,VALUE...]',
@@ -59,7 +52,7 @@ def make_parser():
     source.add_argument('--campaign', metavar='FILE',
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
-    machine.add_argument('--jobs', type=_whole, metavar='N',
+    machine.add_argument('--jobs', type=int, metavar='N',
                          help='number of processes (default: one for each processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
                          help='run on the workers of a Dask cluster')
@@ -69,17 +62,11 @@ def make_parser():
     return parser
 
 
-def _whole(text):
-    if not text.isdecimal() or not 1 <= int(text) <= MAX_RUNS:
-        raise argparse.ArgumentTypeError(f'{text!r} is not a whole number from 1 to {MAX_RUNS}')
-    return int(text)
-
-
 def _values(text):
     name, separator, values = text.partition('=')
     if not separator or not name.isidentifier():
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
-        return name, [yaml.safe_load(value) for value in values.split(',')]
+        return name, yaml.safe_load(f'[{values}]')
     except (yaml.YAMLError, RecursionError):
         raise argparse.ArgumentTypeError(f'{text!r} contains a value that is not YAML') from None

@@ -23,18 +23,10 @@ METRICS = {
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
          'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
          'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
-STATISTICS = {'median': 0.5, 'p5': 0.05, 'p95': 0.95, 'worst': None}  # quantiles
-HEADINGS = ['median', '5 %', '95 %', 'worst']
+QUANTILES = [0.5, 0.05, 0.95]
+STATISTICS = {'median': 'median', 'p5': '5 %', 'p95': '95 %', 'worst': 'worst'}  # headings by name
 DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
 COLUMN = 10  # characters
-
-
-class Exceeded(NamedTuple):
-    """A limit that a Combination exceeds."""
-
-    limit: str
-    line: str  # for the user
-    worst: int  # index of the worst run
 
 
 class Combination(NamedTuple):
@@ -45,60 +37,39 @@ class Combination(NamedTuple):
 
     @property
     def not_arrived(self):
-        """The number of runs that did not arrive."""
-        return sum(self.is_late)
-
-    @property
-    def is_late(self):
-        """Whether each run did not arrive."""
-        return [row['ended'] not in (ARRIVED, UNTIL) for row in self.rows]
-
-    @property
-    def all_equal(self):
-        """Whether several runs have the same result, since nothing in them is random."""
-        return len(self.rows) > 1 and all(row == self.rows[0] for row in self.rows)
+        """Whether each run did not arrive, as an array of 0 and 1."""
+        return numpy.array([int(row['ended'] not in (ARRIVED, UNTIL)) for row in self.rows])
 
     def values(self, metric):
         """Return a metric of all runs as an array."""
         return numpy.array([row[metric] for row in self.rows])
 
-    def exceeded(self, limits):
-        """Yield an Exceeded for each limit (a number by name) that the size of a metric exceeds."""
-        for limit, most in limits.items():
-            metric, _, name = limit.rpartition('_')
-            sizes = self.is_late if limit == NOT_ARRIVED else abs(self.values(metric))
-            value = self.not_arrived if limit == NOT_ARRIVED else statistic(sizes, name)
-            if not value <= most:
-                yield Exceeded(limit, f'{limit} is {value:.6g}, over its limit of {most:g}, with {self.name}',
-                               int(numpy.argmax(sizes)))
+    def size_of(self, limit):
+        """Return what a limit bounds, and the index of its worst run."""
+        metric, _, name = limit.rpartition('_')
+        sizes = self.not_arrived if limit == NOT_ARRIVED else abs(self.values(metric))
+        return sizes.sum() if limit == NOT_ARRIVED else statistics(sizes)[name], int(sizes.argmax())
 
 
-def statistic(values, name):
-    """Return one of STATISTICS of an array; the worst is farthest from zero."""
-    if name == 'worst':
-        return float(values[abs(values).argmax()])
-    return float(numpy.quantile(values, STATISTICS[name]))
+def statistics(values):
+    """Return the STATISTICS of an array by name; the worst is farthest from zero."""
+    return dict(zip(STATISTICS, [*numpy.quantile(values, QUANTILES),
+                                 values[abs(values).argmax()]]))
 
 
-def table(tutorial, combinations):
+def table(kind, combinations):
     """Return a block for each metric, with a line for each Combination."""
-    units = METRICS[tutorial]
-    titles = {metric: f'{metric} ({units[metric]})' for metric in SHOWN[tutorial]}
+    titles = {metric: f'{metric} ({METRICS[kind][metric]})' for metric in SHOWN[kind]}
     width = max(map(len, [*titles.values(), *(combination.name for combination in combinations)]))
     blocks = []
     for metric, title in titles.items():
-        lines = [_line(title.ljust(width), HEADINGS)]
-        for combination in combinations:
-            values, decimals = combination.values(metric), DECIMALS[units[metric]]
-            lines.append(_line(combination.name.ljust(width), (
-                f'{round(statistic(values, name), decimals) + 0.0:.{decimals}f}'  # no -0.0
-                for name in STATISTICS)))
-        blocks.append('\n'.join(lines))
+        decimals = DECIMALS[METRICS[kind][metric]]
+        rows = [(title, STATISTICS.values()), *((combination.name, [
+            f'{round(value, decimals) + 0.0:.{decimals}f}'  # no -0.0
+            for value in statistics(combination.values(metric)).values()]) for combination in combinations)]
+        blocks.append('\n'.join(f'{name:{width}}' + ''.join(f'{cell:>{COLUMN}}' for cell in cells)
+                                for name, cells in rows))
     return '\n\n'.join(blocks)
-
-
-def _line(begin, cells):
-    return begin + ''.join(cell.rjust(COLUMN) for cell in cells)
 
 
 def write_results(folder, campaign, runs):
@@ -106,7 +77,7 @@ def write_results(folder, campaign, runs):
 
     :param runs: yields parameters and metrics of each run, by name
     """
-    columns = [*campaign.values, 'seed', *METRICS[campaign.tutorial], 'ended']
+    columns = [*campaign.values, 'seed', *METRICS[campaign.subject.kind], 'ended']
     with path_in_errors(folder / CAMPAIGN_FILE) as path:
         path.write_text(campaign.text(), encoding='utf-8')
     _append(folder / FILE, ['run', *columns])
@@ -119,11 +90,3 @@ def write_results(folder, campaign, runs):
 def _append(path, row):
     with path_in_errors(path), open(path, 'a', newline='', encoding='utf-8') as file:
         csv.writer(file, lineterminator='\n').writerow(row)
-
-
-def read_rows(folder):
-    """Return the rows of a folder, as dictionaries of strings; none without a file."""
-    if not (folder / FILE).exists():
-        return []
-    with open(folder / FILE, newline='', encoding='utf-8') as file:
-        return list(csv.DictReader(file))

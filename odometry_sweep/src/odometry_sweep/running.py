@@ -3,7 +3,6 @@
 import collections
 import concurrent.futures
 import contextlib
-import functools
 import itertools
 import logging
 import multiprocessing
@@ -22,28 +21,12 @@ CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
-class LostError(RuntimeError):
-    """The sweep cannot continue; the message is one line for the user."""
+def run_all(campaign, executor):
+    """Yield parameters and metrics of each run of a Campaign, in order; None every CHECK_PERIOD without one.
 
-
-@contextlib.contextmanager
-def side_by_side(campaign, jobs=None, cluster=None):
-    """Yield an iterator over parameters and metrics of each run of a Campaign, in order.
-
-    While none is done it yields None every CHECK_PERIOD.
-
-    :param jobs: number of processes; None: one for each processor
-    :param cluster: address of a Dask scheduler whose workers do the runs; None: this machine
-    :raises StartError: if the workers cannot start
-    :raises LostError: if they are lost, between two runs
+    :raises DemoError: if a run cannot be done, or the processes are lost
     """
-    with _on_cluster(cluster) if cluster else _on_this_machine(campaign, jobs) as executor:
-        yield _run_all(campaign, executor)
-
-
-def _run_all(campaign, executor):
-    do = campaign.launched.run if campaign.launched else functools.partial(run, campaign.tutorial)
-    begun = ((parameters, executor.submit(do, parameters))
+    begun = ((parameters, executor.submit(campaign.subject.run, parameters))
              for parameters in campaign.runs())
     try:
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
@@ -57,18 +40,16 @@ def _run_all(campaign, executor):
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
     except concurrent.futures.BrokenExecutor:
-        raise LostError('a process that did runs was killed') from None
+        raise DemoError('a process that did runs was killed') from None
     except concurrent.futures.CancelledError:
-        raise LostError('the scheduler of the cluster is gone') from None
-    except DemoError as error:
-        raise LostError(str(error)) from None
+        raise DemoError('the scheduler of the cluster is gone') from None
     except WorldFileError as error:
-        raise LostError(f'{parameters["world"]} must be {error}') from None
+        raise DemoError(f'{parameters["world"]} must be {error}') from None
 
 
 @contextlib.contextmanager
-def _on_this_machine(campaign, jobs):
-    """Yield an executor with a process for each job."""
+def on_this_machine(campaign, jobs=None):
+    """Yield an executor with so many processes, or with one for each processor."""
     processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
@@ -88,8 +69,8 @@ def _reset_signals():
 
 
 @contextlib.contextmanager
-def _on_cluster(address):
-    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT."""
+def on_cluster(address):
+    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT; StartError: it is not usable."""
     import distributed
     logging.disable()  # Dask logs what its exceptions say
     try:
@@ -97,20 +78,15 @@ def _on_cluster(address):
     except (OSError, ValueError) as error:
         raise StartError(f'no scheduler answers at {address}: {error}') from None
     with client:
-        _check_workers(client)
+        try:
+            client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
+            results = client.run(run, *TRIAL)
+        except TimeoutError:
+            raise StartError('the cluster has no workers') from None
+        except ImportError as error:
+            raise StartError(f'a worker was not started by ./ws dask worker: {error}') from None
+        expected = run(*TRIAL)
+        for worker, metrics in results.items():
+            if metrics != expected:  # in the last digits
+                raise StartError(f'the worker {worker} has another version of these packages')
         yield client.get_executor()
-
-
-def _check_workers(client):
-    """Compare a short run of each worker: other versions give other last digits."""
-    try:
-        client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
-        results = client.run(run, *TRIAL)
-    except TimeoutError:
-        raise StartError('the cluster has no workers') from None
-    except ImportError as error:
-        raise StartError(f'a worker was not started by ./ws dask worker: {error}') from None
-    expected = run(*TRIAL)
-    for worker, metrics in results.items():
-        if metrics != expected:
-            raise StartError(f'the worker {worker} has another version of these packages')
