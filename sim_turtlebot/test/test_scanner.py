@@ -6,7 +6,7 @@ import numpy
 import pytest
 from odometry_common.kobuki import DEPTH_CAMERA as CAMERA
 from odometry_tests.scripts import ROOT
-from odometry_tests.simulation import Simulation
+from odometry_tests.simulation import Simulation, settings_of
 from sim_turtlebot.robot.scanner import Scanner, is_scan_due
 
 WORLDS = ROOT / 'sim_turtlebot' / 'worlds'
@@ -21,7 +21,7 @@ BOXES = [(1.0, 1.4, 1.0, 1.4), (-1.5, -0.9, 0.75, 1.05), (-0.95, -0.65, -1.45, -
 
 def scan_in(world, *starts, robot=0, **options):
     simulation = Simulation(*starts, world=world and str(WORLDS / world))
-    return Scanner(simulation.robots[robot].body, **options).scan(0)
+    return Scanner(simulation.robots[robot].body, settings_of(**options)).scan(0)
 
 
 def range_in_box(x, y, angle, box):
@@ -42,8 +42,8 @@ def range_in_room(x, y, angle):
     (0.0, 0.0, 0.0), (0.0, 0.0, 0.7), (1.0, -1.0, -2.0), (-1.0, 0.0, math.pi), (0.3, 1.2, 3.0)])
 @pytest.mark.parametrize('beams, field_of_view', [(640, 1.012), (361, ALL_ROUND), (2, 0.01)])
 def test_walls_and_boxes_are_seen_where_they_are(x, y, yaw, beams, field_of_view):
-    seen = scan_in('room.urdf', (x, y, yaw), beams=beams, field_of_view=field_of_view,
-                   range_min=0.01)
+    seen = scan_in('room.urdf', (x, y, yaw), scan_beams=beams, scan_fov=field_of_view,
+                   scan_range_min=0.01)
     sensor_x = x + CAMERA[0] * math.cos(yaw) - CAMERA[1] * math.sin(yaw)
     sensor_y = y + CAMERA[0] * math.sin(yaw) + CAMERA[1] * math.cos(yaw)
     angles = yaw - field_of_view / 2 + field_of_view / (beams - 1) * numpy.arange(beams)
@@ -57,14 +57,14 @@ def test_walls_and_boxes_are_seen_where_they_are(x, y, yaw, beams, field_of_view
 @pytest.mark.parametrize('x, expected', [(0.0, 2.087), (1.5, 0.587), (1.63, 0.457),
                                          (1.64, TOO_CLOSE), (1.8, TOO_CLOSE), (-1.0, FAR)])
 def test_what_is_out_of_range_is_infinite(x, expected):
-    seen = scan_in('room.urdf', (x, 0.0, 0.0), beams=3, field_of_view=0.02, range_max=3.0)
+    seen = scan_in('room.urdf', (x, 0.0, 0.0), scan_beams=3, scan_fov=0.02, scan_range_max=3.0)
     assert seen == pytest.approx(expected, abs=CLOSE)
 
 
 def test_robots_see_each_other():
     """Their plates, at the height of the camera; one behind the other is hidden."""
     starts = (0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (3.0, 0.0, 0.0)
-    options = {'beams': 3, 'field_of_view': 0.02}
+    options = {'scan_beams': 3, 'scan_fov': 0.02}
     rear = -0.157  # m, of the plates
     for robot, expected in [(0, 2.0 + rear - CAMERA[0]), (1, 1.0 + rear - CAMERA[0]), (2, FAR)]:
         assert scan_in('', *starts, robot=robot, **options) == pytest.approx(expected, abs=CLOSE)
@@ -75,7 +75,7 @@ def test_to_look_changes_nothing():
     for look in (False, True):
         simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0),
                                 world=str(WORLDS / 'room.urdf'))
-        scanner = Scanner(simulation.robot.body, noise=0.01)
+        scanner = Scanner(simulation.robot.body, settings_of(scan_noise=0.01))
         for _ in range(100):
             simulation.drive(0.3, 0.5, 0.05)
             if look:
@@ -86,11 +86,12 @@ def test_to_look_changes_nothing():
 
 def test_noise_is_as_wide_as_it_is_said_to_be():
     """Centred on the true range, and independent for each beam, scan, seed and robot."""
-    true = scan_in('room.urdf', beams=2000)
+    true = scan_in('room.urdf', scan_beams=2000)
     noises = []
-    for seed, number in [((0, 0), 0), ((0, 0), 1), ((1, 0), 0), ((0, 1), 0)]:
+    for seed, index, number in [(0, 0, 0), (0, 0, 1), (-1, 0, 0), (0, 1, 0)]:
         simulation = Simulation(world=str(WORLDS / 'room.urdf'))
-        scanner = Scanner(simulation.robot.body, beams=2000, noise=0.02, seed=seed)
+        settings = settings_of(scan_beams=2000, scan_noise=0.02, seed=seed)
+        scanner = Scanner(simulation.robot.body, settings, index)
         noises.append(scanner.scan(number) - true)
         assert (scanner.scan(number) - true == noises[-1]).all(), 'repeated'
         assert noises[-1].mean() == pytest.approx(0.0, abs=0.002)
@@ -100,8 +101,8 @@ def test_noise_is_as_wide_as_it_is_said_to_be():
 
 
 def test_noise_takes_no_range_beyond_its_limits():
-    seen = scan_in('room.urdf', beams=1000, field_of_view=0.02, range_min=2.05, range_max=2.12,
-                   noise=0.05)
+    seen = scan_in('room.urdf', scan_beams=1000, scan_fov=0.02, scan_range_min=2.05,
+                   scan_range_max=2.12, scan_noise=0.05)
     finite = seen[numpy.isfinite(seen)]
     assert {FAR, TOO_CLOSE} < set(seen) and len(finite) > 100
     assert finite.min() >= 2.05 and finite.max() <= 2.12
