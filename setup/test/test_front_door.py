@@ -26,7 +26,7 @@ dpkg() { [ "$1" != --audit ] && command dpkg "$@"; }
 apt-cache() { printf 'python3-rospy:\\n  Installed: (none)\\n  Candidate: %s\\n' "$CANDIDATE"; }
 sudo() { true; }
 apt_get() { [ "$1" != install ] || echo installs; }
-make_python() { exit; }
+add_requirements() { exit; }
 set_up demo
 """
 EXTRAS = """
@@ -66,11 +66,9 @@ def test_help_installs_nothing(fresh, option):
     assert not run.stderr
 
 
-@pytest.mark.parametrize('command, hint', [
-    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
-def test_a_command_that_is_not_there(command, hint):
-    run = Process(ROOT / 'ws', command)
-    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
+def test_a_command_that_is_not_there():
+    run = Process(ROOT / 'ws', 'foo')
+    assert (run.wait(), run.output.strip()) == (2, './ws: there is no command foo')
 
 
 @pytest.mark.parametrize('variable, status, answer', [
@@ -129,5 +127,5 @@ def test_packages_of_the_system(fresh):
 
 def test_no_sudo(fresh):
     start, parts = last_words(fresh, NO_SUDO).split(' --no-install-recommends ')
-    assert start == 'this needs root or sudo; or ask an administrator to run: sudo apt-get install'
+    assert start == 'this needs an administrator to run: sudo apt-get install'
     assert {'catkin', 'python3-venv', 'rviz'} <= set(parts.split())
