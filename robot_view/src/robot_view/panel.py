@@ -22,7 +22,7 @@ class Readings:
         self.show({})
 
     def show(self, values):
-        """Show the values by the names in ROWS that are known; `true_since` is told beside its label."""
+        """Show the known values, by their names in ROWS; `true_since` (s) goes beside the label."""
         since = values.get('true_since')
         notes = {'true_distance': '' if since is None else f' since {since:.1f} s'}
         rows = ''.join(

@@ -41,7 +41,7 @@ class Robot:
         self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._seed = settings.seed + index
         self._rng = random.Random()
-        self._geometry = DriveGeometry.from_settings(settings)
+        self._geometry = DriveGeometry(settings)
         self.gyro = Gyro(settings, self._rng)
         if settings.odometry_source == 'world':
             self._encoders, self._estimator = None, WorldOdometry()
