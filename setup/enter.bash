@@ -1,14 +1,15 @@
-# Enter the workspace in ODOMETRY_ROOT; ./ws and its shell do so before a command. Source this from a
-# function without arguments: catkin reads the arguments of its caller.
+# Enter the workspace in ODOMETRY_ROOT, and run a command there: enter.bash COMMAND [ARGUMENT...]. The shell
+# of ./ws sources it, without a command.
 unset PYTHONHOME  # the workspace's Python has its own
 # ROS 2 uses the same names for modules and variables.
 [ "${ROS_VERSION:-}" != 2 ] ||
     unset PYTHONPATH LD_LIBRARY_PATH CMAKE_PREFIX_PATH AMENT_PREFIX_PATH ROS_VERSION ROS_DISTRO
 setup=$ODOMETRY_ROOT/.ws/devel/setup.bash
-. "$setup" &>/dev/null || {
+enter() { . "$setup"; }  # catkin reads the arguments of its caller: a function without any
+enter &>/dev/null || {
     # Once more for its message, and without PYTHONPATH to see whether that is the cause.
-    reason=$(. "$setup" 2>&1 >/dev/null | tail -n 1) || true
-    ! (unset PYTHONPATH && . "$setup" &>/dev/null) || setup="with PYTHONPATH=$PYTHONPATH $setup"
+    reason=$(enter 2>&1 >/dev/null | tail -n 1) || true
+    ! (unset PYTHONPATH && enter &>/dev/null) || setup="with PYTHONPATH=$PYTHONPATH $setup"
     echo "./ws: $setup fails: $reason" >&2
     exit 1
 }
@@ -33,4 +34,6 @@ socket.socket(family).bind(address)' "$address" 2>/dev/null ||
             echo "./ws: $variable=$address is not an address of this machine, so other nodes cannot reach yours: \
 unset it" >&2 ;;
 esac
-unset setup variable address
+unset -f enter; unset setup variable address
+[ $# = 0 ] || type -P -- "$1" >/dev/null || { echo "./ws: there is no command $1" >&2; exit 2; }
+[ $# = 0 ] || exec "$@"

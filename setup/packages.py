@@ -16,8 +16,8 @@ WORKSPACE = Path(sys.argv[2])
 # Without PWD, CMake would resolve the links in the path of its folder.
 BUILD = 'cd "$1" && . "$0/devel/setup.bash" && { [ -e Makefile ] || cmake "${@:2}"; } && make -k'
 ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: error: .*)')
-# Some of Debian's packages have the name of a ROS package: tf is a game.
-SAME_NAME = r'^(?:python3-|lib|rviz$|topic-tools$|joint-state-publisher).*'
+# Debian's names of a ROS package. Some of its packages have the name of a ROS package: tf is a game.
+DEBIAN = r'^(?:lib{0}(?:-config-init-mutex)?-dev|python3-{0}|ros-{0}|{0}-tools|(?=python3-|lib|rviz|topic-|joint-){0})$'
 KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
 
 
@@ -64,14 +64,11 @@ def build():
 
 def depends():
     """Print the apt packages of all dependencies; standard input has the names that apt knows."""
-    known = set(sys.stdin.read().split())
-    packages, taken, _ = read_packages()
+    known, (packages, taken, _) = sys.stdin.read(), read_packages()
     needed = {depend.name: package.name for package in packages.values() for kind in KINDS
               for depend in getattr(package, kind) if depend.evaluated_condition}
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
-        debian = name.replace('_', '-')
-        names = {f'lib{debian}-dev', f'lib{debian}-config-init-mutex-dev', f'python3-{debian}', f'ros-{debian}',
-                 f'{debian}-tools', *re.findall(SAME_NAME, debian)} & known
+        names = re.findall(DEBIAN.format(re.escape(name.replace('_', '-'))), known, re.MULTILINE)
         print(*sorted(names))
         if not names and not Path('/usr/share', name, 'package.xml').exists():
             print(f'./ws: {needed[name]} depends on {name}, which apt does not know', file=sys.stderr)

@@ -1,5 +1,5 @@
 # Before a command: find ROS, install what is missing, build.
-for file in system ros python workspace; do
+for file in system python workspace; do
     . "$CHECKOUT/setup/$file.bash"
 done
 
@@ -20,31 +20,23 @@ TF_PARTS=(libtf-dev tf-tools)
 
 # set_up COMMAND ARGUMENT...: prepare the workspace for a command.
 set_up() {
-    end_by_signals
     find_root
-    VENV=$ROOT/.venv
-    WORKSPACE=$ROOT/.ws
-    LOG=$WORKSPACE/setup.log
+    VENV=$ROOT/.venv WORKSPACE=$ROOT/.ws LOG=$ROOT/.ws/setup.log
     cd "$ROOT"
     find_ros
-    PARTS=() REQUIREMENTS=()
-    case $ROS in
-        "$USR") PARTS=("${DEBIAN_PARTS[@]}") ;;
-        "$OPT"/*) RVIZ_PARTS=("ros-${ROS##*/}-rviz") TF_PARTS=("ros-${ROS##*/}-tf") ;;
-        *) RVIZ_PARTS=() TF_PARTS=() ;;
-    esac
+    PARTS=("${DEBIAN_PARTS[@]}") REQUIREMENTS=(requirements-fork.txt requirements.txt)
     add_extras "$@"
-    is_ready || make_ready
+    is_debians || PARTS=()
+    has_parts "${PARTS[@]}" && has_requirements "${REQUIREMENTS[@]}" && build_is_ready || make_ready
     [ ! -s "$WORKSPACE/left_out" ] || sed 's,^,./ws: ,' "$WORKSPACE/left_out" >&2
 }
 
 # add_extras COMMAND ARGUMENT...: add the PARTS and REQUIREMENTS that only this command needs.
 add_extras() {
-    local view=robot_view/requirements.txt
     case "$* " in
         'test '* | 'pytest '* | python*' -m pytest '*)
             PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
-            REQUIREMENTS+=(test/requirements.txt odometry_sweep/requirements{,-cluster}.txt $view) ;;
+            REQUIREMENTS+=(test/requirements.txt odometry_sweep/requirements{,-cluster}.txt robot_view/requirements.txt) ;;
         'ruff '* | 'vermin '* | 'pre-commit '*) PARTS+=(catkin-lint) REQUIREMENTS+=(test/requirements.txt) ;;
         'dask '* | 'sweep '*'--cluster'*) REQUIREMENTS+=(odometry_sweep/requirements{,-cluster}.txt) ;;
         'bench '* | 'sweep '*) REQUIREMENTS+=(odometry_sweep/requirements.txt) ;;
@@ -53,32 +45,18 @@ add_extras() {
         'rosrun sim_turtlebot '*' _gui:='[1Tt]* | 'demo '*'--gui '* | 'roslaunch '*' gui:='[1Tt]*)
             PARTS+=("${WINDOW_PARTS[@]}") ;;&
         'rosrun robot_view view.py '* | 'demo '*'--view '* | 'check '*'--view '* | 'roslaunch '*' view:='[1Tt]*)
-            REQUIREMENTS+=($view) ;;
+            REQUIREMENTS+=(robot_view/requirements.txt) ;;
     esac
-}
-
-is_ready() {
-    local file
-    has_parts "${PARTS[@]}" && python_is_ready && build_is_ready || return
-    for file in "${REQUIREMENTS[@]}"; do
-        has_requirements "$file" || return
-    done
 }
 
 # make_ready: install and build what is missing; one call of ./ws at a time.
 make_ready() {
-    local file
     mkdir -p "$WORKSPACE/src"
     exec 9>"$WORKSPACE/lock"
-    flock -n 9 || {
-        announce 'another set-up is running; waiting for it'
-        flock 9
-    }
+    flock -n 9 || { announce 'another set-up is running; waiting for it'; flock 9; }
     need_parts "${PARTS[@]}"
-    python_is_ready || run_step 'installing PyBullet, 100 MB; on arm64 pip compiles it for minutes' make_python
-    for file in "${REQUIREMENTS[@]}"; do
-        has_requirements "$file" || run_step "installing $file" add_requirements "$file"
-    done
+    has_requirements "${REQUIREMENTS[@]}" || run_step \
+        'installing Python packages; on arm64 pip compiles PyBullet for minutes' add_requirements "${REQUIREMENTS[@]}"
     build_is_ready || build
     exec 9>&-
 }

@@ -1,5 +1,4 @@
-# The catkin workspace .ws, and a path of this folder that ROS can handle. A build writes its fingerprint
-# last, to .ws/ready.
+# The catkin workspace .ws, and a path of this folder that ROS can handle.
 
 # find_root: set ROOT, a path of this folder that works in a #! line and in catkin's commands.
 find_root() {
@@ -27,31 +26,20 @@ build_fingerprint() {
 build_is_ready() { [ -d "$WORKSPACE/devel" ] && is_done "$WORKSPACE/ready" "$(build_fingerprint)"; }
 
 build() {
-    local part missing=()
     BUILT_FROM=$(build_fingerprint)
     rm -f "$WORKSPACE/ready"
-    # Earlier versions had links to these packages there; everything else is the user's.
-    find "$WORKSPACE/src" -maxdepth 1 -lname '../../*' ! -lname '../../*/*' -delete
-    for part in $(! is_debians || apt-cache pkgnames | (load_ros && run_packages depends)); do
-        has_parts "$part" || missing+=("$part")
-    done
-    [ ${#missing[@]} = 0 ] || {
-        announce "packages in .ws/src depend on ${missing[*]}"
-        (need_parts "${missing[@]}") || announce 'continuing without them'
-    }
+    ! is_debians || (need_parts $(apt-cache pkgnames | (load_ros; run_packages depends))) ||
+        announce 'continuing without these dependencies of packages in .ws/src'
     run_step 'building the packages' build_all
 }
 
 build_all() {
     mkdir -p "$WORKSPACE"/{ours,build/ours}
-    for package in "${PACKAGES[@]}"; do
-        ln -sfnT "$ROOT/$package" "$WORKSPACE/ours/$package"
-    done
+    ln -sfn -t "$WORKSPACE/ours" "${PACKAGES[@]/#/$ROOT/}"
     # CMake uses PWD if it names its folder, and otherwise a path without links.
     cd "$WORKSPACE/build/ours"
     catkin_make -C "$WORKSPACE" --source "$WORKSPACE/ours" --build "$WORKSPACE/build/ours" \
-        -DPYTHON_EXECUTABLE="$VENV/bin/python3" && run_packages build || return
-    echo "$BUILT_FROM" >"$WORKSPACE/ready"
+        -DPYTHON_EXECUTABLE="$VENV/bin/python3" && run_packages build && echo "$BUILT_FROM" >"$WORKSPACE/ready"
 }
 
 run_packages() { python3 "$ROOT/setup/packages.py" "$1" "$WORKSPACE" "${PACKAGES[@]/#/$ROOT/}"; }

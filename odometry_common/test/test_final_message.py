@@ -4,78 +4,36 @@ import threading
 
 import pytest
 import rospy
-from geometry_msgs.msg import Twist
-from odometry_common.publishing import advertise
+from geometry_msgs.msg import Twist, Vector3
 from odometry_common.velocity import VelocityPublisher
 from odometry_tests.waiting import PATIENCE, TIMEOUT
-from rospy.impl.transport import OUTBOUND, Transport
 
-TOPIC = '/final/cmd_vel'
-HEADER_SIZE = 4  # bytes before each message, its length
-ZERO = (0.0, 0.0)
+OVERTAKING_TIME = 0.5  # s, in which a thread that waits for no lock overtakes another one
+COMMAND, ZERO = Twist(linear=Vector3(x=0.1)), Twist()
 
 
-class WatchedLock:
-    """A lock that tells when a thread waits for it."""
+class Overtaken:
+    """Stands for a rospy.Publisher: before its first message it lets a second thread go on."""
 
-    def __init__(self, awaited):
-        self._lock, self._awaited = threading.Lock(), awaited
+    def __init__(self, publisher, other):
+        self.impl, self.sent = publisher.impl, []
+        self.other = threading.Thread(target=other)
 
-    def __enter__(self):
-        if not self._lock.acquire(blocking=False):
-            self._awaited.set()
-            self._lock.acquire()
-
-    def __exit__(self, *_):
-        self._lock.release()
-
-
-class Wire(Transport):
-    """A node that commands, and its connection to a subscriber: what has been written."""
-
-    def __init__(self):
-        super().__init__(OUTBOUND)
-        self.commands, self._meanwhile = [], None
-        advertise(TOPIC, Twist).impl.add_connection(self)
-        velocity = VelocityPublisher(TOPIC)
-        self._stuck_or_done = threading.Event()
-        velocity._lock = WatchedLock(self._stuck_or_done)
-        self.publish = velocity.publish
-        # What rospy calls at shutdown, which a process can do only once.
-        self.shut_down = rospy.core._client_shutdown_hooks.pop()
-
-    def write_data(self, data):
-        """Take a message, and let the other thread overtake it."""
-        meanwhile, self._meanwhile = self._meanwhile, None
-        if meanwhile:
-            meanwhile.start()
-            assert self._stuck_or_done.wait(TIMEOUT * PATIENCE)
-        command = Twist().deserialize(data[HEADER_SIZE:])
-        self.commands.append((command.linear.x, command.angular.z))
-
-    def during(self, action, other):
-        """Do something, and on a second thread another thing while the first is being written."""
-        def do():
-            other()
-            self._stuck_or_done.set()
-
-        self._meanwhile = thread = threading.Thread(target=do)
-        action()
-        thread.join(TIMEOUT * PATIENCE)
+    def publish(self, message):
+        if not self.other.ident:
+            self.other.start()
+            self.other.join(OVERTAKING_TIME)
+        self.sent.append(message)
 
 
-@pytest.fixture
-def wire(master):
-    made = Wire()
-    yield made
-    made.close()
-
-
-def test_zero_follows_a_command_that_is_being_written(wire):
-    wire.during(lambda: wire.publish(0.1), wire.shut_down)
-    assert wire.commands == [(0.1, 0.0), ZERO]
-
-
-def test_no_command_overtakes_the_final_zero_or_follows_it(wire):
-    wire.during(wire.shut_down, lambda: wire.publish(0.1))
-    assert wire.commands == [ZERO]
+@pytest.mark.parametrize('first, sent', [('command', [COMMAND, ZERO]), ('end', [ZERO])])
+def test_zero_is_last_whichever_of_two_threads_overtakes_the_other(master, first, sent):
+    """It follows a command that is being sent, and no command follows it."""
+    velocity = VelocityPublisher('/final/cmd_vel')
+    # What rospy calls at shutdown, which a process can do only once.
+    actions = [lambda: velocity.publish(0.1), rospy.core._client_shutdown_hooks.pop()]
+    begin, other = actions if first == 'command' else reversed(actions)
+    velocity._publisher = publisher = Overtaken(velocity._publisher, other)
+    begin()
+    publisher.other.join(TIMEOUT * PATIENCE)
+    assert publisher.sent == sent

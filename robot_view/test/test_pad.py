@@ -7,7 +7,6 @@ import rosgraph
 from geometry_msgs.msg import Twist
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
 from robot_view.steering import (
-    BACK,
     COMMAND_PERIOD,
     FORWARD,
     HOLD_RATE,
@@ -22,16 +21,25 @@ from robot_view.steering import (
 from robot_view import pad
 
 
-@pytest.mark.parametrize('held, shares', [
-    ([('page', FORWARD)], (1, 0)), ([('page', FORWARD), ('page', LEFT)], (1, 1)),
-    ([('page', FORWARD), ('page', BACK)], (0, 0)), ([('page', FORWARD), ('other', FORWARD)], (1, 0)),
-    ([('page', FORWARD), ('other', STOP)], (0, 0))])
-def test_held_buttons_add_up_and_stop_overrules_them(held, shares):
-    """Two pages that hold the same button do not double it."""
+@pytest.mark.parametrize('events', [
+    # Two pages that hold the same button do not double it; one that closes releases none of the other's.
+    [('+page forward', {'': (1, 0)}), ('+other forward', {'': (1, 0)}), ('+page left', {'': (1, 1)}),
+     ('-page', {'': (1, 0)}), ('-other back', {'': (1, 0)}), ('-other forward', {'': (0, 0)}), ('-page', {})],
+    [('+page forward', {'': (1, 0)}), ('+page back', {'': (0, 0)}), ('+other stop', {'': (0, 0)})],
+    # A page chooses another robot while it holds a button: the first one stops first.
+    [('+page forward robot_1/', {'robot_1/': (1, 0)}),
+     ('+page forward robot_2/', {'robot_1/': (0, 0), 'robot_2/': (1, 0)})]])
+def test_held_buttons_add_up_until_they_are_released(events):
+    """A + holds a button, a - releases it, or all of a page; a robot gets one zero."""
     steering = Steering()
-    for client, button in held:
-        steering.hold(client, button, '', 0.0)
-    assert steering.commands(0.0) == {'': shares}
+    for event, expected in events:
+        client, *held = event[1:].split()
+        if event[0] == '-':
+            steering.release(client, *held)
+        else:
+            steering.hold(client, held[0], ''.join(held[1:]), 0.0)
+        assert list(steering.commands(0.0).items()) == list(expected.items()), event
+    assert steering.is_driving == bool(expected)
 
 
 def test_a_page_that_hangs_drives_until_its_hold_expires():
@@ -49,30 +57,6 @@ def test_a_page_that_hangs_drives_until_its_hold_expires():
     assert (last - hangs_after) * COMMAND_PERIOD == pytest.approx(HOLD_TIMEOUT, abs=COMMAND_PERIOD)
     assert sent[:last] == [{'': (1, 0)}] * last
     assert not any(sent[last + 1:]) and not steering.is_driving
-
-
-def test_a_release_is_one_zero_at_once():
-    """A page that closes releases all its buttons, and none of another page."""
-    steering = Steering()
-    steering.hold('page', LEFT, '', 0.0)
-    steering.hold('other', FORWARD, '', 0.0)
-    assert steering.commands(0.0) == {'': (1, 1)} and steering.is_driving
-    steering.release('page')
-    assert steering.commands(0.0) == {'': (1, 0)}
-    steering.release('other', BACK)
-    assert steering.commands(0.0) == {'': (1, 0)}
-    steering.release('other', FORWARD)
-    assert steering.commands(0.0) == {'': STANDSTILL} and not steering.is_driving
-    assert steering.commands(0.0) == {}
-
-
-def test_the_first_robot_stops_before_another_one_starts():
-    """A page chooses another robot while it holds a button."""
-    steering = Steering()
-    steering.hold('page', FORWARD, 'robot_1/', 0.0)
-    steering.commands(0.0)
-    steering.hold('page', FORWARD, 'robot_2/', 0.1)
-    assert list(steering.commands(0.1).items()) == [('robot_1/', STANDSTILL), ('robot_2/', (1, 0))]
 
 
 def test_a_stop_lasts_until_the_buttons_are_pressed_anew():

@@ -140,8 +140,8 @@ def test_the_simulators_warning_is_shown_as_long_as_it_is_there(view):
 
 
 def put(page, robot, x, y, heading):
-    for label, value in ('robot', robot), ('x (m)', x), ('y (m)', y), ('heading (degrees)', heading):
-        page.set(label, value)
+    page.set('robot', robot)
+    page.set('x, y (m), heading (degrees)', [x, y, heading])
     page.set('put here', True)
 
 

@@ -68,7 +68,7 @@ class RotateRobot:
 
     def _stop(self):
         rospy.logwarn_throttle(1.0, 'stopping: no odometry arrives')
-        self._velocity.stop()
+        self._velocity.publish()
         self._rest.reset()
 
     def _on_odometry(self, message):

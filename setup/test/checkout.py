@@ -29,12 +29,11 @@ print("hello from", {module}.__name__)
 TIMEOUT = 60.0  # s
 START = """
 set -euo pipefail
-CALLED_FROM=/
 . "$CHECKOUT/setup/set_up.bash"
 """
 # The set-up of a few packages, with the virtual environment of this project.
 FASTER = """
-python_is_ready() { true; }
+has_requirements() { true; }
 PACKAGES=(odometry_common test_movement)
 """
 

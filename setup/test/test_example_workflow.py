@@ -13,7 +13,7 @@ COPY, TEST = [step['run'] for step in WORKFLOW['jobs']['robot']['steps'] if 'run
 CLONE = '/robot'
 # What ./ws does before a command, with the virtual environment of this project.
 RUN = """
-python_is_ready() { true; }
+has_requirements() { true; }
 set_up true
 export ODOMETRY_ROOT=$ROOT
 set +u

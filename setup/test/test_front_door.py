@@ -26,7 +26,7 @@ dpkg() { [ "$1" != --audit ] && command dpkg "$@"; }
 apt-cache() { printf 'python3-rospy:\\n  Installed: (none)\\n  Candidate: %s\\n' "$CANDIDATE"; }
 sudo() { true; }
 apt_get() { [ "$1" != install ] || echo installs; }
-make_python() { exit; }
+add_requirements() { exit; }
 set_up demo
 """
 EXTRAS = """
@@ -59,18 +59,14 @@ def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
     assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
 
 
-@pytest.mark.parametrize('option', ['--help', '-h'])
-def test_help_installs_nothing(fresh, option):
-    run = in_fresh(fresh, option)
-    assert run.wait() == 0 and run.stdout.startswith('usage: ./ws '), run.output
-    assert not run.stderr
+def test_help_installs_nothing(fresh):
+    run = in_fresh(fresh, '--help')
+    assert (run.wait(), run.stderr, run.stdout[:11]) == (0, '', 'usage: ./ws'), run.output
 
 
-@pytest.mark.parametrize('command, hint', [
-    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
-def test_a_command_that_is_not_there(command, hint):
-    run = Process(ROOT / 'ws', command)
-    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
+def test_a_command_that_is_not_there():
+    run = Process(ROOT / 'ws', 'foo')
+    assert (run.wait(), run.output.strip()) == (2, './ws: there is no command foo')
 
 
 @pytest.mark.parametrize('variable, status, answer', [
@@ -129,5 +125,5 @@ def test_packages_of_the_system(fresh):
 
 def test_no_sudo(fresh):
     start, parts = last_words(fresh, NO_SUDO).split(' --no-install-recommends ')
-    assert start == 'this needs root or sudo; or ask an administrator to run: sudo apt-get install'
+    assert start == 'this needs an administrator to run: sudo apt-get install'
     assert {'catkin', 'python3-venv', 'rviz'} <= set(parts.split())

@@ -1,7 +1,7 @@
 """What ./ws starts listens on loopback only, however the environment names that.
 
 Other tests check the same of what they start: test_demo_endings, test_demo_page and
-test_view_start.
+test_page_server.
 """
 
 import os

@@ -9,7 +9,7 @@ from odometry_tests.scripts import ROOT
 SETUP = shlex.quote(str(ROOT / 'setup'))
 FIND = f"""
 . {SETUP}/system.bash
-. {SETUP}/ros.bash
+. {SETUP}/python.bash
 USR=$SYSTEM/usr
 OPT=$SYSTEM/opt/ros
 VENV=$SYSTEM/venv

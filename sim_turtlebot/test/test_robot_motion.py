@@ -145,18 +145,6 @@ def test_speeding_up_and_braking_are_as_fast_as_the_motors_can():
     assert (faster[fifth], slower[fifth]) == pytest.approx((0.5, 0.0), abs=0.01)
 
 
-@pytest.mark.parametrize('odom_rate', [0.5, 50.0, 1000.0])
-def test_at_other_odometry_rates_it_moves_the_same(odom_rate):
-    """The physics then runs at 240, 250 and 1000 Hz."""
-    simulation = Simulation(odom_rate=odom_rate)
-    simulation.drive(0.3, 0.0, 4.0)
-    simulation.drive(0.0, 0.0, 4.0)
-    x, y, _ = simulation.robot.ground_truth.position
-    assert x == pytest.approx(1.2, rel=0.003)
-    assert abs(y) <= 0.001
-    assert simulation.robot.resting
-
-
 @settings(max_examples=settings.default.max_examples // 3)
 @given(st.tuples(st.floats(-1e4, 1e4), st.floats(-1e4, 1e4), st.floats(-6.28, 6.28)),
        st.lists(st.tuples(st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi),

@@ -1,4 +1,4 @@
-"""Simulated time: every message falls on a physics step, and no rounding adds up."""
+"""Simulated time: every message falls on a physics step, no rounding adds up, and /clock ticks finely."""
 
 import math
 from fractions import Fraction
@@ -6,13 +6,18 @@ from fractions import Fraction
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from odometry_tests.tutorial import simulator
+from odometry_tests.waiting import Recorder
+from rosgraph_msgs.msg import Clock
 from sim_turtlebot.timeline import Timeline
+from tf2_msgs.msg import TFMessage
 
 DAY = 86400  # s
 
 odom_rates = st.one_of(
     st.floats(0.1, 1000), st.sampled_from([0.1, 1.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0]))
 clock_rates = st.one_of(st.just(0.0), st.floats(0.1, 1000))
+TICKS = 200
 
 
 @pytest.mark.parametrize('odom_rate, step_rate, steps_per_odometry, ticks_per_odometry', [
@@ -74,3 +79,22 @@ def test_time_starts_at_zero_and_can_start_again():
     timeline.restart()
     assert (timeline.now, timeline.odometry_count) == (0, 0)
     assert timeline.clock_is_due
+
+
+@pytest.mark.parametrize('arguments, period', [
+    ([], 5), (['_real_time_factor:=10'], 10), (['_real_time_factor:=0'], 50),
+    (['_real_time_factor:=0', '_clock_rate:=500'], 2)])
+def test_the_clock_ticks_with_this_period(simulated_time, arguments, period):
+    """In ms; a message that gets lost makes a gap, and none makes it shorter."""
+    with simulator(*arguments):
+        seen = [message.clock.to_nsec() for message in Recorder('/clock', Clock).wait_for_count(TICKS)]
+    assert all(time % (period * 10**6) == 0 for time in seen)
+    assert min(later - sooner for sooner, later in zip(seen, seen[1:])) == period * 10**6
+
+
+def test_a_filter_may_publish_the_transform_of_the_odometry(simulated_time):
+    """As robot_localization does; two publishers of one transform would make it jump."""
+    transforms = Recorder('/tf', TFMessage)
+    with simulator('_publish_tf:=false'):
+        children = {transform.child_frame_id for transform in transforms.wait_for().transforms}
+    assert children == {'wheel_left_link', 'wheel_right_link'}

@@ -1,6 +1,7 @@
 """Help text, checks of the command line, and warnings about unknown names."""
 
 import os
+import re
 import sys
 import xmlrpc.client
 
@@ -10,6 +11,7 @@ import yaml
 from odometry_common.parameters import ParameterError
 
 HELP = {'-h', '--help'}
+GIVEN = re.compile(r'_(?!_)(.*?):=(.*)', re.DOTALL)  # name and text of a parameter on the command line
 
 
 def show_help_if_asked(documentation, parameters):
@@ -26,18 +28,12 @@ def warn_of_unknown(parameters):
     arguments = rospy.myargv()[1:]
     if arguments:
         rospy.logwarn(f'ignored: {", ".join(map(repr, arguments))}; see --help')
-    unknown = [name for name in _private_parameters() if name not in parameters.names]
+    values = rospy.get_param(rospy.get_name(), {})
+    given = values.items() if isinstance(values, dict) else ()
+    unknown = sorted({f'~{name}' for name, value in given if not isinstance(value, dict)} - {*parameters.names})
     if unknown:
         rospy.logwarn(f'unknown: {", ".join(unknown)}; the parameters of this node are '
                       f'{", ".join(parameters.names) or "none"}')
-
-
-def _private_parameters():
-    """Return the names of the parameters set in the node's namespace, not below it."""
-    values = rospy.get_param(rospy.get_name(), {})
-    if not isinstance(values, dict):
-        return []
-    return sorted(f'~{name}' for name, value in values.items() if not isinstance(value, dict))
 
 
 def check_command_line():
@@ -46,18 +42,10 @@ def check_command_line():
     rospy uploads these by XML-RPC while the node starts, and exits with a traceback for an empty
     value, broken YAML, a large integer or a date.
     """
-    for name, text in _given_parameters():
+    for name, text in (given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given):
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
         except (yaml.YAMLError, TypeError, ValueError, OverflowError, RecursionError):
             raise ParameterError(
-                name, text, 'a value that ROS can store: a string, a number with '
+                f'~{name}', text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
-
-
-def _given_parameters():
-    """Yield the name, such as ~speed, and the text of each ``_name:=value`` argument."""
-    for argument in sys.argv[1:]:
-        name, separator, text = argument.partition(':=')
-        if separator and name.startswith('_') and not name.startswith('__'):
-            yield f'~{name[1:]}', text

@@ -84,11 +84,9 @@ class Parameter(NamedTuple):
         :raises ParameterError: if it is of another type, not finite or out of range
         """
         kind = type(self.default)
-        value = as_number(given) if kind in (float, int) else given
-        if kind in (float, int):
-            usable = value is not None and math.isfinite(value) and value == kind(value)
-        else:
-            usable = isinstance(value, kind)
+        is_number = kind in (float, int)
+        value = as_number(given) if is_number else given
+        usable = value is not None and value == kind(value) if is_number else isinstance(value, kind)
         if not usable or not self.range.accepts(value, earlier):
             raise ParameterError(self.name, given, self._allowed(earlier))
         return kind(value)
@@ -151,7 +149,8 @@ def _help_of(row):
 
 
 def as_number(value):
-    """Return a value of the parameter server as a float; None if it is not a number."""
+    """Return a value of the parameter server as a float; None if it is not a finite number."""
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     is_written_as_one = isinstance(value, str) and WITH_EXPONENT.fullmatch(value)
-    return float(value) if is_number or is_written_as_one else None
+    number = float(value) if is_number or is_written_as_one else math.nan
+    return number if math.isfinite(number) else None

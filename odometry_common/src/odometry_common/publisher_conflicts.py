@@ -1,13 +1,11 @@
 """Warn of a second node on a topic that only one should publish."""
 
-import http.client
 import threading
-import xmlrpc.client
 
 import rosgraph
 import rospy
 
-from odometry_common.connections import node_at
+from odometry_common.connections import ask
 
 CONFLICT_PERIOD = 1.0  # s of wall time between two checks
 
@@ -21,18 +19,10 @@ def _watch(topic):
     ended, before = threading.Event(), set()
     rospy.on_shutdown(ended.set)
     while not ended.wait(CONFLICT_PERIOD):
-        publishers = _publishers(topic)
+        state = ask(rosgraph.get_master_uri(), 'getSystemState')
+        publishers = set(dict(state[0]).get(topic, ())) if state else set()
         lasting = before & publishers  # a publisher seen only once may be shutting down
         if len(lasting) > 1:
             rospy.logwarn(f'{topic} is published by {" and ".join(sorted(lasting))}: stop all but one')
             return
         before = publishers
-
-
-def _publishers(topic):
-    try:
-        with node_at(rosgraph.get_master_uri()) as master:
-            _, _, (publishers, _, _) = master.getSystemState(rospy.get_name())
-    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
-        return set()
-    return set(dict(publishers).get(topic, ()))

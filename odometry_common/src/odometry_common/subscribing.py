@@ -1,13 +1,11 @@
 """Subscribers whose callbacks run one at a time."""
 
-import http.client
 import threading
-import xmlrpc.client
 
 import rosgraph
 import rospy
 
-from odometry_common.connections import ANSWER, node_at
+from odometry_common.connections import ask
 from odometry_common.node import end_node
 
 callback_lock = threading.Lock()  # held while a callback of this node runs
@@ -40,7 +38,8 @@ class Subscriber:
         :return: whether a message has arrived
         """
         while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
-            other = _type_of(self._name)
+            topics = ask(rosgraph.get_master_uri(), 'getPublishedTopics', '') or ()
+            other = dict(topics).get(self._name)
             rospy.loginfo(f'waiting for {self._what} on {self._name}' if other in (None, self._type) else
                           f'waiting for {self._what}: {self._name} has the type {other}, not {self._type}')
         return self._has_message
@@ -56,13 +55,3 @@ class Subscriber:
         else:
             self._has_message = True
             self._woken.set()
-
-
-def _type_of(topic):
-    """Return the type of a topic, or None if nobody publishes it or the master does not answer."""
-    try:
-        with node_at(rosgraph.get_master_uri()) as master:
-            topics = master.getPublishedTopics(rospy.get_name(), '')[ANSWER]
-    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
-        return None
-    return dict(topics).get(topic)

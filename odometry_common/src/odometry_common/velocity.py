@@ -12,12 +12,8 @@ class VelocityPublisher(ClosingPublisher):
         super().__init__(topic, Twist, final_message=Twist())
 
     def publish(self, linear=0.0, angular=0.0):
-        """Command `linear` (m/s, forwards) and `angular` (rad/s, to the left)."""
+        """Command `linear` (m/s, forwards) and `angular` (rad/s, to the left); without them, zero."""
         command = Twist()
         command.linear.x = linear
         command.angular.z = angular
         super().publish(command)
-
-    def stop(self):
-        """Command zero."""
-        self.publish()

@@ -9,7 +9,6 @@ import rospy
 from odometry_common.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
 from robot_view.camera import FIELD_OF_VIEW, look_at_all, look_at_robot
-from robot_view.looks import load_urdf
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import Readings, SimulationButtons, add_placing
 from robot_view.plots import Plots
@@ -30,7 +29,6 @@ class BrowserPage:
     def __init__(self, address, robots):
         """Show Robots."""
         self._robots = robots
-        self._urdf = load_urdf()
         self._models = {}  # RobotModel by namespace
         self._server = start_server(address)
         scene = self._server.scene
@@ -116,8 +114,7 @@ class BrowserPage:
         for namespace in namespaces:
             if namespace not in self._models:
                 self._models[namespace] = RobotModel(
-                    self._server.scene, namespace.strip('/') or 'robot', self._urdf,
-                    labelled=len(namespaces) > 1)
+                    self._server.scene, namespace.strip('/') or 'robot', len(namespaces) > 1)
         names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
         if self._choice.options != names:
             self._choice.options = names

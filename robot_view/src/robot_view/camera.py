@@ -1,7 +1,6 @@
-"""Where a browser's camera stands.
+"""The position of a browser's camera.
 
-To follow a robot, move the world under the cameras. They then stay what the user's mouse made of them;
-viser would take a camera that it moves out of the user's hand.
+To follow a robot, the page moves the world, not the cameras: viser would interrupt a user who drags one.
 """
 
 import math

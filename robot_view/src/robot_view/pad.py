@@ -10,7 +10,7 @@ from odometry_common.velocity import VelocityPublisher
 from robot_view import steering
 
 CONNECTING_TIMEOUT = 10.0  # s; a robot that takes longer gets no zero
-# viser tells that a key goes down, but not that it comes up: the page maps the arrow keys to the buttons.
+# viser reports key presses, but no releases: the page maps the arrow keys to the buttons.
 SCRIPT = Path(__file__).with_name('arrow_keys.js')
 MIN_PERIOD = 0.01  # s between two commands, however many pages send holds
 

@@ -22,7 +22,7 @@ class Readings:
         self.show({})
 
     def show(self, values):
-        """Show the values by the names in ROWS that are known; `true_since` is told beside its label."""
+        """Show the known values, by their names in ROWS; `true_since` (s) goes beside the label."""
         since = values.get('true_since')
         notes = {'true_distance': '' if since is None else f' since {since:.1f} s'}
         rows = ''.join(
@@ -62,16 +62,15 @@ class SimulationButtons:
 
 
 def add_placing(gui, put):
-    """Add inputs for a pose, and a button that places a simulated robot there, at rest.
+    """Add an input for a pose, and a button that places a simulated robot there, at rest.
 
     :param put: function of x, y (m) and heading (degrees)
-    :return: the folder of the inputs, hidden
+    :return: their folder, hidden
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
-        x, y = (gui.add_number(f'{name} (m)', 0.0, step=0.05) for name in 'xy')
-        heading = gui.add_number('heading (degrees)', 0.0, min=-360.0, max=360.0, step=5.0)
-        gui.add_button('put here').on_click(lambda _: put(x.value, y.value, heading.value))
+        pose = gui.add_vector3('x, y (m), heading (degrees)', (0.0, 0.0, 0.0))
+        gui.add_button('put here').on_click(lambda _: put(*pose.value))
     return folder
 
 

@@ -108,7 +108,7 @@ class PathTrace:
             return
         if self.true_distance is None:
             self.origin = ground_truth.then(odometry.inverse())
-            # Of a robot that has driven before, wheels that slipped may be all that the odometry tells.
+            # If the robot has driven before, its odometry may only show that the wheels slipped.
             self.true_distance = _distance(ORIGIN, odometry)
             if self.true_distance > START_RADIUS:
                 self.true_distance, self.since = 0.0, stamp

@@ -17,15 +17,15 @@ SEARCH_PERIOD = 1.0  # s
 
 
 class Robots:
-    """Finds robots and their nodes, on a thread of its own, and records them whether a browser shows them or not."""
+    """Finds robots and their nodes on a thread of its own, and records them even without a browser."""
 
     def __init__(self):
         self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
         self.is_simulated = False
-        self.complaint = ''  # in words
+        self.complaint = ''  # for the status line
         self.world = None  # the simulator's MarkerArray
         self._warning = ''
-        self.found = threading.Event()  # whether there has been a robot, or nothing is to be waited for
+        self.found = threading.Event()  # set with the first robot, or at shutdown
         rospy.on_shutdown(self.found.set)
         self._warnings = rospy.Subscriber(f'{SIMULATOR}/warning', String, self._on_warning)
         rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._on_world)

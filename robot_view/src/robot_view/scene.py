@@ -42,11 +42,10 @@ def add_world(scene):
 class RobotModel:
     """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
-    def __init__(self, scene, name, urdf, labelled):
+    def __init__(self, scene, name, labelled):
         """Add the model to viser's scene.
 
         :param name: of the scene node, without slashes
-        :param urdf: of looks.load_urdf()
         :param labelled: whether to show the name beside the robot
         """
         self._scene = scene
@@ -59,8 +58,8 @@ class RobotModel:
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
             f'{self._root}/odometry/ghost', show_axes=False, visible=False)
-        self._wheels = add_robot(scene, self._body.name, urdf)
-        add_robot(scene, self._ghost.name, urdf, color=GHOST_COLOUR, opacity=GHOST_OPACITY)
+        self._wheels = add_robot(scene, self._body.name)
+        add_robot(scene, self._ghost.name, color=GHOST_COLOUR, opacity=GHOST_OPACITY)
         if labelled:
             scene.add_label(f'{self._root}/body/label', name, position=(0.0, 0.0, 0.55))
         self._add_marks()
@@ -91,9 +90,9 @@ class RobotModel:
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
             self._ghost.position, self._ghost.wxyz = robot.odometry_pose
-        for wheel in self._wheels:
-            if wheel.joint in robot.wheels:
-                wheel.turn(robot.wheels[wheel.joint])
+        for frame, joint in self._wheels:
+            if joint.name in robot.wheels:
+                frame.wxyz = wxyz(joint.rotation_at(robot.wheels[joint.name]))
 
     def draw_path(self, robot):
         """Draw the trail and the latest scan."""
@@ -101,9 +100,7 @@ class RobotModel:
         if len(points) < 2:
             points = numpy.zeros((2, 2))
         line = numpy.column_stack([points, numpy.full(len(points), TRAIL_HEIGHT)])
-        segments = numpy.stack([line[:-1], line[1:]], axis=1)
-        if not numpy.array_equal(segments.astype(numpy.float32), self._trail.points):
-            self._trail.points = segments
+        self._trail.points = numpy.stack([line[:-1], line[1:]], axis=1)
         if robot.scan is not self._drawn_scan:
             self._drawn_scan = robot.scan
             (self._scan.position, self._scan.wxyz), self._scan.points = robot.scan

@@ -1,4 +1,4 @@
-"""Where the tutorials' nodes want a robot to be."""
+"""The targets of the tutorials' nodes."""
 
 import math
 

@@ -1,8 +1,7 @@
-"""What the log and ~warning say of the robots, and of the pace."""
+"""Log lines and ~warning about robots that fall or stop, and about the pace."""
 
 import rospy
-
-from sim_turtlebot.falls import FallDetector
+from odometry_common.geometry import is_upright
 
 TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 
@@ -11,13 +10,13 @@ class Reports:
     """Reports robots that have fallen or that their watchdogs have stopped, and a simulation that is too slow."""
 
     def __init__(self, robots, namespaces, settings, warn):
-        """Take the robots with their namespaces.
+        """Take the robots, all upright, with their namespaces.
 
         :param warn: called with a cause and a warning, or '' if that is over
         """
         self._robots = list(zip(robots, namespaces))
         self._settings, self._warn = settings, warn
-        self._falls = FallDetector(robots)
+        self._fallen = set()  # namespaces
 
     def pace(self, reached):
         """Report that the simulation only reaches a real-time factor; None: it has caught up."""
@@ -31,17 +30,24 @@ class Reports:
 
     def robots(self):
         """Report what has happened to the robots since the last call."""
-        self._report_timeouts()
-        for name, warning in self._falls.changes():
-            log = rospy.logwarn if warning else rospy.loginfo
-            log(warning or f'{name} stands upright again')
-            self._warn(name, warning)
-
-    def _report_timeouts(self):
-        """Log a stop by a watchdog, as a Kobuki's driver does."""
         for robot, namespace in self._robots:
-            if robot.timed_out:
+            if robot.timed_out:  # a Kobuki's driver logs that, too
                 robot.timed_out = False
                 rospy.logwarn_throttle(TIMEOUT_LINE_PERIOD, (
                     f'the base stops: no command on {rospy.resolve_name(namespace + "cmd_vel")} for '
                     f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)'))
+            if is_upright(robot.ground_truth.orientation) == (namespace in self._fallen):
+                self._fallen ^= {namespace}
+                self._report_fall(robot, namespace)
+
+    def _report_fall(self, robot, namespace):
+        """Warn of a robot that has tipped over, or withdraw that."""
+        name, warning = namespace.strip('/') or 'the robot', ''
+        if namespace in self._fallen:
+            # Adding zero turns -0.0 into 0.0.
+            x, y = (round(metres, 2) + 0.0 for metres in robot.ground_truth.position[:2])
+            warning = f'{name} lies on its side at x {x:g}, y {y:g}; ~reset_simulation brings it back'
+            rospy.logwarn(warning)
+        else:
+            rospy.loginfo(f'{name} stands upright again')
+        self._warn(name, warning)

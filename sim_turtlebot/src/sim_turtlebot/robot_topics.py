@@ -52,12 +52,12 @@ class Topic:
 class RobotTopics:
     """Publishes the state of a Robot; skips topics without subscribers."""
 
-    def __init__(self, robot, namespace, scan_rate, odom_rate):
+    def __init__(self, robot, namespace, settings):
         """Advertise.
 
         :param robot: sim_turtlebot.robot.robot.Robot
         :param namespace: '' or one that ends in a slash; topics and frames begin with it
-        :param scan_rate, odom_rate: Hz
+        :param settings: of sim_turtlebot.settings.read_settings()
         """
         self._robot = robot
         base = f'{namespace}base_footprint'
@@ -69,13 +69,14 @@ class RobotTopics:
         self._imu = Topic(f'{namespace}mobile_base/sensors/imu_data', Imu, f'{namespace}gyro_link')
         self._imu.message.orientation_covariance[::4] = IMU_VARIANCES
         self._imu.message.angular_velocity_covariance[::4] = IMU_VARIANCES
-        self._scan_rates = scan_rate, odom_rate
-        if scanner := robot.scanner:
+        self._scan_rates = settings.scan_rate, settings.odom_rate
+        if robot.scanner:
             self._scan = Topic(
                 f'{namespace}scan', LaserScan, f'{namespace}{DEPTH_CAMERA_FRAME}',
-                angle_min=-scanner.field_of_view / 2, angle_max=scanner.field_of_view / 2,
-                angle_increment=scanner.field_of_view / (scanner.beams - 1), scan_time=1 / scan_rate,
-                range_min=scanner.range_min, range_max=scanner.range_max)
+                angle_min=-settings.scan_fov / 2, angle_max=settings.scan_fov / 2,
+                angle_increment=settings.scan_fov / (settings.scan_beams - 1),
+                scan_time=1 / settings.scan_rate,
+                range_min=settings.scan_range_min, range_max=settings.scan_range_max)
 
     def publish(self, stamp, number):
         """Publish all but the scan; parameters as for Topic.publish()."""

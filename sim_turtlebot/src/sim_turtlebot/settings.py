@@ -13,7 +13,6 @@ from odometry_common.parameters import (
     one_of,
 )
 
-from sim_turtlebot.robot import scanner
 from sim_turtlebot.robot.poses import MAX_COORDINATE
 
 LOCKSTEP_CLOCK_RATE = 100.0  # Hz; in lockstep a rospy.Rate of up to this keeps its rate
@@ -27,8 +26,7 @@ START = 'where the robot starts; odom is zero there'
 
 PARAMETERS = Parameters(
     Parameter('~gui', False, '', ANY, "open PyBullet's window"),
-    Parameter('~world', '', '', ANY,
-              'URDF or SDF file to load beside the floor'),
+    Parameter('~world', '', '', ANY, 'URDF or SDF file to load beside the floor'),
     Parameter('~robots', 1, '', between(1, 1000),
               'of more than one, robot k has namespace robot_k and starts one metre to the left '
               'of the one before'),
@@ -78,19 +76,22 @@ PARAMETERS = Parameters(
     Parameter('~speed_ratio', 1.0, '',
               Range('above 0 and up to 1', lambda value, _: 0 < value <= 1),
               'share of the commanded speed that the base reaches, in truth and on its wheels'),
-    Parameter('~scan', False, '', ANY,
-              'publish scans'),
-    Parameter('~scan_rate', scanner.RATE, 'Hz',
+    Parameter('~scan', False, '', ANY, 'publish scans'),
+    # Rate and beams of turtlebot_description's camera in Gazebo (turtlebot_gazebo.urdf.xacro).
+    Parameter('~scan_rate', 10.0, 'Hz',
               Range('from 0.1 to ~odom_rate',
                     lambda value, earlier: 0.1 <= value <= earlier.odom_rate),
               'scans per simulated second; lower if ~odom_rate is'),
-    Parameter('~scan_beams', scanner.BEAMS, '', between(2, 10000), 'ranges in a scan'),
-    Parameter('~scan_fov', scanner.FIELD_OF_VIEW, 'rad',
+    Parameter('~scan_beams', 640, '', between(2, 10000), 'ranges in a scan'),
+    # 60.2 degrees. The camera in Gazebo has 60, the data sheet of the Asus Xtion Pro 58. The margin
+    # is for clients that count 30 degrees in beams to each side, and round up.
+    Parameter('~scan_fov', 1.05, 'rad',
               Range('from 0.01 to 2 pi', lambda value, _: 0.01 <= value <= 2 * math.pi),
               'angle from the first beam to the last'),
-    Parameter('~scan_range_min', scanner.RANGE_MIN, 'm', between(0, 100),
+    # turtlebot_bringup/launch/3dsensor.launch, and the default of depthimage_to_laserscan.
+    Parameter('~scan_range_min', 0.45, 'm', between(0, 100),
               'closer objects give -inf'),
-    Parameter('~scan_range_max', scanner.RANGE_MAX, 'm',
+    Parameter('~scan_range_max', 10.0, 'm',
               Range('above ~scan_range_min and up to 1000',
                     lambda value, earlier: earlier.scan_range_min < value <= 1000),
               'farther objects give +inf'),

@@ -75,6 +75,6 @@ class Simulation:
         """Return to the start; the same commands then give bit-identical results."""
         self.timeline.restart()
         self.world.rebuild()
-        for robot, mux in zip(self.robots, self._muxes):
+        for robot in self.robots:
             robot.begin()
-            mux.restart()
+        self._muxes = [VelocityMux() for _ in self.robots]

@@ -33,7 +33,7 @@ class SimulationTopics:
             wait_for_slow_subscribers(SLOW_SUBSCRIBER_BUDGET)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage)
-        self._robots = [RobotTopics(robot, namespace, settings.scan_rate, settings.odom_rate)
+        self._robots = [RobotTopics(robot, namespace, settings)
                         for robot, namespace in zip(simulation.robots, namespaces)]
         self._frames = [Frames(*robot) for robot in zip(simulation.robots, namespaces)]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)

@@ -10,7 +10,7 @@ CALLER = '/links'
 
 
 def connected_topics(node, direction=SENDS, master_uri=None):
-    """Return the topics on which a node (its full name) sends to somebody, or receives.
+    """Return the topics on which a node (its full name) sends to others, or receives.
 
     :raises rosgraph.MasterError, OSError: if there is no such node
     """

@@ -1,4 +1,4 @@
-"""What tests ask the system of other processes."""
+"""Queries about other processes."""
 
 import ipaddress
 
@@ -13,7 +13,7 @@ def marked(mark):
 
 
 def assert_loopback_only(pid):
-    """Assert that a process and its descendants listen, and nobody but this machine reaches them."""
+    """Assert that a process and its descendants listen, and on loopback only."""
     family = {pid, *(child.pid for child in psutil.Process(pid).children(recursive=True))}
     addresses = {socket.laddr.ip for socket in psutil.net_connections('tcp')
                  if socket.status == psutil.CONN_LISTEN and socket.pid in family}

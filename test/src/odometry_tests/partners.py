@@ -5,7 +5,7 @@ from rosgraph_msgs.msg import Clock
 
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
 
-QUEUE_SIZE = 5000  # messages; nothing that a test says is lost
+QUEUE_SIZE = 5000  # messages; no message of a test is lost
 START_TIME = 1000  # s
 
 

@@ -25,14 +25,14 @@ def pause(*recorders, namespace='/'):
         recorder.wait_for(what='a message before the pause')
     serve = _service('pause_physics', namespace, persistent=True)
 
-    def heard():
+    def counts():
         return [len(recorder.messages) for recorder in recorders]
 
     def is_still():
-        before = heard()
+        before = counts()
         for _ in range(TURNS):
             serve()
-        return heard() == before
+        return counts() == before
 
     wait_until(is_still, TIMEOUT, 'a robot that is paused')
     serve.close()

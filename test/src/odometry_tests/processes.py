@@ -28,7 +28,7 @@ class Process:
         self.command = ' '.join(map(str, command))
         # Where it is set, Python's programs hide that their output waits in a buffer.
         environment = {**os.environ, 'PYTHONUNBUFFERED': '', **(env or {})}
-        # Files, not pipes: nobody has to read them meanwhile.
+        # Files, not pipes, which a reader would have to drain.
         self._outputs = [tempfile.TemporaryFile() for _ in ('stdout', 'stderr')]  # noqa: SIM115
         self._process = start_guarded(*command, env=environment, stdout=self._outputs[0],
                                       stderr=self._outputs[1], **popen_options)
@@ -159,7 +159,7 @@ def own_address():
 
 @contextlib.contextmanager
 def hold_port(host='localhost'):
-    """Yield a TCP port of this machine that is given to nobody else meanwhile.
+    """Yield a TCP port of this machine that no other caller gets meanwhile.
 
     Only servers that set SO_REUSEADDR can listen on it.
     """

@@ -14,7 +14,6 @@ from odometry_tests.waiting import Recorder, wait_for_subscribers
 
 VELOCITY, BASE = 'cmd_vel', 'mobile_base/commands/velocity'
 TELEOP, NAVI = 'cmd_vel_mux/input/teleop', 'cmd_vel_mux/input/navi'
-ON_ITS_SIDE = Quaternion(math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))
 
 
 class Robot:

@@ -14,7 +14,7 @@ from odometry_tests.forms import plain_lines
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 MARK = '\x1e'
-# Before each prompt the shell says with which status the last command ended.
+# Before each prompt the shell prints the exit status of the last command.
 PROMPT_COMMAND = r"printf '\036%d\036' $?"
 PROMPT = re.compile(f'{MARK}(\\d+){MARK}')
 SIZE = struct.pack('HHHH', 50, 1000, 0, 0)  # rows and columns: no line is wrapped
@@ -50,7 +50,7 @@ class Terminal:
         """Close the window; the shell and what runs in it get SIGHUP.
 
         The system sends it, and hangs up the line too: a bash that is about to wait for a key
-        would keep a bare SIGHUP in mind until somebody presses one.
+        would postpone a bare SIGHUP until the next key press.
         """
         self._is_open = False
         self._reader.join()
@@ -107,4 +107,4 @@ class Terminal:
                 if select.select([self._screen], [], [], LOOKING_PERIOD)[0]:
                     self._bytes += os.read(self._screen, 65536)
         except OSError:
-            pass  # Linux's way to say that nobody is there any more
+            pass  # on Linux: the other end is closed

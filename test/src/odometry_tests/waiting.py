@@ -11,7 +11,7 @@ from odometry_common.connections import is_connected
 # about the robot may hang on it.
 PATIENCE = float(os.environ.get('ODOMETRY_TEST_PATIENCE', '4'))
 TIMEOUT = 20.0  # s
-POLL_PERIOD = 0.02  # s; in lockstep time waits for who looks more often
+POLL_PERIOD = 0.02  # s; lockstep would wait for a process that polls faster
 
 open_recorders = []
 
@@ -63,7 +63,7 @@ class Recorder:
             self._messages.clear()
 
     def wait_for_publisher(self, timeout=TIMEOUT):
-        """Return once somebody publishes the topic: what comes next then arrives here, too."""
+        """Return once a publisher is connected: this recorder misses no later message."""
         wait_until(lambda: is_connected(self._subscriber), timeout, f'a publisher of {self._topic}')
 
     def wait_for(self, accepts=lambda message: True, timeout=TIMEOUT, what='a message'):

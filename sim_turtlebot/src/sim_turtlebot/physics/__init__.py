@@ -1,1 +1,1 @@
-"""PyBullet: the world and what stands in it. No ROS."""
+"""PyBullet: the world and the robots in it. No ROS."""

@@ -15,7 +15,7 @@ with suppress_native_output():
 LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more would throw it away
 UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
 HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
-AIR = 10.0  # m, above whatever a robot touches
+AIR = 10.0  # m, above anything that a robot could touch
 CONTACT_PROCESSING_THRESHOLD = 1e-3  # m; the solver skips the floor below the base and a raised caster
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 

@@ -19,7 +19,7 @@ KINDS = {pybullet.GEOM_BOX: (BOX, lambda x, y, z: (x, y, z)),
 
 
 class VisibleShape(NamedTuple):
-    """A shape where it stands in the world."""
+    """A shape, with its pose in the world."""
 
     kind: int
     size: tuple  # along its x, y and z (m); of a mesh the scale

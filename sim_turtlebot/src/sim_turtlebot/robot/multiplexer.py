@@ -16,10 +16,6 @@ class VelocityMux:
     """
 
     def __init__(self):
-        self.restart()
-
-    def restart(self):
-        """Let every input through."""
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):

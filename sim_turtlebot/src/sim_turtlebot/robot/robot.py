@@ -41,20 +41,16 @@ class Robot:
         self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._seed = settings.seed + index
         self._rng = random.Random()
-        self._geometry = DriveGeometry.from_settings(settings)
-        self.gyro = Gyro(settings.gyro_noise, settings.gyro_drift, settings.gyro_scale_error,
-                         settings.gyro_scale_correction, self._rng)
+        self._geometry = DriveGeometry(settings)
+        self.gyro = Gyro(settings, self._rng)
         if settings.odometry_source == 'world':
             self._encoders, self._estimator = None, WorldOdometry()
         else:
-            self._encoders = Encoders(settings.wheel_slip, settings.wheel_noise, self._rng)
+            self._encoders = Encoders(settings, self._rng)
             self._estimator = EncoderOdometry(self._encoders, self.gyro, self._geometry,
                                               settings.gyro)
         self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
-        # Numpy's seeds are not negative.
-        self.scanner = Scanner(body, settings.scan_beams, settings.scan_fov, settings.scan_range_min,
-                               settings.scan_range_max, settings.scan_noise,
-                               (settings.seed % 2**32, index)) if settings.scan else None
+        self.scanner = Scanner(body, settings, index) if settings.scan else None
         self.begin()
 
     @property

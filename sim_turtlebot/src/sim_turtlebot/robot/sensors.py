@@ -11,16 +11,14 @@ METRES_PER_TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN
 class Encoders:
     """Counts the ticks of the left and right wheel."""
 
-    def __init__(self, slip, noise, rng):
+    def __init__(self, settings, rng):
         """Start without a reading; reset() takes the first.
 
-        :param slip: share of each wheel's travel that does not move the robot
-        :param noise: standard deviation of a wheel's travel after one metre (m); it grows with the
-            square root of the travel
+        :param settings: of sim_turtlebot.settings.read_settings()
         :param rng: random.Random
         """
-        self._grip = 1.0 / (1.0 - slip)
-        self._noise = noise
+        self._grip = 1.0 / (1.0 - settings.wheel_slip)
+        self._noise = settings.wheel_noise
         self._rng = rng
 
     def reset(self, wheel_angles):
@@ -35,25 +33,18 @@ class Encoders:
                             for ticks, last in zip(self._ticks, before))
 
     def _measured(self, travel):
+        # The noise grows with the square root of the travel.
         return self._grip * travel + self._rng.gauss(0.0, self._noise * math.sqrt(abs(travel)))
 
 
 class Gyro:
     """Integrates the robot's rotation, also at rest."""
 
-    def __init__(self, noise, drift, scale_error, correction, rng):
-        """Start without a reading; reset() takes the first.
-
-        :param noise: angle random walk (rad after one second)
-        :param drift: bias (rad/s) that remains after the calibration at power-on
-        :param scale_error: relative error of the measured rate
-        :param correction: the factor that the driver applies to the measured rate
-        :param rng: random.Random
-        """
-        self._noise = noise
-        self._drift = drift
-        self._scale = 1.0 + scale_error
-        self._correction = correction
+    def __init__(self, settings, rng):
+        """Start without a reading; parameters as for Encoders."""
+        self._noise, self._drift = settings.gyro_noise, settings.gyro_drift
+        self._scale = 1.0 + settings.gyro_scale_error
+        self._correction = settings.gyro_scale_correction
         self._rng = rng
 
     def reset(self, orientation):

@@ -1,13 +1,19 @@
-"""What the page computes from the poses of a robot."""
+"""What the page computes from a robot's poses, scans and parameters."""
 
 import math
 
 import numpy
 import pytest
+import rospy
 from odometry_common.geometry import PlanarPose
+from odometry_common.kobuki import DEPTH_CAMERA
+from robot_view.monitor import scan_points
 from robot_view.path_trace import ORIGIN, PathTrace, Samples
+from robot_view.targets import Targets
+from sensor_msgs.msg import LaserScan
 
 PERIOD = 0.05  # s
+HERE = PlanarPose(1.0, 2.0, math.pi / 2)
 
 
 def follow(trace, poses, start=0.0, ground_truth=None):
@@ -91,3 +97,85 @@ def test_a_heading_goes_on_beyond_half_a_turn():
     assert heading == pytest.approx(720)
     assert target == pytest.approx(810)
     assert math.isnan(moved) and math.isnan(true)
+
+
+def scan(*ranges, frame='camera_depth_frame'):
+    message = LaserScan(ranges=ranges, angle_min=-math.pi / 2, angle_increment=math.pi / 2,
+                        range_min=0.5, range_max=4.0)
+    message.header.frame_id = frame
+    return message
+
+
+@pytest.mark.parametrize('frame', ['camera_depth_frame', '/camera_depth_frame',
+                                   'robot_2/camera_depth_frame'])
+def test_each_range_is_a_point_seen_from_the_camera(frame):
+    expected = numpy.array([(0, -1, 0), (2, 0, 0), (0, 4, 0)]) + DEPTH_CAMERA
+    assert scan_points(scan(1.0, 2.0, 4.0, frame=frame)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize('nothing', [math.inf, -math.inf, math.nan, 0.4, 4.1, -1.0])
+def test_where_nothing_was_seen_there_is_no_point(nothing):
+    assert scan_points(scan(nothing, 2.0, nothing)) == pytest.approx(
+        numpy.array([(2, 0, 0)]) + DEPTH_CAMERA)
+    assert scan_points(scan(nothing, nothing, nothing)).shape == (0, 3)
+
+
+def test_a_scan_of_unknown_origin_has_no_points():
+    assert scan_points(scan(1.0, 2.0, 3.0, frame='laser')).shape == (0, 3)
+
+
+@pytest.mark.parametrize('field', ['angle_min', 'angle_increment', 'range_max'])
+@pytest.mark.parametrize('value', [math.nan, math.inf])
+def test_every_point_is_finite(field, value):
+    message = scan(1.0, math.inf, 3.0)
+    setattr(message, field, value)
+    assert numpy.isfinite(scan_points(message)).all()
+
+
+@pytest.fixture
+def targets(master):
+    return Targets('/aim/')
+
+
+def start(targets, node, **parameters):
+    rospy.set_param(f'/aim/{node}', parameters)
+    targets.find({f'/aim/{node}', '/other'})
+
+
+@pytest.mark.parametrize('parameters, y', [
+    ({'distance': 3.0}, 4.5), ({'distance': 3}, 4.5), ({}, 3.5), ({'distance': 3.0, 'speed': -0.2}, -0.5),
+    ({'distance': 0.25}, 1.75)])
+def test_the_goal_is_where_the_mover_stops(targets, parameters, y):
+    """Half a metre has been driven; a negative speed drives backwards."""
+    start(targets, 'test_movement', **parameters)
+    targets.aim(HERE, 0.5)
+    assert targets.distance == parameters.get('distance', 2.0)
+    assert targets.goal[:2] == pytest.approx((1.0, y))
+
+
+def test_a_goal_stays_until_another_mover_starts(targets):
+    start(targets, 'test_movement', distance=3.0)
+    targets.aim(HERE, 0.5)
+    first = targets.goal
+    targets.aim(PlanarPose(0.0, 0.0, 0.0), 1.0)
+    targets.find(set())
+    assert targets.goal == first and targets.distance == 3.0
+    start(targets, 'test_movement', distance=1.0)
+    targets.aim(PlanarPose(0.0, 0.0, 0.0), 0.0)
+    assert targets.goal == pytest.approx((1.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize('nodes, moved', [({'/aim/test_movement'}, 0.5), ({'/other'}, 0.5), ({'/aim/test_movement'}, None)])
+def test_nobody_guesses_a_goal(targets, nodes, moved):
+    """Neither of a relative mover, nor without a mover or a moved distance."""
+    rospy.set_param('/aim/test_movement', {'relative': moved is not None})
+    targets.find(nodes)
+    targets.aim(HERE, moved)
+    assert targets.goal is None
+
+
+def test_the_rotators_target_is_there_while_it_runs(targets):
+    start(targets, 'rotate_robot', target=30)
+    assert targets.heading == 30.0
+    targets.find(set())
+    assert targets.heading is None

@@ -1,0 +1,105 @@
+"""Machines that lack a home, a disk or speed; the nodes take the files that they need, and no more."""
+
+import re
+import resource
+import signal
+import subprocess
+
+import psutil
+import pytest
+import rospy
+from nav_msgs.msg import Odometry
+from odometry_tests.pausing import call, pause
+from odometry_tests.processes import Process, path_of
+from odometry_tests.tutorial import Truth, detector, mover, simulator, simulator_in_step
+from odometry_tests.waiting import Recorder, wait_for_subscribers
+from std_msgs.msg import Empty, Float64, String
+
+NODES = {'simulator': ('sim_turtlebot', 'sim_turtlebot_node.py'),
+         'detector': ('odom_movement_detector', 'odom_movement_detector.py'),
+         'mover': ('test_movement', 'test_movement.py')}
+# In a namespace of mounts that ends with the node; the folder is $0.
+FAULTS = {'full': 'mount -t tmpfs -o size=4k tmpfs "$0"; head -c 8k /dev/zero >"$0/filler" || true; exec "$@"',
+          'missing': 'rmdir "$0"; touch "$0"; exec "$@"', 'no home': 'unset HOME ROS_LOG_DIR; exec "$@"'}
+LIMIT = 64
+ROBOTS = 12  # need more than that
+PARTS, PART = 6, 100  # s of the robot's time
+ALLOWED = 3.0, 2, 3  # more MB, threads, files
+
+
+@pytest.mark.parametrize('fault', FAULTS)
+def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
+    """Logs are a convenience, and HOME is unset in many a container."""
+    if subprocess.run(['unshare', '--mount', 'true'], check=False).returncode:
+        pytest.skip('nothing can be mounted here')
+    moved = Recorder('moved_distance', Float64)
+
+    def start(name):
+        folder = tmp_path / name
+        folder.mkdir()
+        return Process('unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder, path_of(*NODES[name]),
+                       env={'ROS_LOG_DIR': str(folder)})
+
+    with start('simulator') as robot, start('detector') as counter, start('mover') as driver:
+        moved.wait_for(lambda m: m.data > 0.05, 30.0,
+                       lambda: f'movement; {robot.output} {counter.output} {driver.output}')
+        for process in (driver, counter, robot):
+            assert process.end() == 0, process.output
+
+
+def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):
+    with simulator('_odom_rate:=1000', '_real_time_factor:=1000',
+                   env={'ROS_NAMESPACE': 'fast'}) as robot:
+        robot.wait_for_output('too slow')
+        warning = Recorder('/fast/sim_turtlebot/warning', String).wait_for(lambda m: m.data)
+        assert robot.end() == 0, robot.output
+    line, = robot.stderr.splitlines()
+    assert warning.data in line
+    reached = re.search(r'reaches a real-time factor of (\S+) instead of 1000$', line)[1]
+    assert 0 < float(reached) < 900
+
+
+def with_limit(most):
+    """Return options of a process that may open so many files, unless it asks for more.
+
+    :param most: how many more it may ask for
+    """
+    return {'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (LIMIT, most))}
+
+
+def test_a_node_takes_more_file_descriptors_than_usual_if_it_may(master):
+    """Of many robots each topic takes one, and 1024 are usual."""
+    with simulator(f'_robots:={ROBOTS}', env={'ROS_NAMESPACE': 'many'}, **with_limit(1024)):
+        Recorder(f'/many/robot_{ROBOTS}/odom', Odometry).wait_for()
+
+
+def usage(process):
+    found = psutil.Process(process.pid)
+    return found.memory_info().rss / 2**20, found.num_threads(), found.num_fds()
+
+
+@pytest.mark.nightly
+def test_memory_threads_and_files_stay_the_same(simulated_time, master):
+    truth = Truth()
+    reset = rospy.Publisher('moved_distance/reset', Empty, queue_size=1)
+    with simulator_in_step('_real_time_factor:=0', '_scan:=true') as robot, detector() as counter, \
+            mover('_distance:=1000000') as driver:
+        wait_for_subscribers(reset)
+        used = []
+        for _ in range(PARTS):
+            with detector('__name:=killed') as killed:
+                truth.wait_for(lambda m: m.header.stamp.to_sec() > PART, 120.0, 'the end of a part')
+                killed.send(signal.SIGKILL)
+                killed.wait()
+            used.append({name: usage(process) for name, process in [
+                ('simulator', robot), ('detector', counter), ('mover', driver), ('master', master)]})
+            pause(truth)
+            truth.clear()
+            reset.publish()
+            call('reset_simulation')
+            call('unpause_physics')
+    # The least of each half: the simulator's files follow the threads of the graph, which come and go.
+    for name in used[0]:
+        before, after = ([min(values) for values in zip(*(part[name] for part in half))]
+                         for half in (used[:PARTS // 2], used[PARTS // 2:]))
+        assert all(late - early <= allowed for early, late, allowed in zip(before, after, ALLOWED)), (name, used)
