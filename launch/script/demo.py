@@ -2,7 +2,6 @@
 """Run a tutorial with a simulated TurtleBot 2 and show its progress."""
 
 import os
-import signal
 
 # The demo has a master of its own, so a namespace makes no sense. rospy reads this on import.
 os.environ.pop('ROS_NAMESPACE', None)
@@ -14,28 +13,18 @@ import threading
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.launch import Launch
 from odometry_launch.options import PAGE_PORT, launch_arguments, nodes_that_end, parse
-from odometry_launch.output import DemoError, complain, forget_output
+from odometry_launch.output import run_command
 from odometry_launch.ports import next_port
 
 
 def main():
     """Exit 0 only if the robot has finished its task and stopped."""
     options = parse(sys.argv[1:])
-    try:
-        status = 0 if _run(options) else 1
-        sys.stdout.flush()
-    except BrokenPipeError:
-        status = 128 + signal.SIGPIPE
-    except KeyboardInterrupt:
-        status = 128 + signal.SIGINT
-    except (DemoError, OSError) as error:
-        status = 1
-        complain(error)
-    forget_output()
-    sys.exit(status)
+    run_command('demo', lambda: _run(options), ())
 
 
 def _run(options):
+    """Run a tutorial; return the exit status."""
     # Do not bother users with logs that cannot be written, or fonts that matplotlib reads.
     logging.raiseExceptions = False
     logging.getLogger('matplotlib').setLevel(logging.ERROR)
@@ -48,7 +37,7 @@ def _run(options):
         from odometry_launch.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1], daemon=True).start()
         from odometry_launch.following import follow
-        return not follow(options, launch, page_port)
+        return int(follow(options, launch, page_port) is not None)
 
 
 if __name__ == '__main__':

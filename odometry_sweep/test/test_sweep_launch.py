@@ -80,6 +80,8 @@ def test_how_a_run_ended_is_a_column(ends):
     expected = {'done': 'arrived', 'crash': 'crashed', 'busy': 'not awaited', 'never': 'late'}
     assert [row['ended'] for row in rows_in(folder_of(printed))] == [expected[end] for end in ends]
     assert printed.count('not arrived') == len({*ends} - {'done'}), printed
+    if ends == ['crash']:
+        assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
 
 
 @pytest.mark.parametrize('launched, values, line', [
@@ -104,5 +106,6 @@ def test_a_limit_that_fails_leaves_its_worst_run(tmp_path):
     file.write_text('launch: [guest, nodes.launch]\nuntil: 2\nset: {end: [done, crash]}\n'
                     'limits: {not_arrived: 0, from_start_worst: 2}\n')
     run = sweep('--campaign', str(file), status=1, command=SCRIPT)
-    assert run.stderr == 'sweep: not_arrived is 1, over its limit of 0, with end crash', run.output
+    assert run.stderr.splitlines() == ['sweep: not_arrived is 1, over its limit of 0, with end crash',
+                                       'sweep: node: ValueError: on purpose'], run.output
     assert re.search('^run 2 .*^picture .*^the same, to the last bit$', run.stdout, re.MULTILINE | re.DOTALL)

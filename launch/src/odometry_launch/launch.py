@@ -111,7 +111,11 @@ class Launch(ProcessListener):
         for name, status in list(self._ended.items()):
             is_watched = self._watched is None or name in self._watched
             if is_watched and (status or name not in self._may_end):
-                raise DemoError(self._output.complaint_of(name) or f'{name} has ended{_how(status)}')
+                raise DemoError(self.end_of(name))
+
+    def end_of(self, name):
+        """Return how a node has ended, in one line: its last error, if it printed one."""
+        return self._output.complaint_of(name) or f'{name} has ended{_how(self._ended[name])}'
 
     @property
     def names(self):

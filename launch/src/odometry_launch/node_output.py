@@ -2,9 +2,11 @@
 
 import contextlib
 import os
+import re
 
 STANDARD_OUTPUTS = 1, 2
 LAST_LINES = 5
+EXCEPTION = re.compile(r'[\w.]+(Error|Exception): ')
 
 
 class NodeOutput:
@@ -36,8 +38,11 @@ class NodeOutput:
         return [line for line in map(str.strip, text.splitlines()) if line]
 
     def complaint_of(self, node):
-        """Return the last line that begins with a node's name, as its error messages do, or None."""
-        return next((line for line in reversed(self.lines()) if line.startswith(f'{node}: ')), None)
+        """Return the last line that begins with a node's name, or ends a traceback; or None."""
+        lines = self.lines()[::-1]
+        own = (line for line in lines if line.startswith(f'{node}: '))
+        exceptions = (f'{node}: {line}' for line in lines if EXCEPTION.match(line))
+        return next(own, next(exceptions, None))
 
     def last_lines(self):
         """Return the last lines, each after a line break."""

@@ -29,7 +29,8 @@ class Recorded(NamedTuple):
     """A run in lockstep."""
 
     bag: Path
-    statuses: dict  # exit codes of the nodes that ended before it, by name
+    ended: set  # names of the nodes that ended before it
+    crashes: list  # how some of them ended with an error, a line for each
     required: set  # names of the nodes without which the run is over
     unawaited: dict  # why lockstep did not wait, by name of the node
 
@@ -56,10 +57,11 @@ def record(nodes, robot, end, folder=None, are_watched=True):
             _step(launch, end)
             _await_ends(launch)
             bag, statuses, required = recording.close(), launch.statuses(), launch.required - {SIMULATOR}
+            crashes = [launch.end_of(name) for name, status in statuses.items() if status != 0]
             found = filter(None, map(UNAWAITED.search, launch.lines()))
     if not bag:
         raise DemoError('the run is not recorded')
-    return Recorded(bag, statuses, required, {match[1]: match[2] for match in found})
+    return Recorded(bag, {*statuses}, crashes, required, {match[1]: match[2] for match in found})
 
 
 def _are_there(launch, recording):

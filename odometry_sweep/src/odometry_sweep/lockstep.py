@@ -13,7 +13,7 @@ import yaml
 from odometry_common.parameters import StartError
 from odometry_launch.arrival import REST_ANGULAR_SPEED, REST_SPEED
 from odometry_launch.folders import use_writable_logs
-from odometry_launch.output import DemoError
+from odometry_launch.output import DemoError, complain
 from odometry_launch.recorded_run import read_run
 from odometry_launch.recording import leave_picture
 from odometry_launch.stepping import record
@@ -61,7 +61,7 @@ def run_alone(subject, parameters):
     """Run nodes, and leave no file; return the metrics by name."""
     with tempfile.TemporaryDirectory() as folder, open(os.devnull, 'w', encoding='utf-8') as nowhere:
         os.environ['ROS_LOG_DIR'] = folder  # else each run leaves one
-        with contextlib.redirect_stdout(nowhere):
+        with contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
             return run_nodes(subject, parameters, Path(folder))[0]
 
 
@@ -74,6 +74,8 @@ def run_nodes(subject, parameters, folder=None):
     robot = {name: value for name, value in parameters.items() if name in ROBOT}
     if subject.kind == LAUNCH:
         recorded = record(subject.nodes(parameters), robot, subject.until, folder, are_watched=False)
+        for crash in recorded.crashes:
+            complain(crash, 'sweep')
         return _launch_metrics(recorded), recorded.bag, {}
     line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
     nodes = 'odometry_sweep', 'replay.launch', {'tutorial': subject.kind, 'params': line}
@@ -117,10 +119,10 @@ def _launch_metrics(recorded):
 
 def _ended(recorded):
     """Return why a run ended: one of ARRIVED, LATE, UNTIL, CRASHED, NOT_AWAITED."""
-    if any(status != 0 for status in recorded.statuses.values()):
+    if recorded.crashes:
         return CRASHED
     if recorded.unawaited:
         return NOT_AWAITED
     if not recorded.required:
         return UNTIL
-    return ARRIVED if recorded.required <= recorded.statuses.keys() else LATE
+    return ARRIVED if recorded.required <= recorded.ended else LATE

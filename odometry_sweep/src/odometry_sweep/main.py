@@ -79,10 +79,15 @@ def with_progress(runs, total):
 
 def _report(campaign, combinations, folder):
     """Print what else there is to say, and draw the picture."""
-    for combination in combinations:
-        if late := combination.not_arrived.sum():
-            print(f'not arrived     {late} of {len(combination.rows)}, with {combination.name}')
-    if any(len(rows) > 1 and all(row == rows[0] for row in rows) for _, rows in combinations):
+    equal = False
+    for number, combination in enumerate(combinations):
+        late = combination.not_arrived
+        if late.any():
+            print(f'not arrived     {late.sum()} of {len(combination.rows)}, with {combination.name}; the first '
+                  f'is run {number * campaign.seeds + late.argmax() + 1}')
+        elif len(combination.rows) > 1 and all(row == combination.rows[0] for row in combination.rows):
+            equal = True
+    if equal:
         print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '
               'wheel_noise or gyro_noise.')
     # matplotlib takes half a second to import.
