@@ -16,7 +16,10 @@ EXAMPLE = ROOT / 'docs' / 'example'
 NODE = '''#!{python}
 import rospy
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 rospy.init_node('node')
+odometry = Odometry()
+rospy.Subscriber('odom', Odometry, lambda message: globals().update(odometry=message))
 publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
 rate = rospy.Rate(10)
 command = Twist()
@@ -25,7 +28,7 @@ end = rospy.get_param('~end')
 for number in range(10):
     publisher.publish(command)
     rate.sleep()
-    if end == 'crash' and number == 5:
+    if end == 'crash' and number == 5 or end == 'chance' and int(1e4 * odometry.pose.pose.position.x) % 4 == 3:
         raise ValueError('on purpose')
     while end == 'busy' and not rospy.is_shutdown():
         pass
@@ -80,6 +83,16 @@ def test_how_a_run_ended_is_a_column(ends):
     expected = {'done': 'arrived', 'crash': 'crashed', 'busy': 'not awaited', 'never': 'late'}
     assert [row['ended'] for row in rows_in(folder_of(printed))] == [expected[end] for end in ends]
     assert printed.count('not arrived') == len({*ends} - {'done'}), printed
+
+
+def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
+    printed = sweep('guest', 'nodes.launch', '--until', '2', '--seeds', '4', '--set', 'end=chance', '--set',
+                    'odometry_source=encoder', '--set', 'wheel_noise=0.05', command=SCRIPT).stdout
+    ends = [row['ended'] for row in rows_in(folder_of(printed))]
+    assert {*ends} == {'arrived', 'crashed'}, ends
+    assert f'not arrived     {ends.count("crashed")} of 4, with all runs' in printed, printed
+    again = sweep('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1), command=SCRIPT)
+    assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
 
 
 @pytest.mark.parametrize('launched, values, line', [
