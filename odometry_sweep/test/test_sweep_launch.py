@@ -106,7 +106,7 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
     ((str(EXAMPLE / 'launch' / 'one_metre.launch'), 'x', 1), {}, 'there is no package /')])
 def test_a_launch_file_that_cannot_be_swept_is_one_line(launched, values, line):
     with pytest.raises(StartError) as refusal:
-        Campaign(Launched(launched[:2], launched[2]), 1, values, {}).check()
+        Campaign(Launched([*launched[:2]], launched[2]), 1, values, {}).check()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
 

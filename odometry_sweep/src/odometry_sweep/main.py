@@ -13,7 +13,7 @@ from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import DemoError, Line, bar, complain, run_command
 
 from odometry_sweep.options import parse
-from odometry_sweep.results import FILE, Combination, table, write_results
+from odometry_sweep.results import FILE, NOT_ARRIVED, Combination, table, write_results
 from odometry_sweep.running import on_cluster, on_this_machine, run_all
 
 PROGRAM = 'sweep'
@@ -80,7 +80,7 @@ def with_progress(runs, total):
 def _report(campaign, combinations, folder):
     """Print what else there is to say, and draw the picture."""
     for combination in combinations:
-        if late := combination.not_arrived.sum():
+        if late := combination.values(NOT_ARRIVED).sum():
             print(f'not arrived     {late} of {len(combination.rows)}, with {combination.name}')
     if any(len(rows) > 1 and all(row == rows[0] for row in rows) for _, rows in combinations):
         print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '

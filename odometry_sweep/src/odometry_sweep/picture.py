@@ -6,7 +6,6 @@ from odometry_launch.figure import BLUE, DARK, ORANGE, new_figure, tidy
 from odometry_sweep.results import METRICS, SHOWN, statistics
 
 FILE = 'distributions.png'
-DIGITS = 6  # of a value; those after them are noise of rounding
 WIDTH, ROW, FRAME, MARGIN = 2.2, 0.4, 1.5, 1.5  # inches: a diagram, a combination, titles and axes, labels
 MIN_SPANS = {'m': 0.01, 'degrees': 0.5, 's': 0.5}  # on a shorter axis noise looks large
 MAX_HEIGHT = 60.0  # inches
@@ -16,9 +15,9 @@ def make_figure(kind, combinations):
     """Return a figure with a diagram for each metric, and in it a line for each Combination."""
     values = {metric: [combination.values(metric) for combination in combinations]
               for metric in SHOWN[kind]}
-    # A diagram of a constant shows nothing.
+    # A diagram of a constant, or of rounding, shows nothing.
     metrics = [metric for metric, rows in values.items()
-               if numpy.ptp(numpy.concatenate(rows)).round(DIGITS)]
+               if numpy.ptp(numpy.concatenate(rows)).round(6)]
     metrics = metrics or SHOWN[kind][:1]
     figure = new_figure(MARGIN + WIDTH * len(metrics), min(MAX_HEIGHT, FRAME + ROW * len(combinations)),
                         layout='constrained')
