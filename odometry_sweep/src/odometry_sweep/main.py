@@ -89,7 +89,7 @@ def _report(campaign, combinations, folder):
     from odometry_sweep import picture
     path = folder / picture.FILE
     with path_in_errors(path):
-        picture.make_figure(campaign.subject.kind, combinations).savefig(path)
+        picture.make_figure(campaign.subject, combinations).savefig(path)
     print(f'figures         {os.path.relpath(folder / FILE)}\n'
           f'picture         {os.path.relpath(path)}', flush=True)
 
