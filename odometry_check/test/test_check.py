@@ -34,7 +34,7 @@ def rows_of(path):
 
 
 @pytest.mark.parametrize('exercise, node, scenario', [
-    ('heading', 'row33_not_wrapped', 'moved_start'), ('heading', 'row11_left_moving', 'interrupt'),
+    ('heading', 'tutorial_rotate', 'moved_start'), ('heading', 'tutorial_rotate', 'interrupt'),
     ('two_meters', 'row22_elapsed_time', 'slow_base'), ('two_meters', 'row26_window', 'odom_5hz'),
     ('moved_distance', 'row18_y_copied', 'route'), ('heading', 'row04_queue_size_text', 'plain')])
 def test_a_mistake_is_named_where_it_shows(tmp_path, exercise, node, scenario):

@@ -41,7 +41,6 @@ def test_the_command_line_and_a_file_say_the_same(written):
     campaign = campaign._replace(limits={'sideways_p95': 0.5})
     assert parse(['--campaign', str(file)]).campaign == campaign
     campaign.check()
-    assert read_campaign(written(campaign.text())) == campaign
 
 
 @pytest.mark.parametrize('arguments, line', [
@@ -68,11 +67,11 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'seed': 3}, "has 'seed': did you mean seeds?"),
     ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),
     ({'tutorial': 'move', 'set': [1]}, 'set is [1], but must have a line for each name'),
-    ({'tutorial': 'move', 'set': {'speed': []}}, 'speed has no value'),
+    ({'tutorial': 'move', 'set': {'speed': []}}, 'there are 0 runs, but must be 1 to 1000000'),
     ({'tutorial': 'move', 'set': {'speed': [0.1, 0]}},
      'parameter ~speed is 0, but must be a number other than 0 m/s'),
     ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
-     'there are 10000000000 runs, but must be 1000000 at most'),
+     'there are 10000000000 runs, but must be 1 to 1000000'),
     ({'tutorial': 'move', 'set': {'kp': 1}},
      'parameter kp cannot be set in a sweep of move: there is cmd_vel_timeout, dist'),
     ({'tutorial': 'move', 'set': {'wheel_nose': 0.1}},

@@ -16,7 +16,10 @@ EXAMPLE = ROOT / 'docs' / 'example'
 NODE = '''#!{python}
 import rospy
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
 rospy.init_node('node')
+odometry = Odometry()
+rospy.Subscriber('odom', Odometry, lambda message: globals().update(odometry=message))
 publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
 rate = rospy.Rate(10)
 command = Twist()
@@ -25,7 +28,7 @@ end = rospy.get_param('~end')
 for number in range(10):
     publisher.publish(command)
     rate.sleep()
-    if end == 'crash' and number == 5:
+    if end == 'crash' and number == 5 or end == 'chance' and int(1e4 * odometry.pose.pose.position.x) % 4 == 3:
         raise ValueError('on purpose')
     while end == 'busy' and not rospy.is_shutdown():
         pass
@@ -84,6 +87,16 @@ def test_how_a_run_ended_is_a_column(ends):
         assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
 
 
+def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
+    printed = sweep('guest', 'nodes.launch', '--until', '2', '--seeds', '4', '--set', 'end=chance', '--set',
+                    'odometry_source=encoder', '--set', 'wheel_noise=0.05', command=SCRIPT).stdout
+    ends = [row['ended'] for row in rows_in(folder_of(printed))]
+    assert {*ends} == {'arrived', 'crashed'}, ends
+    assert f'not arrived     {ends.count("crashed")} of 4, with all runs' in printed, printed
+    again = sweep('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1), command=SCRIPT)
+    assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
+
+
 @pytest.mark.parametrize('launched, values, line', [
     (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
@@ -95,7 +108,7 @@ def test_how_a_run_ended_is_a_column(ends):
     ((str(EXAMPLE / 'launch' / 'one_metre.launch'), 'x', 1), {}, 'there is no package /')])
 def test_a_launch_file_that_cannot_be_swept_is_one_line(launched, values, line):
     with pytest.raises(StartError) as refusal:
-        Campaign(Launched(launched[:2], launched[2]), 1, values, {}).check()
+        Campaign(Launched([*launched[:2]], launched[2]), 1, values, {}).check()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
 

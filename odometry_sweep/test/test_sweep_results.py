@@ -31,12 +31,12 @@ def test_a_limit_is_for_the_size_of_a_metric(limit, size, run):
 
 def test_the_picture_has_a_diagram_for_each_metric_that_varies_and_a_line_for_each_combination():
     settings = [Combination('kp 1', rows([0.25, 0.25])), Combination('kp 2', rows([0.1, 0.2, 0.3]))]
-    figure = make_figure('move', settings)
+    figure = make_figure(Tutorial('move'), settings)
     assert [axes.get_title().partition(' (')[0].replace(' ', '_') for axes in figure.axes] == [*SHOWN['move']]
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == ['kp 1', 'kp 2']
     runs, medians = (line.get_xdata() for line in figure.axes[0].get_lines())
     assert [*runs] == [0.25, 0.25, 0.1, 0.2, 0.3] and [*medians] == [0.25, 0.2]
-    constant = make_figure('move', [Combination('kp 1', rows([0.25, 0.25]))])
+    constant = make_figure(Tutorial('move'), [Combination('kp 1', rows([0.25, 0.25]))])
     assert len(constant.axes) == 1, 'nothing varies; an empty picture would be no better'
 
 

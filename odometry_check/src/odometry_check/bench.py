@@ -7,6 +7,7 @@ from typing import NamedTuple
 import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped, Twist
+from moved_distance.distance_counter import DistanceCounter
 from nav_msgs.msg import Odometry
 from odometry_common.connections import is_connected
 from odometry_common.geometry import about_z
@@ -24,7 +25,7 @@ from odometry_check.processes import Started
 
 KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
          **dict.fromkeys(COMMANDS, Twist)}
-OURS = {'/sim_turtlebot', '/check_view', '/check_detector', '/rosout'}  # roslaunch starts the last
+OURS = {'/sim_turtlebot', '/check_view', '/rosout'}  # roslaunch starts the last
 FLOOD = 20  # commands that arrive together; of more, the latest
 NEAR = 0.01  # m
 SERVICES = 'pause_physics', 'unpause_physics', 'reset_simulation'
@@ -40,10 +41,10 @@ class Pace(NamedTuple):
 class Bench:
     """A context with a simulator that is always paused, but for what its user does."""
 
-    def __init__(self, drives, page_port=0):
-        """Say whether the check commands the robot itself, and where a page is served, if one is."""
+    def __init__(self, exercise, page_port=0):
+        """Take an Exercise, and where a page is served, if one is."""
         self._launch = Launch('check.launch', {'page_port': page_port}, package='odometry_check')
-        self._drives = drives
+        self._drives = bool(exercise.route)
         self._simulator = self._settings = self._position = None
         self.run = None  # which takes the messages
 
@@ -61,7 +62,8 @@ class Bench:
             queue_size=FLOOD if kind is Twist else None) for topic, kind in KINDS.items()}
         rospy.Subscriber('/rosout', Log, self._read_log, tcp_nodelay=True)
         self._placing = advertise('sim_turtlebot/set_pose', PoseStamped)
-        self._driving = advertise('cmd_vel', Twist) if self._drives else None
+        # The check does what the learner's node does not: it drives, or measures the distance.
+        self._publisher = advertise('cmd_vel', Twist) if self._drives else advertise('moved_distance', Float64)
         return self
 
     def __exit__(self, *_):
@@ -77,6 +79,7 @@ class Bench:
             self._simulate(settings)
         self.call('reset_simulation')
         self._place(*scenario.place, scenario.yaw)
+        self._counter = DistanceCounter()
 
     def call(self, service):
         """Have the simulator pause, unpause or reset."""
@@ -90,7 +93,7 @@ class Bench:
         """Command a velocity (m/s, rad/s)."""
         command = Twist()
         command.linear.x, command.angular.z = linear, angular
-        self._driving.publish(command)
+        self._publisher.publish(command)
 
     def check(self):
         """Raise DemoError if the simulator has ended, KeyboardInterrupt after a signal."""
@@ -138,7 +141,7 @@ class Bench:
         for name in SERVICES:
             self.master.lookupService(f'/sim_turtlebot/{name}')
         return (self._placing.get_num_connections() and is_connected(self._subscribers['odom'])
-                and (not self._drives or self._driving.get_num_connections()))
+                and (not self._drives or self._publisher.get_num_connections()))
 
     def _place(self, x, y, yaw):
         pose = PoseStamped()
@@ -153,6 +156,9 @@ class Bench:
             self._position = message.pose.pose.position.x, message.pose.pose.position.y
         if self.run:
             self.run.add(topic, message)
+            if topic == 'odom' and not self._drives:
+                self._counter.add(*self._position, *2 * [message.header.stamp.to_sec()])
+                self._publisher.publish(self._counter.distance)
 
     def _read_log(self, message):
         if self.run and message.name == '/sim_turtlebot':

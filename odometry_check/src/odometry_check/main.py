@@ -49,7 +49,7 @@ def _judge(options, command):
     exercise, verdicts = EXERCISES[options.exercise], []
     print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
     with contextlib.closing(next_port(PAGE_PORT)) as port, Bench(
-            bool(exercise.route), options.view and port.number) as bench:
+            exercise, options.view and port.number) as bench:
         if options.view:
             bench.prepare(options.scenarios[0], Pace(True, 1.0))
             _await_spectator(bench, port.number)

@@ -8,14 +8,12 @@ import time
 import rosnode
 import rospy
 from odometry_launch.recording import COMMANDS
-from roslib.packages import find_node
 
 from odometry_check.bench import OURS, Pace
 from odometry_check.endings import Drive, Route
 from odometry_check.processes import Started
 from odometry_check.run import Run
 
-DETECTOR = 'check_detector'
 TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 STANDSTILL = 60.0  # s of wall time without odometry
@@ -60,14 +58,8 @@ class Runner:
         self._bench.prepare(scenario, self.pace)
         ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
         self._bench.run = run = Run(scenario, self.pace, ending.is_over)
-        beside = []
-        if self._exercise.needs_detector:
-            path = find_node('odom_movement_detector', 'odom_movement_detector.py')[0]
-            beside.append(Started([path, f'__name:={DETECTOR}']))
         node = Started(self._command)
         try:
-            self._bench.wait_for(lambda: not beside or f'/{DETECTOR}' in self._graph(1),
-                                 'the detector does not start')
             self._await_ready(node, run)
             if run.nodes:
                 self._begin(run, node)
@@ -78,8 +70,7 @@ class Runner:
         finally:
             run.ends = self._press_ctrl_c(node) and run.ends
             self._is_stubborn = not run.ends
-            for process in (node, *beside):
-                process.end()
+            node.end()
             self._forget(run.nodes)
         return run
 
@@ -134,15 +125,10 @@ class Runner:
                 return
             time.sleep(LOOK_PERIOD)
 
-    def _graph(self, kind=None):
-        """Return publishers, subscribers and services as the master has them, or the nodes of one kind."""
-        state = self._bench.master.getSystemState()
-        return state if kind is None else {name for _, names in state[kind] for name in names}
-
     def _look_at_graph(self, run):
         """Add what the node has announced to the Run."""
         others = OURS | {rospy.get_name()}
-        publishers, subscribers, services = self._graph()
+        publishers, subscribers, services = self._bench.master.getSystemState()
         for topics, found in (publishers, run.publishes), (subscribers, run.subscribes), (services, set()):
             for topic, names in topics:
                 if {*names} - others:
@@ -153,7 +139,5 @@ class Runner:
 
     def _forget(self, names):
         """Have the master forget nodes that were killed."""
-        left = names & set().union(*map(self._graph, range(3)))
-        if left:
-            with contextlib.redirect_stdout(io.StringIO()):
-                rosnode.cleanup_master_blacklist(self._bench.master, sorted(left))
+        with contextlib.redirect_stdout(io.StringIO()):
+            rosnode.cleanup_master_blacklist(self._bench.master, sorted(names))

@@ -32,7 +32,6 @@ class Exercise(NamedTuple):
 
     task: str
     scenarios: tuple
-    needs_detector: bool = False
     route: tuple = ()
     target: float = None  # degrees
 
@@ -47,8 +46,7 @@ EXERCISES = {
     'moved_distance': Exercise('publishes the distance moved', (
         Scenario('route'), OBLIQUE, SLOW_ODOMETRY), route=ROUTE),
     'two_meters': Exercise('drives two metres and stops', (
-        PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, Scenario('slow_base', speed_ratio=0.7)),
-        needs_detector=True),
+        PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, Scenario('slow_base', speed_ratio=0.7))),
     # The shorter way from there leads over 180 degrees.
     'heading': Exercise('turns to 90 degrees', (
         PLAIN, Scenario('moved_start', TARGET + 100, (3.0, 1.0)), INTERRUPT, SLOW_ODOMETRY),

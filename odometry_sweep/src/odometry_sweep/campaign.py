@@ -51,9 +51,9 @@ class Campaign(NamedTuple):
     def check(self):
         """Raise StartError, with one line for the user, if the campaign cannot be run."""
         SEEDS.check(self.seeds)
+        if not 1 <= self.count <= MAX_RUNS:
+            raise StartError(f'there are {self.count} runs, but must be 1 to {MAX_RUNS}')
         self.subject.check(self.values)
-        if self.count > MAX_RUNS:
-            raise StartError(f'there are {self.count} runs, but must be {MAX_RUNS} at most')
         for world in filter(None, self.values.get('world', [])):
             try:  # with the first robot of the sweep in it
                 Simulation(read_settings({**next(self.combinations), 'world': world}))
@@ -64,11 +64,6 @@ class Campaign(NamedTuple):
         for name, limit in self.limits.items():
             choose(name, known, f'unknown limit {name}')
             Parameter(f'limit {name}', 0.0, '', at_least(0), '').check(limit)
-
-    def text(self):
-        """Return the content of a campaign file."""
-        return yaml.safe_dump({**self.subject._asdict(), 'seeds': self.seeds, 'set': self.values,
-                               'limits': self.limits}, sort_keys=False, allow_unicode=True)
 
 
 def read_campaign(path):
@@ -88,7 +83,4 @@ def read_campaign(path):
         if not isinstance(table, dict):
             raise StartError(f'{path}: {key} is {table!r}, but must have a line for each name')
     values = {name: value if isinstance(value, list) else [value] for name, value in values.items()}
-    for name, several in values.items():
-        if not several:
-            raise StartError(f'{path}: {name} has no value')
     return Campaign(kind(*map(content.get, kind._fields)), content.get('seeds', 1), values, limits)

@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import io
 import itertools
 import math
 import os
@@ -26,7 +27,6 @@ from odometry_sweep.results import CAMPAIGN_FILE, FILE, METRICS
 from odometry_sweep.subjects import LAUNCH, ROBOT
 
 CRASHED, NOT_AWAITED = 'crashed', 'not awaited'
-TOPICS = '/odom', '/base_pose_ground_truth', '/moved_distance'
 
 
 def replay(folder, number):
@@ -59,10 +59,10 @@ def replay(folder, number):
 
 def run_alone(subject, parameters):
     """Run nodes, and leave no file; return the metrics by name."""
-    with tempfile.TemporaryDirectory() as folder, open(os.devnull, 'w', encoding='utf-8') as nowhere:
+    with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(nowhere := io.StringIO()), \
+            contextlib.redirect_stderr(nowhere):
         os.environ['ROS_LOG_DIR'] = folder  # else each run leaves one
-        with contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
-            return run_nodes(subject, parameters, Path(folder))[0]
+        return run_nodes(subject, parameters, Path(folder))[0]
 
 
 def run_nodes(subject, parameters, folder=None):
@@ -88,7 +88,8 @@ def tutorial_metrics(kind, parameters, path):
     """Return what a tutorial's loop measures in a bag; raise DemoError if its nodes did something else."""
     with rosbag.Bag(str(path)) as bag:
         odometry, ground_truth, moved = (
-            [message for _, message, _ in bag.read_messages(topic)] for topic in TOPICS)
+            [message for _, message, _ in bag.read_messages(topic)]
+            for topic in ('/odom', '/base_pose_ground_truth', '/moved_distance'))
     for messages in (odometry, ground_truth):
         if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
             raise DemoError('the recording has gaps')

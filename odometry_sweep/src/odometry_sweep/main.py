@@ -13,7 +13,7 @@ from odometry_launch.folders import new_folder, path_in_errors
 from odometry_launch.output import DemoError, Line, bar, complain, run_command
 
 from odometry_sweep.options import parse
-from odometry_sweep.results import FILE, Combination, table, write_results
+from odometry_sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, table, write_results
 from odometry_sweep.running import on_cluster, on_this_machine, run_all
 
 PROGRAM = 'sweep'
@@ -79,22 +79,20 @@ def with_progress(runs, total):
 
 def _report(campaign, combinations, folder):
     """Print what else there is to say, and draw the picture."""
-    equal = False
     for number, combination in enumerate(combinations):
-        late = combination.not_arrived
+        late = combination.values(NOT_ARRIVED)
         if late.any():
-            print(f'not arrived     {late.sum()} of {len(combination.rows)}, with {combination.name}; the first '
-                  f'is run {number * campaign.seeds + late.argmax() + 1}')
-        elif len(combination.rows) > 1 and all(row == combination.rows[0] for row in combination.rows):
-            equal = True
-    if equal:
+            print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; the first is run '
+                  f'{number * campaign.seeds + late.argmax() + 1}')
+    if any(len(rows) > 1 and rows[0]['ended'] in ENDS and all(row == rows[0] for row in rows)
+           for _, rows in combinations):
         print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '
               'wheel_noise or gyro_noise.')
     # matplotlib takes half a second to import.
     from odometry_sweep import picture
     path = folder / picture.FILE
     with path_in_errors(path):
-        picture.make_figure(campaign.subject.kind, combinations).savefig(path)
+        picture.make_figure(campaign.subject, combinations).savefig(path)
     print(f'figures         {os.path.relpath(folder / FILE)}\n'
           f'picture         {os.path.relpath(path)}', flush=True)
 

@@ -4,13 +4,14 @@ import csv
 from typing import NamedTuple
 
 import numpy
+import yaml
 from odometry_launch.folders import path_in_errors
 
 from odometry_sweep.closed_loop import ARRIVED, UNTIL
 
 FILE = 'runs.csv'
 CAMPAIGN_FILE = 'campaign.yaml'
-NOT_ARRIVED = 'not_arrived'
+NOT_ARRIVED, ENDS = 'not_arrived', (ARRIVED, UNTIL)  # how a run ends well
 # Units of each run's metrics; error = actual - target.
 METRICS = {
     'move': {'moved': 'm', 'moved_error': 'm', 'true_distance': 'm', 'true_error': 'm',
@@ -23,10 +24,8 @@ METRICS = {
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
          'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
          'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
-QUANTILES = [0.5, 0.05, 0.95]
 STATISTICS = {'median': 'median', 'p5': '5 %', 'p95': '95 %', 'worst': 'worst'}  # headings by name
 DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
-COLUMN = 10  # characters
 
 
 class Combination(NamedTuple):
@@ -35,25 +34,21 @@ class Combination(NamedTuple):
     name: str
     rows: list  # metrics of each run, by name
 
-    @property
-    def not_arrived(self):
-        """Whether each run did not arrive, as an array of 0 and 1."""
-        return numpy.array([int(row['ended'] not in (ARRIVED, UNTIL)) for row in self.rows])
-
     def values(self, metric):
-        """Return a metric of all runs as an array."""
-        return numpy.array([row[metric] for row in self.rows])
+        """Return a metric of all runs, or whether they did not arrive, as an array."""
+        return numpy.array([row['ended'] not in ENDS if metric == NOT_ARRIVED else row[metric]
+                            for row in self.rows])
 
     def size_of(self, limit):
         """Return what a limit bounds, and the index of its worst run."""
         metric, _, name = limit.rpartition('_')
-        sizes = self.not_arrived if limit == NOT_ARRIVED else abs(self.values(metric))
+        sizes = abs(self.values(NOT_ARRIVED if limit == NOT_ARRIVED else metric))
         return sizes.sum() if limit == NOT_ARRIVED else statistics(sizes)[name], int(sizes.argmax())
 
 
 def statistics(values):
     """Return the STATISTICS of an array by name; the worst is farthest from zero."""
-    return dict(zip(STATISTICS, [*numpy.quantile(values, QUANTILES),
+    return dict(zip(STATISTICS, [*numpy.quantile(values, [0.5, 0.05, 0.95]),
                                  values[abs(values).argmax()]]))
 
 
@@ -67,19 +62,17 @@ def table(kind, combinations):
         rows = [(title, STATISTICS.values()), *((combination.name, [
             f'{round(value, decimals) + 0.0:.{decimals}f}'  # no -0.0
             for value in statistics(combination.values(metric)).values()]) for combination in combinations)]
-        blocks.append('\n'.join(f'{name:{width}}' + ''.join(f'{cell:>{COLUMN}}' for cell in cells)
+        blocks.append('\n'.join(f'{name:{width}}' + ''.join(f'{cell:>10}' for cell in cells)
                                 for name, cells in rows))
     return '\n\n'.join(blocks)
 
 
 def write_results(folder, campaign, runs):
-    """Write a campaign and its runs into a folder, each when it is done; yield their metrics.
-
-    :param runs: yields parameters and metrics of each run, by name
-    """
+    """Write a campaign and its runs, as run_all() yields them, into a folder; yield their metrics."""
     columns = [*campaign.values, 'seed', *METRICS[campaign.subject.kind], 'ended']
     with path_in_errors(folder / CAMPAIGN_FILE) as path:
-        path.write_text(campaign.text(), encoding='utf-8')
+        path.write_text(yaml.safe_dump({**campaign.subject._asdict(), 'seeds': campaign.seeds,
+                                        'set': campaign.values, 'limits': campaign.limits}, sort_keys=False))
     _append(folder / FILE, ['run', *columns])
     for number, (parameters, metrics) in enumerate(runs, 1):
         values = {**parameters, **metrics}

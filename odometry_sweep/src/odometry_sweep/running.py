@@ -26,8 +26,7 @@ def run_all(campaign, executor):
 
     :raises DemoError: if a run cannot be done, or the processes are lost
     """
-    begun = ((parameters, executor.submit(campaign.subject.run, parameters))
-             for parameters in campaign.runs())
+    begun = ((parameters, executor.submit(campaign.subject.run, parameters)) for parameters in campaign.runs())
     try:
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
         while ahead:

@@ -31,8 +31,7 @@ class Tutorial(NamedTuple):
     def check(self, values):
         """Raise StartError if this cannot run with these values: lists by parameter."""
         tutorial = choose(self.kind, TUTORIALS, f'there is no tutorial {self.kind!r}')
-        rows = {row.name[1:]: row for row in tutorial.PARAMETERS}
-        _check_values(self, values, {**rows, **ROBOT}, NEEDS_ROS)
+        _check_values(self, values, {**{row.name[1:]: row for row in tutorial.PARAMETERS}, **ROBOT}, NEEDS_ROS)
 
     def run(self, parameters):
         """Run without ROS; return the metrics by name."""
