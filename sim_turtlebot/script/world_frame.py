@@ -12,19 +12,13 @@ Publishes:
     sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose
 """
 
-from geometry_msgs.msg import (
-    PoseStamped,
-    PoseWithCovarianceStamped,
-    Quaternion,
-    Transform,
-    TransformStamped,
-    Vector3,
-)
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, TransformStamped
 from nav_msgs.msg import Odometry
+from odometry_common.geometry import compose, inverse, rotate
 from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
-from tf import transformations
+from sim_turtlebot.frames import fill_pose
 from tf2_msgs.msg import TFMessage
 
 
@@ -45,21 +39,20 @@ class WorldFrame:
     def _on_ground_truth(self, ground_truth):
         if self._odometry is None:
             return
-        frame = _matrix(ground_truth) @ transformations.inverse_matrix(_matrix(self._odometry))
-        transform = Transform(Vector3(*transformations.translation_from_matrix(frame)),
-                              Quaternion(*transformations.quaternion_from_matrix(frame)))
-        self._publisher.publish(TFMessage([TransformStamped(
-            ground_truth.header, self._odometry.header.frame_id, transform)]))
+        (place, orientation), (travelled, turned) = _pose(ground_truth), _pose(self._odometry)
+        rotation = compose(orientation, inverse(turned))
+        origin = [there - way for there, way in zip(place, rotate(rotation, travelled))]
+        frame = TransformStamped(header=ground_truth.header, child_frame_id=self._odometry.header.frame_id)
+        fill_pose(frame.transform.translation, frame.transform.rotation, origin, rotation)
+        self._publisher.publish(TFMessage([frame]))
 
     def _on_initial_pose(self, message):
         self._set_pose.publish(PoseStamped(message.header, message.pose.pose))
 
 
-def _matrix(message):
-    position, orientation = message.pose.pose.position, message.pose.pose.orientation
-    translation = transformations.translation_matrix([position.x, position.y, position.z])
-    return translation @ transformations.quaternion_matrix(
-        [orientation.x, orientation.y, orientation.z, orientation.w])
+def _pose(message):
+    position, turn = message.pose.pose.position, message.pose.pose.orientation
+    return (position.x, position.y, position.z), (turn.x, turn.y, turn.z, turn.w)
 
 
 def main():

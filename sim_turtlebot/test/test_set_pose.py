@@ -16,13 +16,14 @@ from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait
 from sim_turtlebot.robot.odometry import STILL
 from sim_turtlebot.robot.poses import checked_pose
 from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
 
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 LEVEL = about_z(0.0)
 ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
 UPSIDE_DOWN = 1.0, 0.0, 0.0, 0.0
 THERE = 3.0, -1.0, 1.2  # m, m, rad
-START = 0.0, 0.0, 0.0
+START = 1.0, 2.0, 0.5
 
 
 @pytest.mark.parametrize('source', ['world', 'encoder'])
@@ -113,10 +114,15 @@ def test_rviz_puts_it_where_it_is_said_to_be(simulated_time, ns):
 
     RViz does not show the log; the page shows ~warning, until a place is accepted.
     """
-    with simulator() as node, rosrun('sim_turtlebot', 'world_frame.py'):
+    frames = Recorder('/tf', TFMessage)
+    with simulator('_x:=1', '_y:=2', '_yaw:=0.5') as node, rosrun('sim_turtlebot', 'world_frame.py'):
         warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
         truth = Truth(ns)
         truth.wait_for()
+        found = frames.wait_for(lambda m: m.transforms[0].header.frame_id == 'world').transforms[0]
+        shift, turn = found.transform.translation, found.transform.rotation
+        assert found.child_frame_id == 'odom'
+        assert (shift.x, shift.y, 2 * math.atan2(turn.z, turn.w)) == pytest.approx(START, abs=1e-3)
         rviz = rospy.Publisher(f'{ns}initialpose', PoseWithCovarianceStamped, queue_size=10)
         wait_for_subscribers(rviz)
         message = PoseWithCovarianceStamped()
