@@ -15,10 +15,8 @@
 # address of it, lets anyone connect who reaches that, and drive the robot.
 set -euo pipefail
 
-[ "$(uname)" = Linux ] || {  # the next lines would fail there
-    echo "./ws: this needs Linux. On $(uname), use the container: docs/container.md" >&2
-    exit 1
-}
+# The next lines would fail elsewhere.
+[ "$(uname)" = Linux ] || { echo "./ws: this needs Linux. On $(uname), use the container: docs/container.md" >&2; exit 1; }
 CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}
 . "$CHECKOUT/setup/set_up.bash"
@@ -51,6 +49,7 @@ case $1 in
     sweep | check) script=odometry_$1/script/$1.py ;;
     test) cd "$ROOT"; set -- python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
     shell) set -- bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
+    rqt*) ! is_debians || refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
     dask) export DASK_DISTRIBUTED__WORKER__DAEMON=false ;;  # each run of a launch file is a process
 esac
 # Nothing that a script starts outlives this process. It runs in a session without the terminal's signals.

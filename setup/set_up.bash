@@ -1,7 +1,5 @@
 # Before a command: find ROS, install what is missing, build.
-for file in system python workspace; do
-    . "$CHECKOUT/setup/$file.bash"
-done
+for file in system python workspace; do . "$CHECKOUT/setup/$file.bash"; done
 
 mapfile -t PACKAGES < <(cd "$CHECKOUT" && dirname -- */package.xml)
 # ros-* contain the message definitions that rosmsg, rossrv and completion read, lib*-dev the package.xml
@@ -15,8 +13,6 @@ DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs pyt
 TEST_PARTS=(catkin-lint chromium chromium-driver python3-actionlib python3-dynamic-reconfigure
     python3-message-filters x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
-RVIZ_PARTS=(rviz)
-TF_PARTS=(libtf-dev tf-tools)
 
 # set_up COMMAND ARGUMENT...: prepare the workspace for a command.
 set_up() {
@@ -35,13 +31,13 @@ set_up() {
 add_extras() {
     case "$* " in
         'test '* | 'pytest '* | python*' -m pytest '*)
-            PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" "${RVIZ_PARTS[@]}")
+            PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" rviz)
             REQUIREMENTS+=(test/requirements.txt odometry_sweep/requirements{,-cluster}.txt robot_view/requirements.txt) ;;
         'ruff '* | 'vermin '* | 'pre-commit '*) PARTS+=(catkin-lint) REQUIREMENTS+=(test/requirements.txt) ;;
         'dask '* | 'sweep '*'--cluster'*) REQUIREMENTS+=(odometry_sweep/requirements{,-cluster}.txt) ;;
         'bench '* | 'sweep '*) REQUIREMENTS+=(odometry_sweep/requirements.txt) ;;
-        'rosrun tf '*) PARTS+=("${TF_PARTS[@]}") ;;
-        'rosrun rviz '* | 'rviz '* | 'roslaunch '*' rviz:='[1Tt]*) PARTS+=("${RVIZ_PARTS[@]}") ;;&
+        'rosrun tf '*) PARTS+=(libtf-dev tf-tools) ;;
+        'rosrun rviz '* | 'rviz '* | 'roslaunch '*' rviz:='[1Tt]*) PARTS+=(rviz) ;;&
         'rosrun sim_turtlebot '*' _gui:='[1Tt]* | 'demo '*'--gui '* | 'roslaunch '*' gui:='[1Tt]*)
             PARTS+=("${WINDOW_PARTS[@]}") ;;&
         'rosrun robot_view view.py '* | 'demo '*'--view '* | 'check '*'--view '* | 'roslaunch '*' view:='[1Tt]*)
@@ -55,8 +51,9 @@ make_ready() {
     exec 9>"$WORKSPACE/lock"
     flock -n 9 || { announce 'another set-up is running; waiting for it'; flock 9; }
     need_parts "${PARTS[@]}"
-    has_requirements "${REQUIREMENTS[@]}" || run_step \
-        'installing Python packages; on arm64 pip compiles PyBullet for minutes' add_requirements "${REQUIREMENTS[@]}"
+    local what='installing Python packages'
+    has_requirements requirements.txt || what='installing PyBullet, 100 MB; on arm64 pip compiles it for minutes'
+    has_requirements "${REQUIREMENTS[@]}" || run_step "$what" add_requirements "${REQUIREMENTS[@]}"
     build_is_ready || build
     exec 9>&-
 }

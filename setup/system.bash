@@ -29,16 +29,19 @@ has_parts() {
 }
 
 need_parts() {
-    ! has_parts "$@" || return 0
+    local part missing=()
+    for part; do has_parts "$part" || missing+=("$part"); done
+    [ ${#missing[@]} != 0 ] || return 0
     [ "$(id -u)" = 0 ] || sudo -v 2>/dev/null ||
-        fail "this needs an administrator to run: sudo apt-get install --no-install-recommends $*"
+        fail "this needs an administrator to run: sudo apt-get install --no-install-recommends ${missing[*]}"
     run_step 'updating the package lists' apt_update
     local version=$(LC_ALL=C apt-cache policy python3-rospy | awk '/Candidate: [0-9]/ { print $2 }')
     # Debian 11's rospy does not run on its own Python.
     dpkg --compare-versions "$version" ge 1.15.13 ||
         nowhere 'the packages of this system contain no ROS 1, or one that is too old'
-    run_step "installing $# system packages and their dependencies" \
-        apt_get install --no-install-recommends "$@"
+    local what="${#missing[@]} system packages"
+    [ ${#missing[@]} -gt 9 ] || what=${missing[*]}
+    run_step "installing $what and what they need" apt_get install --no-install-recommends "${missing[@]}"
 }
 
 apt_update() {

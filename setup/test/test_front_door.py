@@ -64,9 +64,11 @@ def test_help_installs_nothing(fresh):
     assert (run.wait(), run.stderr, run.stdout[:11]) == (0, '', 'usage: ./ws'), run.output
 
 
-def test_a_command_that_is_not_there():
-    run = Process(ROOT / 'ws', 'foo')
-    assert (run.wait(), run.output.strip()) == (2, './ws: there is no command foo')
+@pytest.mark.parametrize('command, hint', [
+    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
+def test_a_command_that_is_not_there(command, hint):
+    run = Process(ROOT / 'ws', command)
+    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
 
 
 @pytest.mark.parametrize('variable, status, answer', [

@@ -6,7 +6,7 @@ import re
 
 STANDARD_OUTPUTS = 1, 2
 LAST_LINES = 5
-EXCEPTION = re.compile(r'[\w.]+(Error|Exception): ')
+EXCEPTION = re.compile(r'[\w.]*(Error|Exception)(: |$)')
 
 
 class NodeOutput:
