@@ -96,6 +96,6 @@ def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
     page = (ROOT / 'docs' / 'workspace.md').read_text()
     lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)', page)
     installed = {word for line in lines for word in line.split()}
-    by_set_up = {word for name in ('DEBIAN', 'WINDOW', 'RVIZ') for word in PARTS[name]}
+    by_set_up = {'rviz', *PARTS['DEBIAN'], *PARTS['WINDOW']}
     assert installed == debian_packages() | by_set_up - {'rosout'} | {'git'}
     assert re.search(r'pip install (\S+)', page)[1] in (ROOT / 'requirements.txt').read_text().split()
