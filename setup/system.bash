@@ -12,12 +12,13 @@ trap 'exit 131' QUIT
 # run_step TEXT COMMAND...: run a command with its output in the log; dots show that it is alive.
 run_step() {
     announce "$1 ..."
-    while [ -t 2 ] && sleep 1 && kill -0 $$ 2>/dev/null; do printf . >&2; done & disown
+    local dots= status
+    [ ! -t 2 ] || { while sleep 1 && kill -0 $$ 2>/dev/null; do printf . >&2; done & dots=$!; disown; }
     set +e
     (set -e; load_ros; "${@:2}") >>"$LOG" 2>&1
-    local status=$?
+    status=$?
     set -e
-    kill $! 2>/dev/null && echo >&2
+    [ -z "$dots" ] || { kill "$dots" || true; echo >&2; }
     [ $status = 0 ] || {
         tail -n 20 "$LOG" >&2
         fail "$1 failed; the whole output is in $LOG. The next call tries again."
