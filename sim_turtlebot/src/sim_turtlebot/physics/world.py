@@ -93,6 +93,7 @@ class World:
         PyBullet's restoreState() does not: robots that have touched something then move
         differently in the last digits. PyBullet keeps the world file in memory.
         """
+        self.client.resetSimulation()
         self._build()
         for robot in self.robots:
             robot.load()
@@ -103,9 +104,8 @@ class World:
         self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
 
     def _build(self):
-        """Empty the world, then add the floor and the world file."""
+        """Add the floor and the world file."""
         self._draw(False)
-        self.client.resetSimulation()
         self._steps_at_once = 1
         self._configure()
         floor = self.client.createMultiBody(
