@@ -40,10 +40,7 @@ def _run():
 
 
 def _sweep(campaign, runs, report):
-    """Save the runs of a campaign, as run_all() yields them; return the exit status.
-
-    :param report: path of a file for CI, or None
-    """
+    """Save runs as run_all() yields them, and a report for CI at a path or None; return the exit status."""
     folder, rows, lost = new_folder('sweep-'), [], None
     try:
         rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
@@ -98,10 +95,7 @@ def _report(campaign, combinations, folder):
 
 
 def _exceeds_limits(campaign, combinations, folder, report):
-    """Print a line for each limit that a Combination exceeds; return whether there is one.
-
-    The worst run of each such limit is repeated, which leaves its bag and its picture.
-    """
+    """Print each limit that a Combination exceeds, and replay its worst run; return whether there is one."""
     cases, worst = [], {}  # the numbers of runs, once each, in order
     for limit, most in campaign.limits.items():
         lines = []
