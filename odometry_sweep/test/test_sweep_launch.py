@@ -120,5 +120,5 @@ def test_a_limit_that_fails_leaves_its_worst_run(tmp_path):
                     'limits: {not_arrived: 0, from_start_worst: 2}\n')
     run = sweep('--campaign', str(file), status=1, command=SCRIPT)
     assert run.stderr.splitlines() == ['sweep: not_arrived is 1, over its limit of 0, with end crash',
-                                       'sweep: node: ValueError: on purpose'], run.output
+                                       'sweep: node has ended with status 1; last error printed: ValueError: on purpose'], run.output
     assert re.search('^run 2 .*^picture .*^the same, to the last bit$', run.stdout, re.MULTILINE | re.DOTALL)

@@ -114,8 +114,10 @@ class Launch(ProcessListener):
                 raise DemoError(self.end_of(name))
 
     def end_of(self, name):
-        """Return how a node has ended, in one line: its last error, if it printed one."""
-        return self._output.complaint_of(name) or f'{name} has ended{_how(self._ended[name])}'
+        """Return how a node has ended, in one line; after an exception, with the last that was printed."""
+        status = self._ended[name]
+        error = self._output.last_exception() if status == 1 else ''
+        return self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}'
 
     @property
     def names(self):

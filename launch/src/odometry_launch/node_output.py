@@ -38,11 +38,13 @@ class NodeOutput:
         return [line for line in map(str.strip, text.splitlines()) if line]
 
     def complaint_of(self, node):
-        """Return the last line that begins with a node's name, or ends a traceback; or None."""
-        lines = self.lines()[::-1]
-        own = (line for line in lines if line.startswith(f'{node}: '))
-        exceptions = (f'{node}: {line}' for line in lines if EXCEPTION.match(line))
-        return next(own, next(exceptions, None))
+        """Return the last line that begins with a node's name, as its error messages do, or None."""
+        return next((line for line in reversed(self.lines()) if line.startswith(f'{node}: ')), None)
+
+    def last_exception(self):
+        """Return words with the last line that ends a traceback, whichever node printed it; or ''."""
+        return next((f'; last error printed: {line}' for line in reversed(self.lines())
+                     if EXCEPTION.match(line)), '')
 
     def last_lines(self):
         """Return the last lines, each after a line break."""
