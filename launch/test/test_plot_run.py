@@ -40,6 +40,20 @@ def write_damaged(path):
         bag.write('/odom', (Odometry._type, b'short', Odometry._md5sum, Odometry), raw=True)
 
 
+class Foreign(Odometry):
+    """Odometry as a bag may define it: with a constant whose name is Python code."""
+
+    _md5sum = 'c' * 32
+    _full_text = f'string __import__("pathlib").Path({{!r}}).touch(); y=1\n{Odometry._full_text}'
+
+
+def write_foreign(path, topic, ran):
+    """Write a bag that defines the odometry on a topic itself, with code that would make the file `ran`."""
+    Foreign._full_text = Foreign._full_text.format(str(ran))
+    record(path, metre())
+    return record(path, [Foreign()], topic, 'a')
+
+
 def plot(*arguments, **options):
     run = Process('rosrun', 'odometry_launch', 'plot_run.py', *arguments, **options)
     run.wait(30.0)
@@ -170,3 +184,29 @@ def test_only_the_odometry_needs_the_right_type(tmp_path):
     assert run.ground_truth is None and not len(run.commands)
     with pytest.raises(BagError, match='odd.bag has std_msgs/Float64 on /cmd_vel; choose'):
         read_run(path, '/cmd_vel')
+
+
+@pytest.mark.parametrize('topic, line', [
+    ('/base_pose_ground_truth', 'left out    /base_pose_ground_truth, defined differently from the installed message'),
+    ('/b/odom', '')])
+def test_a_definition_in_a_bag_does_not_run(tmp_path, topic, line):
+    path = write_foreign(tmp_path / 'stranger.bag', topic, tmp_path / 'ran')
+    run = plot('--topic', '/odom', path)
+    assert (run.wait(), line in run.stdout, run.stderr) == (0, True, ''), run.output
+    assert not (tmp_path / 'ran').exists()
+
+
+def test_an_index_that_points_to_a_foreign_definition_does_not_run_it(tmp_path):
+    path = write_foreign(tmp_path / 'lying.bag', '/x', tmp_path / 'ran')
+    with rosbag.Bag(str(path)) as bag, pytest.raises(
+            rosbag.ROSBagException, match='a message is of the type nav_msgs/Odometry'):
+        list(bag.read_messages('/x'))
+    assert not (tmp_path / 'ran').exists()
+
+
+def test_odometry_that_is_defined_differently_or_absent_is_named(tmp_path):
+    path = write_foreign(tmp_path / 'other.bag', '/b/odom', tmp_path / 'ran')
+    with pytest.raises(BagError, match='other.bag defines nav_msgs/Odometry on /b/odom differently'):
+        read_run(path, '/b/odom')
+    with pytest.raises(BagError, match='other.bag has 0 messages on /odom'):
+        read_run(path, '/odom', end=0.0)

@@ -7,14 +7,19 @@ from typing import NamedTuple
 
 import numpy
 import rosbag
+from geometry_msgs.msg import Quaternion, Twist
 from moved_distance.distance_counter import DistanceCounter
+from nav_msgs.msg import Odometry
 from odometry_common.geometry import PlanarPose, wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 
-ODOMETRY, ODOMETRY_TOPIC = 'nav_msgs/Odometry', '/odom'
+from odometry_launch import bags
+
+ODOMETRY_TOPIC = '/odom'
 TRUTH = '/base_pose_ground_truth'
 COMMANDS = ('cmd_vel', 'mobile_base/commands/velocity', 'cmd_vel_mux/input/teleop',
             'cmd_vel_mux/input/navi')
+COMMAND_TOPICS = [f'/{name}' for name in COMMANDS]
 
 
 class BagError(ValueError):
@@ -55,6 +60,7 @@ class Run(NamedTuple):
     odometry: Track
     ground_truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
+    differing: list  # topics left out, since their messages are defined differently from the installed
 
     def summary(self):
         """Return distance, duration, speeds, the error, and what was left out, as text."""
@@ -64,6 +70,7 @@ class Run(NamedTuple):
         top = numpy.abs(track.speed).max()
         left_out = [f'{number} {thing}{"s" * (number > 1)} {how}' for number, thing, how in (
             (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')) if number]
+        left_out += [f'{name}, defined differently from the installed message' for name in self.differing]
         return '\n'.join([f'odometry    {self.topic}',
                           f'distance    {track.distance[-1]:.3f} m',
                           f'duration    {duration:.1f} s',
@@ -93,13 +100,11 @@ def read_run(path, topic=None, end=math.inf):
     """
     try:
         with rosbag.Bag(str(path)) as bag:
-            types = {name: topic.msg_type
-                     for name, topic in bag.get_type_and_topic_info().topics.items()}
+            types, differing = bags.types_in(bag), bags.differing_definitions(bag)
             topic = topic or _odometry_topic(types)
             odometry, ground_truth, commands = (
-                [row for row in bag.read_messages(names) if types[row.topic] == kind and _stamp(row) <= end]
-                for names, kind in (([topic], ODOMETRY), ([TRUTH], ODOMETRY), (
-                    [f'/{name}' for name in COMMANDS], 'geometry_msgs/Twist')))
+                [row for row in bags.read_messages(bag, kind, *names) if _stamp(row) <= end]
+                for kind, names in ((Odometry, [topic]), (Odometry, [TRUTH]), (Twist, COMMAND_TOPICS)))
     except rosbag.ROSBagUnindexedException:
         raise BagError(f'{path} is not indexed: rosbag reindex {shlex.quote(str(path))}') from None
     except (OSError, rosbag.ROSBagException) as error:
@@ -107,9 +112,13 @@ def read_run(path, topic=None, end=math.inf):
     except Exception as error:  # noqa: BLE001
         # On damaged bytes rosbag raises KeyError, struct.error and others.
         raise BagError(f'{path} is damaged: {error!r}') from None
-    if types.get(topic) != ODOMETRY:
+    if types.get(topic) != Odometry._type:
         raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
                        f'{_choice(types)}')
+    if topic in differing:
+        raise BagError(f'{path} defines {Odometry._type} on {topic} differently from the installed one')
+    if not odometry:
+        raise BagError(f'{path} has 0 messages on {topic}')
     start = next(map(_stamp, odometry), 0.0)
     rows = [(_stamp(row) - start, row.message.linear.x, row.message.angular.z)
             for row in commands]
@@ -117,19 +126,20 @@ def read_run(path, topic=None, end=math.inf):
     if track is None:
         raise BagError(f'{path} has no finite position on {topic}')
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
-               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3))
+               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3),
+               sorted(differing.intersection([TRUTH, *COMMAND_TOPICS])))
 
 
 def _odometry_topic(types):
     """Return the default topic."""
-    topics = [name for name, kind in types.items() if kind == ODOMETRY]
+    topics = [name for name, kind in types.items() if kind == Odometry._type]
     return topics[0] if len(topics) == 1 else ODOMETRY_TOPIC
 
 
 def _choice(types):
     """Return what the user can choose."""
-    options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == ODOMETRY]
-    return f'choose its odometry: {" or ".join(options)}' if options else f'it has no {ODOMETRY}'
+    options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == Odometry._type]
+    return f'choose its odometry: {" or ".join(options)}' if options else f'it has no {Odometry._type}'
 
 
 def _track(rows, start):
@@ -161,9 +171,7 @@ def _track(rows, start):
 
 def _yaw(orientation):
     """Return the yaw (rad); 0 if the driver leaves the orientation empty."""
-    # A bag's message classes are its own: they never equal a geometry_msgs/Quaternion.
-    numbers = orientation.x, orientation.y, orientation.z, orientation.w
-    return yaw_from_orientation(orientation) if any(numbers) else 0.0
+    return yaw_from_orientation(orientation) if orientation != Quaternion() else 0.0
 
 
 def _stamp(row):

@@ -11,8 +11,10 @@ from pathlib import Path
 
 import rosbag
 import yaml
+from nav_msgs.msg import Odometry
 from odometry_common.parameters import StartError
 from odometry_launch.arrival import REST_ANGULAR_SPEED, REST_SPEED
+from odometry_launch.bags import read_messages
 from odometry_launch.folders import use_writable_logs
 from odometry_launch.output import DemoError, complain
 from odometry_launch.recorded_run import read_run
@@ -20,6 +22,7 @@ from odometry_launch.recording import leave_picture
 from odometry_launch.stepping import record
 from sim_turtlebot.robot.odometry import Motion
 from sim_turtlebot.settings import read_settings
+from std_msgs.msg import Float64
 
 from odometry_sweep.campaign import read_campaign
 from odometry_sweep.closed_loop import ARRIVED, LATE, TUTORIALS, UNTIL, degrees, follow
@@ -88,8 +91,9 @@ def tutorial_metrics(kind, parameters, path):
     """Return what a tutorial's loop measures in a bag; raise DemoError if its nodes did something else."""
     with rosbag.Bag(str(path)) as bag:
         odometry, ground_truth, moved = (
-            [message for _, message, _ in bag.read_messages(topic)]
-            for topic in ('/odom', '/base_pose_ground_truth', '/moved_distance'))
+            [message for _, message, _ in read_messages(bag, kind, topic)]
+            for kind, topic in ((Odometry, '/odom'), (Odometry, '/base_pose_ground_truth'),
+                                (Float64, '/moved_distance')))
     for messages in (odometry, ground_truth):
         if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
             raise DemoError('the recording has gaps')
