@@ -17,6 +17,8 @@ export PATH=$ODOMETRY_ROOT/.venv/bin:$PATH
 # Where a processor has FMA, glibc's sin, cos and atan2 use it, and differ in the last bit: the same motion
 # on each x86-64.
 [ "$HOSTTYPE" != x86_64 ] || export GLIBC_TUNABLES=${GLIBC_TUNABLES-glibc.cpu.hwcaps=-FMA,-FMA4}
+# tf uses numpy.dot, and OpenBLAS adds in another order on processors with AVX-512. Reference BLAS adds as here.
+[ "$HOSTTYPE" != x86_64 ] || export OPENBLAS_CORETYPE=${OPENBLAS_CORETYPE-Nehalem}
 
 variable=ROS_IP
 [ -z "${ROS_HOSTNAME:-}" ] || variable=ROS_HOSTNAME
