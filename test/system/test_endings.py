@@ -3,6 +3,7 @@
 import os
 import signal
 import socket
+import sys
 
 import psutil
 import pytest
@@ -26,6 +27,19 @@ from std_msgs.msg import Float64
 
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 
+# A node whose main thread has no signal delivered while it waits for the master.
+DEAF_WAIT = """
+import signal, socket
+import rosgraph
+from odometry_common.node import run_node
+def ask():
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    print('waiting', flush=True)
+    here, there = socket.socketpair()
+    here.recv(1)
+rosgraph.is_master_online = ask
+run_node('deaf', print, '')
+"""
 
 def test_a_node_without_a_master_says_so_and_ends_at_once():
     """With parameters to upload too, which rospy answers with a traceback."""
@@ -59,6 +73,13 @@ def test_a_node_whose_master_never_answers_ends_by_one_ctrl_c():
             assert question.recv(1)
             assert node.end(signal.SIGINT) == 0, node.output
     assert not node.output.strip()
+
+
+def test_a_signal_that_comes_just_before_a_wait_ends_it():
+    """As one that arrives between Python's last instruction and recv(); here another thread takes it."""
+    with Process(sys.executable, '-c', DEAF_WAIT) as node:
+        node.wait_for_output('waiting')
+        assert node.end(signal.SIGINT) == 0, node.output
 
 
 @pytest.mark.parametrize('package, program', [

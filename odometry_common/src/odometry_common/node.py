@@ -22,6 +22,7 @@ EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
 # s of the main thread: Python handles a signal that arrives just before a wait only after the wait
 LONGEST_WAIT = 0.5
+WAKE_UP = signal.SIGURG  # which a process without a handler ignores
 MASTER_RETRY_PERIOD = 0.5  # s
 UNREGISTER_TIMEOUT = 0.4  # s, for a master that does not answer
 NO_PARAMETERS = Parameters()
@@ -141,6 +142,7 @@ def _start(name, init_node_options):
         interrupted.append(signum)
         raise KeyboardInterrupt
 
+    _interrupt_waits_by_signals()
     _on_signals(interrupt)
     _wait_for_master(interrupted)
     if not interrupted:
@@ -181,6 +183,26 @@ def _on_signals(handler):
     """Handle Ctrl-C, SIGTERM and a closed terminal."""
     for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(signum, handler)
+
+
+def _interrupt_waits_by_signals():
+    """Have a signal interrupt what the main thread waits for, such as a master without an answer.
+
+    Python handles a signal that arrives just before recv() begins only when that has returned.
+    """
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    signal.set_wakeup_fd(writer)
+    signal.signal(WAKE_UP, lambda *_: None)
+    threading.Thread(target=_interrupt_main_thread, args=[reader], daemon=True).start()
+
+
+def _interrupt_main_thread(signals):
+    """From the first signal on, interrupt the main thread again and again: this node is ending."""
+    os.read(signals, 1)
+    while True:
+        signal.pthread_kill(threading.main_thread().ident, WAKE_UP)
+        time.sleep(LONGEST_WAIT)
 
 
 def _shut_down(reason):
