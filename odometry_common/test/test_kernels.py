@@ -20,7 +20,7 @@ print(numpy.__file__, hashlib.sha256(repr(angles).encode()).hexdigest())
 
 @pytest.fixture(scope='module')
 def python(tmp_path_factory):
-    """A Python with the numpy of PyPI, which has an OpenBLAS of its own."""
+    """Return a Python with the numpy of PyPI, which has an OpenBLAS of its own."""
     folder = tmp_path_factory.mktemp('numpy')
     for command in ([sys.executable, '-m', 'venv', '--system-site-packages', folder],
                     [folder / 'bin' / 'python3', '-m', 'pip', 'install', '--quiet', '--ignore-installed', 'numpy']):

@@ -13,10 +13,10 @@ TIMEOUT = 120.0  # s
 WS, SCRIPT = (ROOT / 'ws', 'sweep'), (sys.executable, ROOT / 'odometry_sweep' / 'script' / 'sweep.py')
 
 
-def sweep(*arguments, status=0, command=WS):
+def sweep(*arguments, status=0, command=WS, timeout=TIMEOUT):
     """Run a sweep, to this exit status; return its Process."""
     with Process(*command, *arguments, cwd=ROOT) as run:
-        assert run.wait(TIMEOUT) == status, run.output
+        assert run.wait(timeout) == status, run.output
     return run
 
 

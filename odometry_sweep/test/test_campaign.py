@@ -50,6 +50,8 @@ def test_the_command_line_and_a_file_say_the_same(written):
     (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
     (['move', '--set', f'speed={"[" * 1000}'], "[[' contains a value that is not YAML"),
     (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
+    (['--seeds', '0', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds'),
+    (['--until', '0', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds'),
     (['move', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds')])
 def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     with pytest.raises(SystemExit) as end:
@@ -87,6 +89,15 @@ def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
         read_campaign(written(content)).check()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
+
+
+def test_a_world_is_found_from_where_the_user_stands(written, monkeypatch, tmp_path):
+    """Also by nodes and a replay, which run elsewhere."""
+    monkeypatch.chdir(tmp_path)
+    expected = ['', str(tmp_path / 'my.urdf')]
+    for arguments in ['move', '--set', "world='',my.urdf"], \
+            ['--campaign', str(written({'tutorial': 'move', 'set': {'world': ['', 'my.urdf']}}))]:
+        assert parse(arguments).campaign.values == {'world': expected}
 
 
 def test_a_million_combinations_are_checked_at_once(monkeypatch):

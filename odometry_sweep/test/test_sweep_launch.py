@@ -39,6 +39,12 @@ NODES = '''<launch>
   <arg name="end" default="done"/>
   <node name="node" pkg="guest" type="node.py" required="true"><param name="end" value="$(arg end)"/></node>
 </launch>'''
+HELPER = '''<launch>
+  <arg name="x" default="done"/>
+  <node name="node" pkg="guest" type="node.py"><param name="end" value="$(arg x)"/></node>
+  <node name="helper" pkg="guest" type="helper.sh"/>
+</launch>'''
+ONE_NODE = '<launch><node name="{0}" pkg="guest" type="{0}.py">{1}</node></launch>'
 SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>'
 
 
@@ -52,7 +58,16 @@ def packages(tmp_path, monkeypatch):
     (folder / 'sim.launch').write_text(SIMULATOR)
     (folder / 'none.launch').write_text('<launch/>')
     (folder / 'node.py').write_text(NODE.format(python=sys.executable))
-    (folder / 'node.py').chmod(0o755)
+    (folder / 'helper.launch').write_text(HELPER)
+    (folder / 'helper.sh').write_text('#!/bin/sh\nexec sleep 3000\n')
+    (folder / 'silent.py').write_text(f'#!{sys.executable}\nimport rospy\nrospy.init_node("silent")\nrospy.spin()\n')
+    (folder / 'silent.launch').write_text(ONE_NODE.format('silent', ''))
+    (folder / 'plain.py').touch()
+    (folder / 'plain.launch').write_text(ONE_NODE.format('plain', ''))
+    (folder / 'elsewhere.launch').write_text(
+        ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'))
+    for program in 'node.py', 'helper.sh', 'silent.py':
+        (folder / program).chmod(0o755)
     example = shutil.copytree(EXAMPLE, tmp_path / 'example')
     for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
@@ -97,7 +112,22 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
     assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
 
 
+def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_parameters_name():
+    printed = sweep('guest', 'helper.launch', '--until', '2', '--set', 'launch:x=done', '--set', 'x=1',
+                    command=SCRIPT, timeout=60.0).stdout
+    row, = rows_in(folder_of(printed))
+    assert (row['ended'], row['x'], row['launch:x']) == ('until', '1', 'done')
+
+
+def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
+    printed = sweep('guest', 'silent.launch', '--until', '1', command=SCRIPT).stdout
+    assert 'no commands     reached the robot, with all runs: ' in printed, printed
+
+
 @pytest.mark.parametrize('launched, values, line', [
+    (('guest', 'plain.launch', 1), {}, 'plain.launch: node plain, guest/plain.py, is not there, or not executable'),
+    (('guest', 'elsewhere.launch', 1), {}, 'elsewhere.launch: node node, guest/node.py, has a ROS_MASTER_URI of'),
+    (('guest', 'helper.launch', 1), {'launch:y': [1]}, 'parameter launch:y cannot be set in a sweep of helper.launch'),
     (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),

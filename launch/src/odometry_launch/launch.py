@@ -131,6 +131,11 @@ class Launch(ProcessListener):
                 self.process_died(process.name, process.exit_code)
         return {**self._ended}
 
+    def pids(self):
+        """Return the ids of the processes of the nodes that run, by name; -1 before they are started."""
+        pids = {process.name.partition('-')[0]: process.pid for process in list(self._parent.pm.procs)}
+        return {name: pids.get(name, -1) for name in self.names - self.statuses().keys()}
+
     def lines(self):
         """Return what the nodes have printed."""
         return self._output.lines()

@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
+import psutil
 import rosgraph
 import rospy
 import yaml
@@ -22,6 +23,7 @@ OURS = SIMULATOR, 'master'
 UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')  # of the simulator's log
 ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
 SLACK = 1e-6  # s
+HELPER_TIME = 1.0  # s of wall time
 END_TIMEOUT = 20.0  # s of wall time; rospy takes a tenth of a second
 
 
@@ -52,10 +54,10 @@ def record(nodes, robot, end, folder=None, are_watched=True):
         with Launch('sim.launch', {'params': file.name}, beside=nodes,
                     watched=None if are_watched else OURS) as launch:
             join(launch, 'record')
-            recording = Recording(folder)
-            launch.wait_for(lambda: _are_there(launch, recording), 'the nodes do not answer')
+            recording, starting = Recording(folder), Starting(launch)
+            launch.wait_for(lambda: starting.is_over() and _is_ready(recording), 'the nodes do not answer')
             _step(launch, end)
-            _await_ends(launch)
+            _await_ends(launch, starting.nodes)
             bag, statuses, required = recording.close(), launch.statuses(), launch.required - {SIMULATOR}
             crashes = [launch.end_of(name) for name, status in statuses.items() if status != 0]
             found = filter(None, map(UNAWAITED.search, launch.lines()))
@@ -64,20 +66,51 @@ def record(nodes, robot, end, folder=None, are_watched=True):
     return Recorded(bag, {*statuses}, crashes, required, {match[1]: match[2] for match in found})
 
 
-def _are_there(launch, recording):
-    """Return whether all nodes are known to the master, or have ended, and the robot is recorded."""
-    master = rosgraph.Master(rospy.get_name())
-    for name in launch.names - launch.statuses().keys():
-        master.lookupNode(f'/{name}')
-    master.lookupService(f'/{STEP}')
+class Starting:
+    """Tells whether the processes of a launch file have become nodes, have ended, or are no nodes."""
+
+    def __init__(self, launch):
+        self.nodes = set()  # names of those that are known to the master
+        self._launch = launch
+        self._asleep = {}  # by name: their CPU times and states, and since when (s) these are the same
+
+    def is_over(self):
+        """Check once more; to be called again and again."""
+        self.nodes |= _registered() & self._launch.names
+        waiting = [(name, pid) for name, pid in self._launch.pids().items() if name not in self.nodes]
+        return all(self._has_slept(name, pid) for name, pid in waiting)
+
+    def _has_slept(self, name, pid):
+        """Return whether a process and its children have slept for HELPER_TIME: a node would compute."""
+        try:
+            process = psutil.Process(pid)
+            state = [(one.cpu_times(), one.status()) for one in (process, *process.children(recursive=True))]
+        except (psutil.NoSuchProcess, ValueError):  # roslaunch will notice, or has not started it yet
+            return False
+        now = time.monotonic()
+        before, since = self._asleep.get(name, (None, now))
+        if state != before or any(status != psutil.STATUS_SLEEPING for _, status in state):
+            since = now
+        self._asleep[name] = state, since
+        return now - since > HELPER_TIME
+
+
+def _registered():
+    """Return the names of all nodes that the master knows."""
+    state = rosgraph.Master(rospy.get_name()).getSystemState()
+    return {name.lstrip('/') for kind in state for _, names in kind for name in names}
+
+
+def _is_ready(recording):
+    """Return whether the robot answers, and is recorded."""
+    rosgraph.Master(rospy.get_name()).lookupService(f'/{STEP}')
     return recording.is_connected(*ROBOT_TOPICS)
 
 
-def _await_ends(launch):
+def _await_ends(launch, nodes):
     """Return once the processes of the nodes that have left the graph have ended, too."""
-    master, end = rosgraph.Master(rospy.get_name()), time.monotonic() + END_TIMEOUT
-    known = {name.lstrip('/') for kind in master.getSystemState() for _, names in kind for name in names}
-    while launch.names - known - launch.statuses().keys() and time.monotonic() < end:
+    end, left = time.monotonic() + END_TIMEOUT, nodes - _registered()
+    while left - launch.statuses().keys() and time.monotonic() < end:
         time.sleep(CHECK_PERIOD)
 
 

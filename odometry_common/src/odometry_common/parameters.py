@@ -158,5 +158,8 @@ def as_number(value):
     """Return a value of the parameter server as a float; None if it is not a finite number."""
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     is_written_as_one = isinstance(value, str) and WITH_EXPONENT.fullmatch(value)
-    number = float(value) if is_number or is_written_as_one else math.nan
+    try:
+        number = float(value) if is_number or is_written_as_one else math.nan
+    except OverflowError:  # an int of more than 308 digits
+        return None
     return number if math.isfinite(number) else None

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import os
 from typing import Any, NamedTuple
 
 import yaml
@@ -83,4 +84,11 @@ def read_campaign(path):
         if not isinstance(table, dict):
             raise StartError(f'{path}: {key} is {table!r}, but must have a line for each name')
     values = {name: value if isinstance(value, list) else [value] for name, value in values.items()}
-    return Campaign(kind(*map(content.get, kind._fields)), content.get('seeds', 1), values, limits)
+    return Campaign(kind(*map(content.get, kind._fields)), content.get('seeds', 1),
+                    absolute_worlds(values), limits)
+
+
+def absolute_worlds(values):
+    """Return the values with absolute paths of world files: nodes and a replay run in other folders."""
+    return {name: [os.path.abspath(value) if value and isinstance(value, str) else value for value in several]
+            if name == 'world' else several for name, several in values.items()}

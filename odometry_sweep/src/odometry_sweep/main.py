@@ -15,6 +15,7 @@ from odometry_launch.output import DemoError, Line, bar, complain, run_command
 from odometry_sweep.options import parse
 from odometry_sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, table, write_results
 from odometry_sweep.running import on_cluster, on_this_machine, run_all
+from odometry_sweep.subjects import LAUNCH
 
 PROGRAM = 'sweep'
 LINE_PERIOD = 5.0  # s
@@ -81,6 +82,9 @@ def _report(campaign, combinations, folder):
         if late.any():
             print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; the first is run '
                   f'{number * campaign.seeds + late.argmax() + 1}')
+    for name, rows in combinations:
+        if campaign.subject.kind == LAUNCH and not any(row['commands'] for row in rows):
+            print(f'no commands     reached the robot, with {name}: see rostopic info /cmd_vel while the nodes run')
     if any(len(rows) > 1 and rows[0]['ended'] in ENDS and all(row == rows[0] for row in rows)
            for _, rows in combinations):
         print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '

@@ -4,9 +4,9 @@ import argparse
 
 import yaml
 
-from odometry_sweep.campaign import SEEDS, Campaign, read_campaign
+from odometry_sweep.campaign import SEEDS, Campaign, absolute_worlds, read_campaign
 from odometry_sweep.closed_loop import TUTORIALS
-from odometry_sweep.subjects import Launched, Tutorial
+from odometry_sweep.subjects import LAUNCH_ARGUMENT, Launched, Tutorial
 
 
 def parse(arguments):
@@ -20,13 +20,14 @@ def parse(arguments):
     if not (options.campaign or options.replay):
         if not 1 <= len(options.what) <= 2:
             parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
-        if len(options.what) == 1 and options.until:
+        if len(options.what) == 1 and options.until is not None:
             parser.error('argument --until: only for a launch file')
         if len(values := dict(options.set)) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
         subject = Launched(options.what, options.until) if len(options.what) == 2 else Tutorial(*options.what)
-        options.campaign = Campaign(subject, SEEDS.default if options.seeds is None else options.seeds, values, {})
-    elif options.what or options.set or options.seeds or options.until:
+        options.campaign = Campaign(subject, SEEDS.default if options.seeds is None else options.seeds,
+                                    absolute_worlds(values), {})
+    elif options.what or options.set or (options.seeds, options.until) != (None, None):
         parser.error('the file of --campaign or --replay sets tutorial, --seeds, --set and --until')
     elif options.campaign:
         options.campaign = read_campaign(options.campaign)
@@ -64,7 +65,7 @@ def make_parser():
 
 def _values(text):
     name, separator, values = text.partition('=')
-    if not separator or not name.isidentifier():
+    if not separator or not name.replace(LAUNCH_ARGUMENT, '', 1).isidentifier():
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
         return name, yaml.safe_load(f'[{values}]')

@@ -12,6 +12,7 @@ from odometry_sweep import closed_loop
 from odometry_sweep.closed_loop import TUTORIALS
 
 LAUNCH = 'launch'  # in place of a tutorial
+LAUNCH_ARGUMENT = 'launch:'  # before an argument's name that is a parameter of the robot, too
 UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
 # The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
@@ -56,7 +57,9 @@ class Launched(NamedTuple):
         if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
             raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
         try:
-            _check_values(self, values, {**dict.fromkeys(get_args([path_of(*self.launch)])), **ROBOT})
+            arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in ROBOT else name
+                         for name in get_args([path_of(*self.launch)])]
+            _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
             nodes = load([self.nodes({name: several[0] for name, several in values.items()})]).nodes
         except roslaunch.RLException as error:
             raise StartError(f'{self.name}: {" ".join(str(error).split())}') from None
@@ -64,6 +67,8 @@ class Launched(NamedTuple):
             raise StartError(f'{self.name} starts a robot, but the sweep does that: leave out sim.launch')
         if not nodes:
             raise StartError(f'{self.name} starts no node')
+        for node in nodes:
+            _check_node(self.name, node)
 
     def run(self, parameters):
         """Run in a process of its own, since rospy begins only once; return the metrics by name."""
@@ -75,8 +80,23 @@ class Launched(NamedTuple):
 
     def nodes(self, parameters):
         """Return package, name and arguments of the launch file, as roslaunch reads them."""
-        return (*self.launch, {name: str(value).lower() if isinstance(value, bool) else value
+        return (*self.launch, {name.replace(LAUNCH_ARGUMENT, '', 1):
+                               str(value).lower() if isinstance(value, bool) else value
                                for name, value in parameters.items() if name not in ROBOT})
+
+
+def _check_node(file, node):
+    """Raise StartError if roslaunch cannot start a node, or the node would not find the robot."""
+    from roslib.packages import find_node
+    program = f'{file}: node {node.name}, {node.package}/{node.type}'
+    try:
+        found = find_node(node.package, node.type)
+    except LookupError:
+        found = []
+    if not found:
+        raise StartError(f'{program}, is not there, or not executable (chmod +x)')
+    if 'ROS_MASTER_URI' in dict(node.env_args):
+        raise StartError(f'{program}, has a ROS_MASTER_URI of its own, where the robot is not')
 
 
 def _check_values(subject, values, known, left_out=frozenset()):
