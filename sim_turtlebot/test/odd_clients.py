@@ -1,4 +1,4 @@
-"""Robot clients that lockstep cannot wait for, or that command too early.
+"""Robot clients that lockstep cannot wait for, that command too early, or that start many threads.
 
 usage: odd_clients.py KIND
 """
@@ -99,6 +99,13 @@ def early(robot):
         time.sleep(0.01)
     robot.drive(0.0)
     rospy.spin()
+
+
+def short_threads(robot):
+    """Start threads that end at once, as rospy.Timer(oneshot=True) and threading.Timer do."""
+    for _ in iter(robot.seen.get, None):
+        for _ in range(20):
+            threading.Thread(target=int).start()
 
 
 def stopped(robot):

@@ -5,6 +5,7 @@ import signal
 import sys
 from functools import partial
 
+import psutil
 import pytest
 from geometry_msgs.msg import Twist
 from lockstep_runs import (
@@ -91,6 +92,17 @@ def test_a_loop_keeps_its_rate(rate, start_client):
             counts.append(len(commands.messages))
     # A command of either moment may have come before or after this thread looked.
     assert abs(counts[1] - counts[0] - 5 * rate) <= 1 + rate / 10, counts
+
+
+@pytest.mark.parametrize('seconds', [60, pytest.param(3600, marks=pytest.mark.nightly)])
+def test_the_files_of_threads_that_have_ended_are_closed(seconds, start_client):
+    with simulator_in_step(UNPACED) as simulation, start_client('odd short_threads', 'client'):
+        truth, counts = Truth(), []
+        for period in 10, seconds:
+            truth.wait_seconds(period, timeout=period)
+            counts.append(psutil.Process(simulation.pid).num_fds())
+    at_once = 3 * 20  # files of each of the threads
+    assert counts[1] < counts[0] + 2 * at_once, counts
 
 
 BUSY, SLEEPS, STOPPED = 'it has been busy for 2 s', 'it acts by wall time', 'it has been stopped'
