@@ -14,6 +14,8 @@ import time
 import rospy
 from clients import main, rate
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from rospy.impl import tcpros_pubsub
 from std_srvs.srv import Empty
 
 
@@ -99,6 +101,16 @@ def early(robot):
         time.sleep(0.01)
     robot.drive(0.0)
     rospy.spin()
+
+
+def held_up(_robot):
+    """Print how far (s) time goes on while a connection to the simulator is held up for a second."""
+    connect, messages = tcpros_pubsub.robust_connect_subscriber, queue.Queue()
+    tcpros_pubsub.robust_connect_subscriber = lambda *arguments: time.sleep(1.0) or connect(*arguments)
+    begin = rospy.get_time()
+    rospy.Subscriber('base_pose_ground_truth', Odometry, messages.put)
+    print('subscribed', flush=True)
+    print('went on for', messages.get().header.stamp.to_sec() - begin, flush=True)
 
 
 def short_threads(robot):

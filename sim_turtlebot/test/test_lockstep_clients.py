@@ -94,6 +94,17 @@ def test_a_loop_keeps_its_rate(rate, start_client):
     assert abs(counts[1] - counts[0] - 5 * rate) <= 1 + rate / 10, counts
 
 
+@pytest.mark.parametrize('arguments', [[], ['_paused:=true']], ids=['running', 'paused'])
+def test_time_stands_still_while_a_connection_is_made(arguments, start_client):
+    with simulator_in_step(UNPACED, *arguments), start_client('rate', 'bystander'), \
+            start_client('odd held_up', 'client') as client:
+        client.wait_for_output('subscribed')
+        if arguments:
+            call('unpause_physics')
+        client.wait_for_output('went on for')
+        assert float(client.stdout.split()[-1]) <= 0.1, client.stdout  # two periods of the odometry
+
+
 @pytest.mark.parametrize('seconds', [60, pytest.param(3600, marks=pytest.mark.nightly)])
 def test_the_files_of_threads_that_have_ended_are_closed(seconds, start_client):
     with simulator_in_step(UNPACED) as simulation, start_client('odd short_threads', 'client'):

@@ -35,7 +35,7 @@ class IdleWaiter:
         :param on_busy: called with a Process that exceeds its CPU budget; it is not awaited any more
         :param is_flooded: function that returns whether such a busy process keeps a Process awake
         """
-        self._is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
+        self.is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
         self.processes = {}  # by id
         # By Process: the usage of its threads that do not poll, when all were last idle
         self.idle_usage = {}
@@ -53,7 +53,7 @@ class IdleWaiter:
         :param only_clock: whether the processes received only a tick of the clock, each on one thread
         """
         begin, first_cpu_times, usage, polls = time.monotonic(), {}, None, {}
-        while not self._is_over():
+        while not self.is_over():
             check_begin = time.monotonic()
             try:
                 self._await_continued()
@@ -91,10 +91,14 @@ class IdleWaiter:
         with contextlib.suppress(OSError, KeyError):  # it has ended
             polling = {thread: thread.sleeps for thread in self.processes[pid].threads.values()
                        if thread.may_poll}
-            while polling and not self._is_over() and time.monotonic() - begin < STALL_TIMEOUT:
+            while polling and not self.is_over() and time.monotonic() - begin < STALL_TIMEOUT:
                 time.sleep(LONGEST_POLL)
                 polling = {thread: sleeps for thread, sleeps in polling.items()
                            if thread.sleeps == sleeps}
+
+    def awaits(self, pid):
+        """Return whether it waits for the process with this id."""
+        return self.processes.get(pid) in self._awaited
 
     def remove(self, pid):
         """Do not wait for a process any more."""

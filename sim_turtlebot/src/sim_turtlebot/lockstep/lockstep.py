@@ -10,7 +10,7 @@ from pathlib import Path
 import rospy
 from odometry_common.parameters import ParameterError
 
-from sim_turtlebot.lockstep.graph import GraphProcesses
+from sim_turtlebot.lockstep.graph import CONNECT_TIMEOUT, GraphProcesses
 from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL, IdleWaiter
 
 SLEEPER_CHECK_PERIOD = 2.0  # s of wall time between two checks for nodes that sleep by it
@@ -35,7 +35,8 @@ class Lockstep:
         """
         _check_proc()
         self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded)
-        self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report_unseen)
+        self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report_unseen,
+                                     self._report_unconnected)
         self._changed = self._next_sleeper_check = 0.0
         self._sleepers = {}  # time of the last check, and sleeps seen by then, by Thread
         self._tick = tick
@@ -122,6 +123,9 @@ class Lockstep:
     def _report_unseen(self, name):
         self._report(name, 'runs on another machine, in another container or as another user, where '
                      'lockstep cannot see it: run it beside the robot')
+
+    def _report_unconnected(self, topic, publisher, subscriber):
+        self._report(subscriber, f'has not connected to {publisher} on {topic} for {CONNECT_TIMEOUT:g} s')
 
     def _report(self, name, reason):
         if name not in self._reported:
