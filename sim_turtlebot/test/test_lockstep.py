@@ -1,14 +1,18 @@
 """In lockstep a run as fast as the machine can has no control delay, and two are the same bytes."""
 
+import contextlib
 import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
 from lockstep_runs import NOT_AWAITED, UNPACED, assert_same_bytes, record
 from nav_msgs.msg import Odometry
+from odometry_tests.pausing import call
 from odometry_tests.scripts import ROOT
-from odometry_tests.tutorial import detector, mover, rotator, simulator_in_step
+from odometry_tests.tutorial import detector, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Float64
@@ -59,6 +63,42 @@ def test_steps_from_outside_move_the_robot_as_lockstep_does_by_itself():
     stepped = record(*ROTATE, begin=step_by_step)
     assert_same_bytes(record(*ROTATE), stepped)
     assert stamps == [f'{message.header.stamp.to_sec():.9f}' for message in stepped['/odom']]
+
+
+def step(count):
+    with contextlib.closing(rospy.ServiceProxy('/sim_turtlebot/step', Trigger, persistent=True)) as proxy:
+        return [proxy() for _ in range(count)]
+
+
+@pytest.fixture
+def stepped_simulator():
+    with simulator(UNPACED, '_lockstep:=true', '_paused:=true'):
+        for service in 'step', 'reset_simulation':
+            rospy.wait_for_service(f'/sim_turtlebot/{service}')
+        yield
+
+
+def test_each_of_several_callers_steps_a_period_of_its_own(stepped_simulator):
+    with ThreadPoolExecutor() as pool:
+        answers = [answer for answers in pool.map(step, [50, 50]) for answer in answers]
+    assert len({answer.message for answer in answers}) == 100
+    assert max(float(answer.message) for answer in answers) == pytest.approx(99 * 0.05)
+
+
+def test_a_step_succeeds_beside_resets(stepped_simulator):
+    done = threading.Event()
+
+    def reset():
+        while not done.is_set():
+            call('reset_simulation')
+
+    with ThreadPoolExecutor() as pool:
+        resets = pool.submit(reset)
+        try:
+            assert all(answer.success for answer in step(50))
+        finally:
+            done.set()
+        resets.result()
 
 
 def test_only_a_paused_simulation_can_be_stepped():

@@ -166,13 +166,20 @@ class Simulator:
         self._paused = True
 
     def _unpause(self):
-        self._paused = False
-        self._pacer.restart(self._timeline.now)
+        if self._paused:
+            self._paused = False
+            self._pacer.restart(self._timeline.now)
 
     def _step(self):
         """Advance to the next odometry while paused; return success, and its stamp (s) or why not."""
         if not self._paused:
             return False, 'call ~pause_physics first'
+        # In lockstep, requests are served in between; these would move the time of this step.
+        with self._requests.holding(*map(rospy.resolve_name, ('~step', '~reset_simulation'))):
+            self._advance_to_odometry()
+        return True, f'{self._timeline.now / 1e9:.9f}'
+
+    def _advance_to_odometry(self):
         if self._lockstep:
             self._lockstep.wait()  # until the commands that were sent before are here
             self._serve()
@@ -182,7 +189,6 @@ class Simulator:
         else:
             while self._timeline.odometry_count == count:
                 self._advance()
-        return True, f'{self._timeline.now / 1e9:.9f}'
 
     def _reset(self):
         """Reset time and robots to the start."""
