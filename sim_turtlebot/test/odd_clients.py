@@ -120,6 +120,14 @@ def short_threads(robot):
             threading.Thread(target=int).start()
 
 
+def nameless(robot):
+    """Command without the own name in the connection's header, which rospy accepts."""
+    fields = tcpros_pubsub.TCPROSPub.get_header_fields
+    tcpros_pubsub.TCPROSPub.get_header_fields = lambda self: {
+        name: value for name, value in fields(self).items() if name != 'callerid'}
+    rate(robot)
+
+
 def stopped(robot):
     """Stop as in a debugger, some time later."""
     for _ in range(20):

@@ -1,6 +1,7 @@
 """Lockstep waits for nodes as others write them, whatever they wait for themselves."""
 
 import contextlib
+import os
 import signal
 import sys
 from functools import partial
@@ -19,7 +20,7 @@ from lockstep_runs import (
 )
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.processes import Process
+from odometry_tests.processes import Process, assert_refused
 from odometry_tests.tutorial import Truth, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
@@ -144,6 +145,26 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, sta
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
     with simulator_in_step(UNPACED), start_client('odd flood_service', 'caller'):
         Truth().wait_seconds(5.0)
+
+
+@pytest.mark.parametrize('arguments', [[], ['_lockstep:=true']], ids=['paced', 'lockstep'])
+def test_commands_of_a_publisher_that_does_not_give_its_name_are_obeyed(arguments, start_client):
+    with simulator(*arguments) as simulation, start_client('odd nameless', 'client'):
+        Truth().wait_until_moving()
+    assert 'Traceback' not in simulation.output, simulation.output
+
+
+def test_the_publishers_of_two_clocks_are_named(ns, simulated_time):
+    with simulator('__ns:=a') as first, simulator('__ns:=b'):
+        first.wait_for_output('/clock is published by /a/sim_turtlebot and /b/sim_turtlebot: stop all but one; '
+                              'for two robots use robots:=2')
+
+
+def test_lockstep_without_psutil_is_refused(tmp_path, simulated_time):
+    (tmp_path / 'psutil.py').write_text("raise ModuleNotFoundError(name='psutil')")
+    path = os.pathsep.join([str(tmp_path), os.environ['PYTHONPATH']])
+    with simulator('_lockstep:=true', env={'PYTHONPATH': path}) as simulation:
+        assert_refused(simulation, 'lockstep needs psutil: install python3-psutil')
 
 
 def test_a_command_before_time_zero_is_said_to_be_ignored(start_client):

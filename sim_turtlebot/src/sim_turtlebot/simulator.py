@@ -10,13 +10,14 @@ import math
 
 import rospy
 from odometry_common.node import LONGEST_WAIT
-from odometry_common.parameters import ParameterError
+from odometry_common.parameters import ParameterError, StartError
+from odometry_common.publisher_conflicts import warn_of_conflicts
 from std_srvs.srv import Trigger
 
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.pacing import Pacer
 from sim_turtlebot.physics.window import NoScreenError
-from sim_turtlebot.physics.world_file import WorldFileError
+from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.reports import Reports
 from sim_turtlebot.requests import RequestQueue
 from sim_turtlebot.settings import read_settings
@@ -52,7 +53,10 @@ class Simulator:
         rospy.on_shutdown(self._stop)
         self._lockstep = None
         if settings.lockstep:  # its import takes a tenth of the start
-            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
+            try:
+                from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
+            except ModuleNotFoundError as error:
+                raise StartError(f'lockstep needs {error.name}: install python3-{error.name}') from None
             self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate)
             # Whoever unpauses it knows that all nodes are there.
             self._stable_time = 0.0 if settings.paused else STABLE_TIME
@@ -63,6 +67,9 @@ class Simulator:
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
         self._inputs = Inputs(simulation, self._namespaces, self._requests, self._topics.warn)
         self._inputs.obeys = not self._lockstep
+        self._warn_of_models_left_out()
+        if settings.use_sim_time:
+            warn_of_conflicts('/clock', 'stop all but one; for two robots use robots:=2')
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
             self._inputs.serve(name, action)
@@ -76,6 +83,14 @@ class Simulator:
         rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
+
+    def _warn_of_models_left_out(self):
+        world = self._settings.world
+        if models := left_out(world) if world else []:
+            warning = (f'{world} includes {", ".join(models)}, which PyBullet does not load: replace each <include> '
+                       'with the <model> of its model.sdf')
+            rospy.logwarn(warning)
+            self._topics.warn('world', warning)
 
     def _take_turn(self):
         """Serve the waiting requests, and advance if a tick is due, even if more requests arrive."""
