@@ -9,11 +9,12 @@ import time
 
 import pytest
 from odometry_tests.waiting import PATIENCE
-from sim_turtlebot.lockstep.idle import CPU_BUDGET, IdleWaiter
+from sim_turtlebot.lockstep.idle import IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
 from sim_turtlebot.lockstep.threads import Thread
 
 ROUNDS = 100
+CPU_BUDGET = 2.0  # s
 # Each reads a number, works, and answers with its successor.
 ANSWERS = 'answer = lambda: (sum(range(20000)), print(int(line) + 1, flush=True))\n'
 READER = ANSWERS + 'import sys\nfor line in sys.stdin: answer()'
@@ -74,7 +75,8 @@ def busy():
 
 @pytest.fixture
 def waiter(busy):
-    with contextlib.closing(IdleWaiter(lambda: False, busy.append)) as waiter:
+    with contextlib.closing(IdleWaiter(lambda: False, lambda process, _: busy.append(process),
+                                       cpu_budget=CPU_BUDGET)) as waiter:
         yield waiter
 
 

@@ -133,13 +133,22 @@ NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
     pytest.param(kind, marks=[] if kind in NAMED_BY_DAY else pytest.mark.nightly) for kind in NAMED])
 def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, start_client):
     with start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit, \
-            simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation:
+            simulator('_lockstep:=true', '_cpu_budget:=2', f'_real_time_factor:={pace}') as simulation:
         simulation.wait_for_output(
             f'{NOT_AWAITED} /culprit, so two runs may differ: {NAMED[kind]}', RUN_TIME)
         truth = Truth()
         truth.wait_seconds(10.0)
         assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
         culprit.send(signal.SIGKILL)
+
+
+def test_a_node_that_computes_is_waited_for_and_one_that_floods_is_not(start_client):
+    """With the default budget; a scan of gmapping's takes more than two seconds."""
+    with simulator_in_step(UNPACED) as simulation, start_client('computing long', 'client'):
+        Recorder('/cmd_vel', Twist).wait_for_count(2, RUN_TIME)
+        with start_client('odd flood', 'culprit'):
+            simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so two runs may differ: {BUSY}', RUN_TIME)
+    assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
 
 
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):

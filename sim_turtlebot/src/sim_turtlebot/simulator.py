@@ -57,7 +57,7 @@ class Simulator:
                 from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
             except ModuleNotFoundError as error:
                 raise StartError(f'lockstep needs {error.name}: install python3-{error.name}') from None
-            self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate)
+            self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate, settings.cpu_budget)
             # Whoever unpauses it knows that all nodes are there.
             self._stable_time = 0.0 if settings.paused else STABLE_TIME
         numbers = range(1, settings.robots + 1)

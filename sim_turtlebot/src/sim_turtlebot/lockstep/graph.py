@@ -9,7 +9,7 @@ import rosgraph
 from odometry_common.connections import ANSWER, node_at
 from rosgraph.names import ns_join
 
-from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL
+from sim_turtlebot.lockstep.idle import LONGEST_POLL
 from sim_turtlebot.lockstep.links import is_refused, links, missing_links
 from sim_turtlebot.lockstep.listeners import pids_at
 from sim_turtlebot.lockstep.threads import MAX_LINE
@@ -165,7 +165,7 @@ class GraphProcesses:
                          if argument.startswith(ROSLAUNCHED)), LOG)
             if (name != LOG and process.pid not in self._waiter.processes
                     and environment.get('ROS_MASTER_URI') == self._master_uri):
-                self._add(name, process.pid, STARTING_CPU_BUDGET)
+                self._add(name, process.pid, max(STARTING_CPU_BUDGET, self._waiter.cpu_budget))
 
     def _find(self, addresses):
         """Add the processes that serve these addresses, by name of their node."""
@@ -180,11 +180,11 @@ class GraphProcesses:
             if pid is None:
                 self._on_unseen(name)
             elif process := self._waiter.processes.get(pid):
-                process.name, process.cpu_budget = name, CPU_BUDGET
+                process.name, process.cpu_budget = name, self._waiter.cpu_budget
             elif pid:
-                self._add(name, pid, CPU_BUDGET)
+                self._add(name, pid)
 
-    def _add(self, name, pid, cpu_budget):
+    def _add(self, name, pid, cpu_budget=None):
         try:
             polls = name not in (MASTER, self._own_name)
             self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, cpu_budget)
@@ -200,7 +200,7 @@ class GraphProcesses:
         if (parent and parent.longest_poll and pid not in self._waiter.processes
                 and _are_one_group(pid, parent.pid)):
             self._children[pid] = parent.pid
-            self._add(parent.name, pid, CHILD_CPU_BUDGET)
+            self._add(parent.name, pid, max(CHILD_CPU_BUDGET, self._waiter.cpu_budget))
 
     def _remove_independent(self):
         """Remove the children that have ended, or have moved to a process group of their own."""

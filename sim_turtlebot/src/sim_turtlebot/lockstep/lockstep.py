@@ -26,15 +26,16 @@ STABLE_TIME = 0.5  # s of wall time without a new or ended node before time begi
 class Lockstep:
     """Waits for all nodes on this machine, and names once each that it cannot wait for."""
 
-    def __init__(self, is_over, tick=0.0):
+    def __init__(self, is_over, tick=0.0, cpu_budget=CPU_BUDGET):
         """Start with the master.
 
         :param is_over: function that returns whether to stop waiting
         :param tick: of the clock (s of simulated time)
+        :param cpu_budget: CPU time (s) that a node may use before it is idle
         :raises ParameterError: if /proc does not show the other processes
         """
         _check_proc()
-        self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded)
+        self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded, cpu_budget)
         self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report_unseen,
                                      self._report_unconnected)
         self._changed = self._next_sleeper_check = 0.0
@@ -111,14 +112,15 @@ class Lockstep:
     def _is_flooded(self, process):
         return self._graph.sends_to(self._reported, process.name)
 
-    def _report_busy(self, process):
+    def _report_busy(self, process, budget):
         if process.is_stopped():
             self._report(process.name, 'has been stopped by a signal or a debugger '
                          f'(process {process.pid}): continue it, or end it')
             return
         thread = process.awake_thread()
-        self._report(process.name, f'has been busy for {CPU_BUDGET:g} s (process {process.pid}, thread '
-                     f'{thread.name if thread else "unknown"}): add a rospy.sleep() to its loop')
+        self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}, thread '
+                     f'{thread.name if thread else "unknown"}): let its loop sleep by rospy.Rate or ros::Rate, '
+                     'or raise ~cpu_budget if it computes for longer')
 
     def _report_unseen(self, name):
         self._report(name, 'runs on another machine, in another container or as another user, where '
