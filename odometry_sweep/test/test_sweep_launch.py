@@ -39,6 +39,25 @@ NODES = '''<launch>
   <arg name="end" default="done"/>
   <node name="node" pkg="guest" type="node.py" required="true"><param name="end" value="$(arg end)"/></node>
 </launch>'''
+NAPPER = '''#!{python}
+import select, threading, time
+import rospy
+from geometry_msgs.msg import Twist
+rospy.init_node('napper')
+publisher, number = rospy.Publisher('cmd_vel', Twist, queue_size=1), 0
+nap = dict(sleep=time.sleep, select=lambda seconds: select.select([], [], [], seconds),
+           event=threading.Event().wait)[rospy.get_param('~nap')]
+while not rospy.is_shutdown():
+    number += 1
+    command = Twist()
+    command.linear.x = 0.1 + 0.02 * (number % 5)
+    publisher.publish(command)
+    nap(0.1)
+'''
+NAPS = '''<launch>
+  <arg name="nap"/>
+  <node name="node" pkg="guest" type="napper.py"><param name="nap" value="$(arg nap)"/></node>
+</launch>'''
 SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>'
 
 
@@ -51,8 +70,10 @@ def packages(tmp_path, monkeypatch):
     (folder / 'nodes.launch').write_text(NODES)
     (folder / 'sim.launch').write_text(SIMULATOR)
     (folder / 'none.launch').write_text('<launch/>')
-    (folder / 'node.py').write_text(NODE.format(python=sys.executable))
-    (folder / 'node.py').chmod(0o755)
+    (folder / 'naps.launch').write_text(NAPS)
+    for name, text in ('node.py', NODE), ('napper.py', NAPPER):
+        (folder / name).write_text(text.format(python=sys.executable))
+        (folder / name).chmod(0o755)
     example = shutil.copytree(EXAMPLE, tmp_path / 'example')
     for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
@@ -85,6 +106,11 @@ def test_how_a_run_ended_is_a_column(ends):
     assert printed.count('not arrived') == len({*ends} - {'done'}), printed
     if ends == ['crash']:
         assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
+
+
+def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
+    printed = sweep('guest', 'naps.launch', '--until', '4', '--set', 'nap=sleep,select,event', command=SCRIPT).stdout
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == 3 * ['not awaited'], printed
 
 
 def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
