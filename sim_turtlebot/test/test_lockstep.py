@@ -2,15 +2,17 @@
 
 import contextlib
 import signal
+import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from lockstep_runs import NOT_AWAITED, UNPACED, assert_same_bytes, record
+from lockstep_runs import NOT_AWAITED, RUN_TIME, UNPACED, assert_same_bytes, record
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import detector, mover, rotator, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder
@@ -40,6 +42,31 @@ ROTATE = [rotator], {'/odom': (Odometry, 20 * SHORT), '/cmd_vel': (Twist, 10 * S
     pytest.param(MOVE, marks=pytest.mark.nightly), ROTATE, SENSORS], ids=['move', 'rotate', 'sensors'])
 def test_two_runs_are_the_same_bytes(tutorial):
     assert_same_bytes(*(record(*tutorial) for _ in range(2)))
+
+
+def first_second():
+    """Start the tutorial's graph, all nodes at once; return its odometry and commands from time zero on."""
+    with contextlib.ExitStack() as stack:
+        recorders = {topic: stack.enter_context(contextlib.closing(Recorder(topic, kind)))
+                     for topic, kind in (('/odom', Odometry), ('/cmd_vel', Twist))}
+        # Named as by roslaunch: time does not begin while such a process has yet to register.
+        for start, *arguments in ((simulator_in_step, UNPACED, '__name:=sim_turtlebot'),
+                                  (detector, '__name:=detector'), (mover, '__name:=mover')):
+            stack.enter_context(start(*arguments))
+        messages = {topic: recorder.wait_for_count(20, RUN_TIME) for topic, recorder in recorders.items()}
+    assert messages['/odom'][0].header.stamp.to_sec() == 0.0
+    return messages
+
+
+@pytest.mark.parametrize('starts', [2, pytest.param(200, marks=pytest.mark.nightly)])
+def test_the_first_second_is_the_same_at_each_start_of_a_busy_machine(starts):
+    """Although nothing waits for the nodes before time begins."""
+    with contextlib.ExitStack() as stack:
+        for _ in range(4):
+            stack.enter_context(Process(sys.executable, '-c', 'while True: pass'))
+        first = first_second()
+        for _ in range(starts - 1):
+            assert_same_bytes(first, first_second())
 
 
 def test_the_zero_command_comes_at_the_odometry_that_reaches_two_metres():
