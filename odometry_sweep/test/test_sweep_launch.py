@@ -45,6 +45,25 @@ HELPER = '''<launch>
   <node name="helper" pkg="guest" type="helper.sh"/>
 </launch>'''
 ONE_NODE = '<launch><node name="{0}" pkg="guest" type="{0}.py">{1}</node></launch>'
+NAPPER = '''#!{python}
+import select, threading, time
+import rospy
+from geometry_msgs.msg import Twist
+rospy.init_node('napper')
+publisher, number = rospy.Publisher('cmd_vel', Twist, queue_size=1), 0
+nap = dict(sleep=time.sleep, select=lambda seconds: select.select([], [], [], seconds),
+           event=threading.Event().wait)[rospy.get_param('~nap')]
+while not rospy.is_shutdown():
+    number += 1
+    command = Twist()
+    command.linear.x = 0.1 + 0.02 * (number % 5)
+    publisher.publish(command)
+    nap(0.1)
+'''
+NAPS = '''<launch>
+  <arg name="nap"/>
+  <node name="node" pkg="guest" type="napper.py"><param name="nap" value="$(arg nap)"/></node>
+</launch>'''
 SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>'
 
 
@@ -57,7 +76,6 @@ def packages(tmp_path, monkeypatch):
     (folder / 'nodes.launch').write_text(NODES)
     (folder / 'sim.launch').write_text(SIMULATOR)
     (folder / 'none.launch').write_text('<launch/>')
-    (folder / 'node.py').write_text(NODE.format(python=sys.executable))
     (folder / 'helper.launch').write_text(HELPER)
     (folder / 'helper.sh').write_text('#!/bin/sh\nexec sleep 3000\n')
     (folder / 'silent.py').write_text(f'#!{sys.executable}\nimport rospy\nrospy.init_node("silent")\nrospy.spin()\n')
@@ -66,8 +84,12 @@ def packages(tmp_path, monkeypatch):
     (folder / 'plain.launch').write_text(ONE_NODE.format('plain', ''))
     (folder / 'elsewhere.launch').write_text(
         ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'))
-    for program in 'node.py', 'helper.sh', 'silent.py':
+    for program in 'helper.sh', 'silent.py':
         (folder / program).chmod(0o755)
+    (folder / 'naps.launch').write_text(NAPS)
+    for name, text in ('node.py', NODE), ('napper.py', NAPPER):
+        (folder / name).write_text(text.format(python=sys.executable))
+        (folder / name).chmod(0o755)
     example = shutil.copytree(EXAMPLE, tmp_path / 'example')
     for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
@@ -100,6 +122,11 @@ def test_how_a_run_ended_is_a_column(ends):
     assert printed.count('not arrived') == len({*ends} - {'done'}), printed
     if ends == ['crash']:
         assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
+
+
+def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
+    printed = sweep('guest', 'naps.launch', '--until', '4', '--set', 'nap=sleep,select,event', command=SCRIPT).stdout
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == 3 * ['not awaited'], printed
 
 
 def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():

@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 from clients import main
@@ -16,6 +17,15 @@ from clients import main
 def work(x):
     sum(range(200_000))
     return x
+
+
+def long(robot):
+    """Compute for three seconds, as SLAM does, before each of the first two commands."""
+    for number, x in enumerate(iter(robot.seen.get, None)):
+        end = time.process_time() + (3.0 if number < 2 else 0.0)
+        while time.process_time() < end:
+            pass
+        robot.drive(x)
 
 
 def program(robot):

@@ -1,4 +1,4 @@
-"""Robot clients that lockstep cannot wait for, or that command too early.
+"""Robot clients that lockstep cannot wait for, that command too early, or that start many threads.
 
 usage: odd_clients.py KIND
 """
@@ -14,6 +14,8 @@ import time
 import rospy
 from clients import main, rate
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from rospy.impl import tcpros_pubsub
 from std_srvs.srv import Empty
 
 
@@ -99,6 +101,31 @@ def early(robot):
         time.sleep(0.01)
     robot.drive(0.0)
     rospy.spin()
+
+
+def held_up(_robot):
+    """Print how far (s) time goes on while a connection to the simulator is held up for a second."""
+    connect, messages = tcpros_pubsub.robust_connect_subscriber, queue.Queue()
+    tcpros_pubsub.robust_connect_subscriber = lambda *arguments: time.sleep(1.0) or connect(*arguments)
+    begin = rospy.get_time()
+    rospy.Subscriber('base_pose_ground_truth', Odometry, messages.put)
+    print('subscribed', flush=True)
+    print('went on for', messages.get().header.stamp.to_sec() - begin, flush=True)
+
+
+def short_threads(robot):
+    """Start threads that end at once, as rospy.Timer(oneshot=True) and threading.Timer do."""
+    for _ in iter(robot.seen.get, None):
+        for _ in range(20):
+            threading.Thread(target=int).start()
+
+
+def nameless(robot):
+    """Command without the own name in the connection's header, which rospy accepts."""
+    fields = tcpros_pubsub.TCPROSPub.get_header_fields
+    tcpros_pubsub.TCPROSPub.get_header_fields = lambda self: {
+        name: value for name, value in fields(self).items() if name != 'callerid'}
+    rate(robot)
 
 
 def stopped(robot):

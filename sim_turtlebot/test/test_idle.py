@@ -9,10 +9,12 @@ import time
 
 import pytest
 from odometry_tests.waiting import PATIENCE
-from sim_turtlebot.lockstep.idle import CPU_BUDGET, IdleWaiter
+from sim_turtlebot.lockstep.idle import IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
+from sim_turtlebot.lockstep.threads import Thread
 
 ROUNDS = 100
+CPU_BUDGET = 2.0  # s
 # Each reads a number, works, and answers with its successor.
 ANSWERS = 'answer = lambda: (sum(range(20000)), print(int(line) + 1, flush=True))\n'
 READER = ANSWERS + 'import sys\nfor line in sys.stdin: answer()'
@@ -73,7 +75,8 @@ def busy():
 
 @pytest.fixture
 def waiter(busy):
-    with contextlib.closing(IdleWaiter(lambda: False, busy.append)) as waiter:
+    with contextlib.closing(IdleWaiter(lambda: False, lambda process, _: busy.append(process),
+                                       cpu_budget=CPU_BUDGET)) as waiter:
         yield waiter
 
 
@@ -167,3 +170,19 @@ def test_a_process_that_ends_is_forgotten(waiter, start):
     ending.wait()
     waiter.wait()
     assert list(waiter.processes) == [staying.pid]
+
+
+@pytest.mark.parametrize('opened', range(3))
+def test_a_thread_that_ends_while_its_files_are_opened_leaves_none_open(monkeypatch, opened):
+    """It may end after each of the three."""
+    before, left, open_file = os.listdir('/proc/self/fd'), iter(range(opened)), os.open
+
+    def open_some(*arguments):
+        if next(left, None) is None:
+            raise FileNotFoundError
+        return open_file(*arguments)
+
+    monkeypatch.setattr(os, 'open', open_some)
+    with pytest.raises(FileNotFoundError):
+        Thread(os.getpid(), threading.get_native_id())
+    assert os.listdir('/proc/self/fd') == before

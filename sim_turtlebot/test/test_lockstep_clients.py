@@ -1,10 +1,12 @@
 """Lockstep waits for nodes as others write them, whatever they wait for themselves."""
 
 import contextlib
+import os
 import signal
 import sys
 from functools import partial
 
+import psutil
 import pytest
 from geometry_msgs.msg import Twist
 from lockstep_runs import (
@@ -18,7 +20,7 @@ from lockstep_runs import (
 )
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.processes import Process
+from odometry_tests.processes import Process, assert_refused
 from odometry_tests.tutorial import Truth, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
@@ -93,6 +95,28 @@ def test_a_loop_keeps_its_rate(rate, start_client):
     assert abs(counts[1] - counts[0] - 5 * rate) <= 1 + rate / 10, counts
 
 
+@pytest.mark.parametrize('arguments', [[], ['_paused:=true']], ids=['running', 'paused'])
+def test_time_stands_still_while_a_connection_is_made(arguments, start_client):
+    with simulator_in_step(UNPACED, *arguments), start_client('rate', 'bystander'), \
+            start_client('odd held_up', 'client') as client:
+        client.wait_for_output('subscribed')
+        if arguments:
+            call('unpause_physics')
+        client.wait_for_output('went on for')
+        assert float(client.stdout.split()[-1]) <= 0.1, client.stdout  # two periods of the odometry
+
+
+@pytest.mark.parametrize('seconds', [60, pytest.param(3600, marks=pytest.mark.nightly)])
+def test_the_files_of_threads_that_have_ended_are_closed(seconds, start_client):
+    with simulator_in_step(UNPACED) as simulation, start_client('odd short_threads', 'client'):
+        truth, counts = Truth(), []
+        for period in 10, seconds:
+            truth.wait_seconds(period, timeout=period)
+            counts.append(psutil.Process(simulation.pid).num_fds())
+    at_once = 3 * 20  # files of each of the threads
+    assert counts[1] < counts[0] + 2 * at_once, counts
+
+
 BUSY, SLEEPS, STOPPED = 'it has been busy for 2 s', 'it acts by wall time', 'it has been stopped'
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
@@ -109,7 +133,7 @@ NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
     pytest.param(kind, marks=[] if kind in NAMED_BY_DAY else pytest.mark.nightly) for kind in NAMED])
 def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, start_client):
     with start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit, \
-            simulator('_lockstep:=true', f'_real_time_factor:={pace}') as simulation:
+            simulator('_lockstep:=true', '_cpu_budget:=2', f'_real_time_factor:={pace}') as simulation:
         simulation.wait_for_output(
             f'{NOT_AWAITED} /culprit, so two runs may differ: {NAMED[kind]}', RUN_TIME)
         truth = Truth()
@@ -118,9 +142,38 @@ def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, sta
         culprit.send(signal.SIGKILL)
 
 
+def test_a_node_that_computes_is_waited_for_and_one_that_floods_is_not(start_client):
+    """With the default budget; a scan of gmapping's takes more than two seconds."""
+    with simulator_in_step(UNPACED) as simulation, start_client('computing long', 'client'):
+        Recorder('/cmd_vel', Twist).wait_for_count(2, RUN_TIME)
+        with start_client('odd flood', 'culprit'):
+            simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so two runs may differ: {BUSY}', RUN_TIME)
+    assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
+
+
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
     with simulator_in_step(UNPACED), start_client('odd flood_service', 'caller'):
         Truth().wait_seconds(5.0)
+
+
+@pytest.mark.parametrize('arguments', [[], ['_lockstep:=true']], ids=['paced', 'lockstep'])
+def test_commands_of_a_publisher_that_does_not_give_its_name_are_obeyed(arguments, start_client):
+    with simulator(*arguments) as simulation, start_client('odd nameless', 'client'):
+        Truth().wait_until_moving()
+    assert 'Traceback' not in simulation.output, simulation.output
+
+
+def test_the_publishers_of_two_clocks_are_named(ns, simulated_time):
+    with simulator('__ns:=a') as first, simulator('__ns:=b'):
+        first.wait_for_output('/clock is published by /a/sim_turtlebot and /b/sim_turtlebot: stop all but one; '
+                              'for two robots use robots:=2')
+
+
+def test_lockstep_without_psutil_is_refused(tmp_path, simulated_time):
+    (tmp_path / 'psutil.py').write_text("raise ModuleNotFoundError(name='psutil')")
+    path = os.pathsep.join([str(tmp_path), os.environ['PYTHONPATH']])
+    with simulator('_lockstep:=true', env={'PYTHONPATH': path}) as simulation:
+        assert_refused(simulation, 'lockstep needs psutil: install python3-psutil')
 
 
 def test_a_command_before_time_zero_is_said_to_be_ignored(start_client):

@@ -1,11 +1,16 @@
 """Simulated time keeps to its share of the wall clock, and a machine that is too slow is found."""
 
+import time
 from types import SimpleNamespace
 
 import pytest
+import rospy
+from odometry_tests.tutorial import Truth, simulator
 from sim_turtlebot.pacing import Pacer
+from std_srvs.srv import Empty
 
 SECOND = 10**9  # ns
+MAX_LEAD = 0.5  # s: what a busy machine makes up for, and a period or two
 
 
 @pytest.fixture
@@ -109,3 +114,13 @@ def test_a_pause_is_no_recovery(wall):
         wall.now += 3600
         machine.pacer.restart(5 * SECOND)
     assert machine.said == [pytest.approx(0.5, rel=0.02)]
+
+
+def test_unpausing_a_simulation_that_runs_changes_nothing(simulated_time):
+    with simulator():
+        truth = Truth()
+        first, begin = truth.stamp, time.monotonic()
+        unpause = rospy.ServiceProxy('/sim_turtlebot/unpause_physics', Empty, persistent=True)
+        while time.monotonic() - begin < 2.0:
+            unpause()
+        assert truth.last.header.stamp.to_sec() - first < time.monotonic() - begin + MAX_LEAD

@@ -76,3 +76,14 @@ def test_what_arrives_meanwhile_is_served_next_time(requests):
     requests.put(('/a', '/t'), lambda: requests.put(('/a', '/t'), lambda: None))
     requests.serve_all()
     assert requests.wait(0.0)
+
+
+def test_what_is_held_is_served_afterwards(requests):
+    served = []
+    requests.put(('/a', '/step'), lambda: served.append('step'))
+    requests.put(('/b', '/cmd_vel'), lambda: served.append('command'))
+    with requests.holding('/step'):
+        requests.serve_all()
+        assert served == ['command']
+    requests.serve_all()
+    assert served == ['command', 'step']

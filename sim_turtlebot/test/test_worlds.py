@@ -9,6 +9,7 @@ from odometry_tests.waiting import Recorder
 from sim_turtlebot.physics.world import World
 from sim_turtlebot.physics.world_file import WorldFileError
 from sim_turtlebot.physics.world_shapes import BOX, CYLINDER, SPHERE, read_shapes
+from std_msgs.msg import String
 from visualization_msgs.msg import Marker, MarkerArray
 
 STEP_RATE = 240  # Hz
@@ -27,6 +28,12 @@ LINKS = '''<robot name="r"><material name="m"><color rgba="1 0.5 0 0.25"/></mate
 <link name="b"><visual><origin xyz="4 0 0"/><geometry><sphere radius="0.5"/></geometry></visual></link></robot>'''
 
 
+WITHOUT_INERTIA = ('<sdf version="1.4"><world name="w"><model name="m"><link name="board"><inertial><mass>1</mass>'
+                   '</inertial></link></model></world></sdf>')
+INCLUDES = '<sdf version="1.6"><world name="w">{}</world></sdf>'.format(''.join(
+    f'<include><uri>model://{name}</uri></include>' for name in ('ground_plane', 'sun', 'cinder_block', 'dumpster')))
+
+
 @pytest.mark.parametrize('name, text, reason', [
     ('no_such_file.urdf', None, 'there is none'),
     ('folder.urdf', None, 'is a folder'),
@@ -34,6 +41,7 @@ LINKS = '''<robot name="r"><material name="m"><color rgba="1 0.5 0 0.25"/></mate
     ('unclosed.urdf', '<robot name="r">\n<link name="a">\n</robot>', 'Line number=2'),
     ('empty.urdf', '', 'Cannot load URDF file'),
     ('text.sdf', 'hello', 'Line number=1'),
+    ('playground.world', WITHOUT_INERTIA, '(add an <inertia> to the link board)'),
     ('two_roots.urdf', TWO_ROOTS, 'multiple root links found: a b'),
     ('no_mesh.urdf', MESH, "no_mesh.urdf:2: cannot find 'mesh.obj'")])
 def test_a_file_that_pybullet_cannot_load_is_refused_with_its_reason(tmp_path, name, text, reason):
@@ -57,6 +65,16 @@ def test_a_file_over_which_pybullet_ends_or_waits_for_ever_is_refused(
     (tmp_path / 'world.urdf').write_text(MESH)
     with pytest.raises(WorldFileError, match=reason):
         World(STEP_RATE, [], world_file=str(tmp_path / 'world.urdf'))
+
+
+def test_models_that_a_world_includes_are_said_to_be_left_out(tmp_path, simulated_time):
+    """Also to those who do not read the log; there is a floor, and nobody needs a sun."""
+    path = tmp_path / 'includes.world'
+    path.write_text(INCLUDES)
+    with simulator(f'_world:={path}') as running:
+        warning = Recorder('sim_turtlebot/warning', String).wait_for(lambda m: m.data).data
+    assert warning.startswith(f'{path} includes model://cinder_block, model://dumpster, which PyBullet does not load')
+    assert warning in running.output
 
 
 def box(size, position):

@@ -4,6 +4,7 @@ import contextlib
 import math
 import os
 import threading
+import time
 
 import rosbag
 import rospy
@@ -33,12 +34,18 @@ class Recording:
         self._file = self.path.open('w+b')
         self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()
+        self._heard = {}  # when the last message of a node came (monotonic, s), by name
         self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
                              for topic, kind in TOPICS.items()}
 
     def is_connected(self, *topics):
         """Return whether the recording receives the next message of each of these topics."""
         return all(is_connected(self._subscribers[topic]) for topic in topics)
+
+    def heard_since(self, moment):
+        """Return the names of the nodes whose messages have come since a moment (monotonic, s)."""
+        with self._lock:
+            return {name for name, last in self._heard.items() if last > moment}
 
     def close(self):
         """Close the bag; return its path, or None if it is incomplete."""
@@ -55,6 +62,7 @@ class Recording:
     def _keep(self, message, topic):
         now = rospy.get_rostime()
         with self._lock:
+            self._heard[message._connection_header.get('callerid', '')] = time.monotonic()
             if self._bag:
                 self._try(lambda: self._bag.write(f'/{topic}', message, now))
 

@@ -28,6 +28,7 @@ KINDS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance':
 OURS = {'/sim_turtlebot', '/check_view', '/rosout'}  # roslaunch starts the last
 FLOOD = 20  # commands that arrive together; of more, the latest
 NEAR = 0.01  # m
+CPU_BUDGET = 2.0  # s; a tutorial's node computes for milliseconds
 SERVICES = 'pause_physics', 'unpause_physics', 'reset_simulation'
 
 
@@ -127,7 +128,7 @@ class Bench:
             self._simulator.end()
         path = find_node('sim_turtlebot', 'sim_turtlebot_node.py')[0]
         self._settings, self._position = settings, None
-        self._simulator = Started([path, '_paused:=true', *(
+        self._simulator = Started([path, '_paused:=true', f'_cpu_budget:={CPU_BUDGET}', *(
             f'_{name}:={str(value).lower()}' for name, value in settings.items())])
         self.wait_for(self._is_ready, 'the simulator does not start')
         self._services = {name: rospy.ServiceProxy(f'sim_turtlebot/{name}', Empty, persistent=True)

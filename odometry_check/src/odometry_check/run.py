@@ -82,7 +82,7 @@ class Run:
     def add(self, topic, message):
         """Take a message."""
         with self.changed:
-            if self.over or message._connection_header['callerid'] == rospy.get_name():
+            if self.over or message._connection_header.get('callerid') == rospy.get_name():
                 return
             now = rospy.get_rostime()
             self.messages.append((topic, message, now))

@@ -10,12 +10,12 @@ from odometry_common.connections import ask
 CONFLICT_PERIOD = 1.0  # s of wall time between two checks
 
 
-def warn_of_conflicts(topic):
+def warn_of_conflicts(topic, advice='stop all but one'):
     """Ask the master every second, and warn once if more than one node publishes a topic."""
-    threading.Thread(target=_watch, args=[rospy.resolve_name(topic)], daemon=True).start()
+    threading.Thread(target=_watch, args=[rospy.resolve_name(topic), advice], daemon=True).start()
 
 
-def _watch(topic):
+def _watch(topic, advice):
     ended, before = threading.Event(), set()
     rospy.on_shutdown(ended.set)
     while not ended.wait(CONFLICT_PERIOD):
@@ -23,6 +23,6 @@ def _watch(topic):
         publishers = set(dict(state[0]).get(topic, ())) if state else set()
         lasting = before & publishers  # a publisher seen only once may be shutting down
         if len(lasting) > 1:
-            rospy.logwarn(f'{topic} is published by {" and ".join(sorted(lasting))}: stop all but one')
+            rospy.logwarn(f'{topic} is published by {" and ".join(sorted(lasting))}: {advice}')
             return
         before = publishers

@@ -1,8 +1,10 @@
 """For controllers, in plain seconds: when input is silent, when a robot is at rest."""
 
+import math
 import time
 
 WALL_SILENCE = 0.2  # s
+JUMP_MEMORY = 10.0  # s of wall time after time has gone back
 
 
 class Watchdog:
@@ -12,14 +14,16 @@ class Watchdog:
         """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
 
         It also requires WALL_SILENCE of wall time, or a shorter timeout: simulated time can run a
-        hundred times as fast, and a subscriber may see it leap by seconds.
+        hundred times as fast, and a subscriber may see it leap by seconds. While time goes back and
+        forth, as with two clocks, it requires `timeout` of wall time.
         """
         self._timeout = timeout
-        self._wall_timeout = min(timeout, WALL_SILENCE)
         self._fed = None  # time and wall time of the last arrival
+        self._latest, self._went_back = -math.inf, -math.inf  # time, and wall time
 
     def feed(self, now):
         """Record an arrival at `now` (s)."""
+        self._look_for_jump(now)
         self._fed = now, time.monotonic()
 
     def expired(self, now):
@@ -29,11 +33,19 @@ class Watchdog:
         """
         if self._timeout == 0 or self._fed is None:
             return False
+        self._look_for_jump(now)
         fed, fed_wall = self._fed
         if now < fed:
             self._fed = now, fed_wall
             return False
-        return now - fed > self._timeout and time.monotonic() - fed_wall >= self._wall_timeout
+        jumps = time.monotonic() - self._went_back < JUMP_MEMORY
+        wall_timeout = self._timeout if jumps else min(self._timeout, WALL_SILENCE)
+        return now - fed > self._timeout and time.monotonic() - fed_wall >= wall_timeout
+
+    def _look_for_jump(self, now):
+        if now < self._latest:
+            self._went_back = time.monotonic()
+        self._latest = now
 
 
 class RestDetector:

@@ -84,6 +84,9 @@ class Inputs:
 
 
 def _sender_of(message):
-    """Return the names of the node that sent a message or request, and of the topic or service."""
+    """Return the names of the node that sent a message or request, and of the topic or service.
+
+    rospy accepts a publisher that does not give its name.
+    """
     header = message._connection_header
-    return header['callerid'], header.get('topic') or header.get('service', '')
+    return header.get('callerid', ''), header.get('topic') or header.get('service', '')

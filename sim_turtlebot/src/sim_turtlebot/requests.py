@@ -1,5 +1,6 @@
 """Requests from rospy's threads; the main thread serves them, since only it may touch the robots."""
 
+import contextlib
 import itertools
 import threading
 from concurrent import futures
@@ -17,6 +18,7 @@ class RequestQueue:
         self._changed = threading.Condition()
         self._waiting = {}  # functions by sender
         self._numbers = itertools.count()
+        self._held = ()  # names of topics and services that are not served now
 
     @property
     def nodes(self):
@@ -56,6 +58,15 @@ class RequestQueue:
                                f'not finished {bound}; it will still take effect')
         return answer.result()
 
+    @contextlib.contextmanager
+    def holding(self, *names):
+        """Meanwhile do not serve requests for these topics and services."""
+        self._held = names
+        try:
+            yield
+        finally:
+            self._held = ()
+
     def wait(self, timeout):
         """Wait (s of wall time) for a request; return whether there is one."""
         with self._changed:
@@ -68,7 +79,9 @@ class RequestQueue:
         :return: whether a service call was among them
         """
         with self._changed:
-            waiting, self._waiting = self._waiting, {}
-        senders = sorted(waiting) if by_name else waiting
+            waiting, self._waiting = self._waiting, {
+                sender: request for sender, request in self._waiting.items() if sender[1] in self._held}
+        senders = [sender for sender in (sorted(waiting) if by_name else waiting)
+                   if sender[1] not in self._held]
         answered = [waiting[sender]() for sender in senders]
         return any(answered)

@@ -105,6 +105,9 @@ PARAMETERS = Parameters(
               'simulated seconds per second; 0 is as fast as the machine can'),
     Parameter('~lockstep', False, '', ANY,
               'time advances only when every node on this machine has finished its work'),
+    # With 80 particles gmapping computes for more than two seconds.
+    Parameter('~cpu_budget', 20.0, 's', between(0.1, 3600),
+              'lockstep: CPU time after which a node that does not rest is not awaited any more'),
     Parameter('~paused', False, '', ANY, 'time begins with ~unpause_physics'))
 USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
 

@@ -10,13 +10,14 @@ import math
 
 import rospy
 from odometry_common.node import LONGEST_WAIT
-from odometry_common.parameters import ParameterError
+from odometry_common.parameters import ParameterError, StartError
+from odometry_common.publisher_conflicts import warn_of_conflicts
 from std_srvs.srv import Trigger
 
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.pacing import Pacer
 from sim_turtlebot.physics.window import NoScreenError
-from sim_turtlebot.physics.world_file import WorldFileError
+from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.reports import Reports
 from sim_turtlebot.requests import RequestQueue
 from sim_turtlebot.settings import read_settings
@@ -52,8 +53,11 @@ class Simulator:
         rospy.on_shutdown(self._stop)
         self._lockstep = None
         if settings.lockstep:  # its import takes a tenth of the start
-            from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
-            self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate)
+            try:
+                from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
+            except ModuleNotFoundError as error:
+                raise StartError(f'lockstep needs {error.name}: install python3-{error.name}') from None
+            self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate, settings.cpu_budget)
             # Whoever unpauses it knows that all nodes are there.
             self._stable_time = 0.0 if settings.paused else STABLE_TIME
         numbers = range(1, settings.robots + 1)
@@ -63,6 +67,9 @@ class Simulator:
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
         self._inputs = Inputs(simulation, self._namespaces, self._requests, self._topics.warn)
         self._inputs.obeys = not self._lockstep
+        self._warn_of_models_left_out()
+        if settings.use_sim_time:
+            warn_of_conflicts('/clock', 'stop all but one; for two robots use robots:=2')
         for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
                              ('~reset_simulation', self._reset)):
             self._inputs.serve(name, action)
@@ -76,6 +83,14 @@ class Simulator:
         rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
+
+    def _warn_of_models_left_out(self):
+        world = self._settings.world
+        if models := left_out(world) if world else []:
+            warning = (f'{world} includes {", ".join(models)}, which PyBullet does not load: replace each <include> '
+                       'with the <model> of its model.sdf')
+            rospy.logwarn(warning)
+            self._topics.warn('world', warning)
 
     def _take_turn(self):
         """Serve the waiting requests, and advance if a tick is due, even if more requests arrive."""
@@ -166,13 +181,20 @@ class Simulator:
         self._paused = True
 
     def _unpause(self):
-        self._paused = False
-        self._pacer.restart(self._timeline.now)
+        if self._paused:
+            self._paused = False
+            self._pacer.restart(self._timeline.now)
 
     def _step(self):
         """Advance to the next odometry while paused; return success, and its stamp (s) or why not."""
         if not self._paused:
             return False, 'call ~pause_physics first'
+        # In lockstep, requests are served in between; these would move the time of this step.
+        with self._requests.holding(*map(rospy.resolve_name, ('~step', '~reset_simulation'))):
+            self._advance_to_odometry()
+        return True, f'{self._timeline.now / 1e9:.9f}'
+
+    def _advance_to_odometry(self):
         if self._lockstep:
             self._lockstep.wait()  # until the commands that were sent before are here
             self._serve()
@@ -182,7 +204,6 @@ class Simulator:
         else:
             while self._timeline.odometry_count == count:
                 self._advance()
-        return True, f'{self._timeline.now / 1e9:.9f}'
 
     def _reset(self):
         """Reset time and robots to the start."""

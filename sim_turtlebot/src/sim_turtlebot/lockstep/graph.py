@@ -2,17 +2,20 @@
 
 import contextlib
 import os
+import time
 
 import psutil
 import rosgraph
 from odometry_common.connections import ANSWER, node_at
 from rosgraph.names import ns_join
 
-from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL
+from sim_turtlebot.lockstep.idle import LONGEST_POLL
+from sim_turtlebot.lockstep.links import is_refused, links, missing_links
 from sim_turtlebot.lockstep.listeners import pids_at
 from sim_turtlebot.lockstep.threads import MAX_LINE
 
-PUBLISHERS = 0  # their place in the master's state
+PUBLISHERS, SUBSCRIBERS = 0, 1  # their places in the master's state
+CONNECT_TIMEOUT = 5.0  # s of wall time, for a connection while all nodes are idle
 MAX_GENERATIONS = 10  # of children, in one wait: other programs may start some all the time
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
@@ -24,14 +27,17 @@ STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emu
 class GraphProcesses:
     """Has an IdleWaiter wait for the master and for all nodes that it knows."""
 
-    def __init__(self, waiter, own_name, on_unseen):
+    def __init__(self, waiter, own_name, on_unseen, on_unconnected=lambda *link: None):
         """Add the master.
 
         :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
         :param own_name: of this node
         :param on_unseen: called with the name of a node whose process this one cannot see
+        :param on_unconnected: called with a topic, its publisher and a subscriber that do not connect
         """
-        self._waiter, self._own_name, self._on_unseen = waiter, own_name, on_unseen
+        self._waiter, self._own_name = waiter, own_name
+        self._on_unseen, self._on_unconnected = on_unseen, on_unconnected
+        self._unconnected = set()  # links that are not awaited any more
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
@@ -55,8 +61,8 @@ class GraphProcesses:
     def wait(self, only_clock=False):
         """Return when all nodes are idle.
 
-        If the master served a request, refresh the node list and wait for its publisherUpdates: it
-        polls for those by wall time.
+        If the master served a request, refresh the node list, wait for its publisherUpdates, for which
+        it polls by wall time, and wait until all nodes are connected.
 
         :param only_clock: as for IdleWaiter.wait()
         :raises OSError: if the master does not answer
@@ -65,8 +71,7 @@ class GraphProcesses:
         self._await_children()
         if self._master_has_worked():
             try:
-                while self._refresh():
-                    self._waiter.wait_for_polls(self._pids[MASTER])
+                self._await_connections()
             finally:  # also if the master does not answer
                 self._waiter.wait()
             self._master_has_worked()
@@ -101,6 +106,40 @@ class GraphProcesses:
         before, self._master_usage = self._master_usage, self._waiter.idle_usage.get(master)
         return self._master_usage != before or master is None
 
+    def _await_connections(self):
+        """Return once nobody comes or goes, and each subscriber is connected or reported."""
+        begin = time.monotonic()
+        while not self._waiter.is_over():
+            is_new = self._refresh()
+            if is_new:
+                self._waiter.wait_for_polls(self._pids[MASTER])
+                begin = time.monotonic()
+            missing = self._missing_links()
+            if not (is_new or missing):
+                return
+            self._waiter.wait()
+            missing = {link for link in self._missing_links() if not self._is_refused(link)}
+            if missing:
+                time.sleep(LONGEST_POLL)
+            if time.monotonic() - begin > CONNECT_TIMEOUT:
+                self._give_up(missing)
+
+    def _missing_links(self):
+        awaited = {name for name in self._addresses if self._waiter.awaits(self._pids.get(name))}
+        wanted = {link for link in links(self._state[PUBLISHERS], self._state[SUBSCRIBERS])
+                  if link[0] != LOG and awaited.issuperset(link[1:])}
+        return missing_links(wanted - self._unconnected, self._addresses)
+
+    def _give_up(self, missing):
+        self._unconnected |= missing
+        for link in sorted(missing):
+            self._on_unconnected(*link)
+
+    def _is_refused(self, link):
+        if is_refused(link, self._addresses):
+            self._unconnected.add(link)
+        return link in self._unconnected
+
     def _refresh(self):
         """Add new nodes, and forget those that have gone; return whether the publishers have changed.
 
@@ -111,7 +150,8 @@ class GraphProcesses:
         for name in self._addresses.keys() - self.names:
             del self._addresses[name]
         addresses = {name: self._master.lookupNode(self._own_name, name)[ANSWER]
-                     for name in self.names if self._pids.get(name) not in self._waiter.processes}
+                     for name in self.names if name not in self._addresses
+                     or self._pids.get(name) not in self._waiter.processes}
         self._find({name: address for name, address in addresses.items()
                     if address and self._addresses.get(name) != address})
         return (self._state[PUBLISHERS], self._addresses) != (before, addresses_before)
@@ -125,7 +165,7 @@ class GraphProcesses:
                          if argument.startswith(ROSLAUNCHED)), LOG)
             if (name != LOG and process.pid not in self._waiter.processes
                     and environment.get('ROS_MASTER_URI') == self._master_uri):
-                self._add(name, process.pid, STARTING_CPU_BUDGET)
+                self._add(name, process.pid, max(STARTING_CPU_BUDGET, self._waiter.cpu_budget))
 
     def _find(self, addresses):
         """Add the processes that serve these addresses, by name of their node."""
@@ -140,11 +180,11 @@ class GraphProcesses:
             if pid is None:
                 self._on_unseen(name)
             elif process := self._waiter.processes.get(pid):
-                process.name, process.cpu_budget = name, CPU_BUDGET
+                process.name, process.cpu_budget = name, self._waiter.cpu_budget
             elif pid:
-                self._add(name, pid, CPU_BUDGET)
+                self._add(name, pid)
 
-    def _add(self, name, pid, cpu_budget):
+    def _add(self, name, pid, cpu_budget=None):
         try:
             polls = name not in (MASTER, self._own_name)
             self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, cpu_budget)
@@ -160,7 +200,7 @@ class GraphProcesses:
         if (parent and parent.longest_poll and pid not in self._waiter.processes
                 and _are_one_group(pid, parent.pid)):
             self._children[pid] = parent.pid
-            self._add(parent.name, pid, CHILD_CPU_BUDGET)
+            self._add(parent.name, pid, max(CHILD_CPU_BUDGET, self._waiter.cpu_budget))
 
     def _remove_independent(self):
         """Remove the children that have ended, or have moved to a process group of their own."""

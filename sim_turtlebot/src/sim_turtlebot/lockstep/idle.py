@@ -17,7 +17,8 @@ import time
 from sim_turtlebot.lockstep.processes import Process
 
 LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
-CPU_BUDGET = 2.0  # s of CPU time that a process may use before it is idle
+CPU_BUDGET = 20.0  # s of CPU time that a process may use before it is idle; a scan of gmapping's takes over 2
+FLOOD_BUDGET = 2.0  # s, of this process or the master: only nodes that send without a pause make these compute
 BUSY_SHARE = 0.1  # of that, for the main thread of a busy node; rospy.spin() uses nothing
 STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugger has stopped
 STALL_TIMEOUT = 60.0  # s of wall time, for one that neither computes nor sleeps
@@ -28,23 +29,25 @@ CHECK_PERIOD = 2e-5  # s of wall time, after that
 class IdleWaiter:
     """Waits until all processes are idle at once."""
 
-    def __init__(self, is_over, on_busy, is_flooded=lambda process: False):
+    def __init__(self, is_over, on_busy, is_flooded=lambda process: False, cpu_budget=CPU_BUDGET):
         """Start without processes.
 
         :param is_over: function that returns whether to stop waiting
-        :param on_busy: called with a Process that exceeds its CPU budget; it is not awaited any more
+        :param on_busy: called with a Process that is not awaited any more, and the CPU budget (s) that
+            has been exceeded
         :param is_flooded: function that returns whether such a busy process keeps a Process awake
         """
-        self._is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
+        self.is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
+        self.cpu_budget = cpu_budget  # s, of a node
         self.processes = {}  # by id
         # By Process: the usage of its threads that do not poll, when all were last idle
         self.idle_usage = {}
         self._awaited = []
         self.stopped = set()  # Processes that are not awaited until they continue
 
-    def add(self, name, pid, longest_poll=LONGEST_POLL, cpu_budget=CPU_BUDGET):
+    def add(self, name, pid, longest_poll=LONGEST_POLL, cpu_budget=None):
         """Wait for one more process; parameters and errors are those of Process."""
-        self.processes[pid] = Process(name, pid, longest_poll, cpu_budget)
+        self.processes[pid] = Process(name, pid, longest_poll, cpu_budget or self.cpu_budget)
         self._awaited.append(self.processes[pid])
 
     def wait(self, only_clock=False):
@@ -53,7 +56,7 @@ class IdleWaiter:
         :param only_clock: whether the processes received only a tick of the clock, each on one thread
         """
         begin, first_cpu_times, usage, polls = time.monotonic(), {}, None, {}
-        while not self._is_over():
+        while not self.is_over():
             check_begin = time.monotonic()
             try:
                 self._await_continued()
@@ -91,10 +94,14 @@ class IdleWaiter:
         with contextlib.suppress(OSError, KeyError):  # it has ended
             polling = {thread: thread.sleeps for thread in self.processes[pid].threads.values()
                        if thread.may_poll}
-            while polling and not self._is_over() and time.monotonic() - begin < STALL_TIMEOUT:
+            while polling and not self.is_over() and time.monotonic() - begin < STALL_TIMEOUT:
                 time.sleep(LONGEST_POLL)
                 polling = {thread: sleeps for thread, sleeps in polling.items()
                            if thread.sleeps == sleeps}
+
+    def awaits(self, pid):
+        """Return whether it waits for the process with this id."""
+        return self.processes.get(pid) in self._awaited
 
     def remove(self, pid):
         """Do not wait for a process any more."""
@@ -134,21 +141,26 @@ class IdleWaiter:
         def used_by_main(process):
             return sum(used(thread) for thread in process.threads.values() if thread.tid == process.pid)
 
+        def used_by(process):
+            return sum(map(used, process.threads.values()))
+
         is_stopped = passed > STOPPED_TIMEOUT and process.is_stopped()
-        if not is_stopped and (sum(map(used, process.threads.values())) <= process.cpu_budget
-                               and passed <= STALL_TIMEOUT):
+        is_flood = any(used_by(other) > FLOOD_BUDGET for other in self._awaited if not other.longest_poll)
+        budget = FLOOD_BUDGET if is_flood else process.cpu_budget
+        is_within = used_by(process) <= budget and not is_flood and passed - used_by(process) <= STALL_TIMEOUT
+        if is_within and not is_stopped:
             return False
         busiest = max((node for node in self._awaited if node.longest_poll), key=used_by_main, default=None)
         if is_stopped:
             self.stopped.add(process)
-        elif busiest and used_by_main(busiest) > BUSY_SHARE * process.cpu_budget:
+        elif busiest and used_by_main(busiest) > BUSY_SHARE * budget:
             process = busiest
         elif not process.longest_poll or self._is_flooded(process):
             # It reads what another node sends without a pause: the fault is not its own.
             max(process.threads.values(), key=used).ignored = True
             return True
         self._awaited.remove(process)
-        self._on_busy(process)
+        self._on_busy(process, budget)
         return True
 
     def _await_continued(self):

@@ -10,7 +10,7 @@ from pathlib import Path
 import rospy
 from odometry_common.parameters import ParameterError
 
-from sim_turtlebot.lockstep.graph import GraphProcesses
+from sim_turtlebot.lockstep.graph import CONNECT_TIMEOUT, GraphProcesses
 from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL, IdleWaiter
 
 SLEEPER_CHECK_PERIOD = 2.0  # s of wall time between two checks for nodes that sleep by it
@@ -26,16 +26,18 @@ STABLE_TIME = 0.5  # s of wall time without a new or ended node before time begi
 class Lockstep:
     """Waits for all nodes on this machine, and names once each that it cannot wait for."""
 
-    def __init__(self, is_over, tick=0.0):
+    def __init__(self, is_over, tick=0.0, cpu_budget=CPU_BUDGET):
         """Start with the master.
 
         :param is_over: function that returns whether to stop waiting
         :param tick: of the clock (s of simulated time)
+        :param cpu_budget: CPU time (s) that a node may use before it is idle
         :raises ParameterError: if /proc does not show the other processes
         """
         _check_proc()
-        self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded)
-        self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report_unseen)
+        self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded, cpu_budget)
+        self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report_unseen,
+                                     self._report_unconnected)
         self._changed = self._next_sleeper_check = 0.0
         self._sleepers = {}  # time of the last check, and sleeps seen by then, by Thread
         self._tick = tick
@@ -110,18 +112,22 @@ class Lockstep:
     def _is_flooded(self, process):
         return self._graph.sends_to(self._reported, process.name)
 
-    def _report_busy(self, process):
+    def _report_busy(self, process, budget):
         if process.is_stopped():
             self._report(process.name, 'has been stopped by a signal or a debugger '
                          f'(process {process.pid}): continue it, or end it')
             return
         thread = process.awake_thread()
-        self._report(process.name, f'has been busy for {CPU_BUDGET:g} s (process {process.pid}, thread '
-                     f'{thread.name if thread else "unknown"}): add a rospy.sleep() to its loop')
+        self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}, thread '
+                     f'{thread.name if thread else "unknown"}): let its loop sleep by rospy.Rate or ros::Rate, '
+                     'or raise ~cpu_budget if it computes for longer')
 
     def _report_unseen(self, name):
         self._report(name, 'runs on another machine, in another container or as another user, where '
                      'lockstep cannot see it: run it beside the robot')
+
+    def _report_unconnected(self, topic, publisher, subscriber):
+        self._report(subscriber, f'has not connected to {publisher} on {topic} for {CONNECT_TIMEOUT:g} s')
 
     def _report(self, name, reason):
         if name not in self._reported:

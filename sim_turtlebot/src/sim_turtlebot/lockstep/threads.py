@@ -1,5 +1,6 @@
 """The state of a thread, from /proc."""
 
+import contextlib
 import os
 import time
 from functools import partial
@@ -22,10 +23,11 @@ class Thread:
     def __init__(self, pid, tid):
         self.pid, self.tid = pid, tid
         self._path, self._function = f'/proc/{pid}/task/{tid}', None
-        self._files = [os.open(f'{self._path}/{name}', os.O_RDONLY) for name in ('schedstat', 'wchan', 'stat')]
-        # Functions, since each check calls them for every thread of the graph.
-        self.read_usage, self._read_function, self._read_stat = (
-            partial(os.pread, file, MAX_LINE, 0) for file in self._files)
+        with contextlib.ExitStack() as opened:  # the thread may end in between
+            # Functions, since each check calls them for every thread of the graph.
+            self.read_usage, self._read_function, self._read_stat = (
+                self._reader(opened, name) for name in ('schedstat', 'wchan', 'stat'))
+            self._files = opened.pop_all()
         self.ignored = False  # whether lockstep does not wait for it
         self.always_polls = None  # whether it polls even without work, as timers of roscpp do
         self.is_asleep = False  # at the last check
@@ -35,8 +37,7 @@ class Thread:
 
     def close(self):
         """Close its files."""
-        for file in self._files:
-            os.close(file)
+        self._files.close()
 
     @property
     def name(self):
@@ -121,6 +122,15 @@ class Thread:
         self._sleep_time = asleep_at - self._sleep_begin
         self._sleep_is_long |= self._sleep_time > limit
         return self._sleep_is_long
+
+    def _reader(self, opened, name):
+        """Open a file; return a function that reads it.
+
+        :param opened: contextlib.ExitStack that closes it
+        """
+        file = os.open(f'{self._path}/{name}', os.O_RDONLY)
+        opened.callback(os.close, file)
+        return partial(os.pread, file, MAX_LINE, 0)
 
     def _read(self, name):
         with open(f'{self._path}/{name}', 'rb') as file:

@@ -9,11 +9,15 @@ import re
 import signal
 import subprocess
 import sys
+import xml.etree.ElementTree
 from pathlib import Path
 
 SUFFIXES = '.urdf', '.sdf', '.world'
 REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
 NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in another remark
+WITHOUT_INERTIA = 'Inertial element must have inertia element'
+OF_LINK = 'Could not parse inertial element for Link:'  # the next remark is its name
+NEEDED_BY_NOBODY = 'model://ground_plane', 'model://sun'  # the simulator has a floor, and rays need no light
 LONGEST_REASON = 300  # characters
 LONGEST_LOAD = 30  # s; the largest worlds take a few
 
@@ -37,6 +41,15 @@ def check_world_file(path):
         raise WorldFileError(f'a file that can be loaded ({_reason(trial)})')
 
 
+def left_out(path):
+    """Return the URIs of the models that a world file includes: PyBullet loads none of them."""
+    if Path(path).suffix == '.urdf':
+        return []
+    uris = (include.findtext('uri', '').strip()
+            for include in xml.etree.ElementTree.parse(path).iter('include'))
+    return sorted({uri for uri in uris if uri.rstrip('/') not in NEEDED_BY_NOBODY})
+
+
 def load(client, path):
     """Load a URDF or SDF file into a PyBullet client."""
     if Path(path).suffix == '.urdf':
@@ -52,6 +65,8 @@ def _reason(trial):
             if not before.startswith(NO_INERTIA) and not remark.startswith(NO_INERTIA)]
     if trial.returncode == -signal.SIGALRM:
         return f'not within {LONGEST_LOAD} s'
+    if WITHOUT_INERTIA in told and OF_LINK in told[:-1]:
+        return f'add an <inertia> to the link {told[told.index(OF_LINK) + 1]}'
     if trial.returncode < 0:
         told.insert(0, f'PyBullet ends by {signal.Signals(-trial.returncode).name};')
     told = told or trial.stderr.splitlines()[-1:]
