@@ -16,9 +16,9 @@ LAUNCH_ARGUMENT = 'launch:'  # before an argument's name that is a parameter of 
 UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
 # The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
-# For wall time, tf, scans, late messages, and nodes that wait or exit.
+# For wall time, tf, scans, late messages, and nodes that wait, compute or exit.
 NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate', 'scan_beams',
-             'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise', 'publish_tf'}
+             'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise', 'publish_tf', 'cpu_budget'}
 ROBOT = {row.name[1:]: row for row in PARAMETERS.rows}
 
 
