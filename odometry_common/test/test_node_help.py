@@ -22,6 +22,15 @@ def test_help_says_what_a_script_does_and_has(script):
     assert getattr(module, 'PARAMETERS', Parameters()).help in ended.stdout
 
 
+@pytest.mark.parametrize('script', [
+    'odom_movement_detector/src/odom_movement_detector.py', 'test_movement/src/test_movement.py',
+    'rotate_robot/script/rotate.py'])
+def test_a_tutorials_node_shows_its_parameters(script):
+    """In its docstring, its man page, as the table has them."""
+    module = load_script(script)
+    assert module.PARAMETERS.help in module.__doc__
+
+
 def warnings(node, text):
     return [line.partition(']: ')[2] for line in node.stderr.splitlines() if text in line]
 

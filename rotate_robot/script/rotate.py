@@ -8,6 +8,16 @@ Subscribes:
 Publishes:
     cmd_vel (geometry_msgs/Twist): angular.z = kp * (target - yaw), the shorter way round
 
+Parameters:
+    ~target (float, 90 degrees): heading to turn to, in the odom frame
+    ~kp (float, 0.5 1/s, above 0): gain
+    ~rate (float, 10 Hz, from 0.1 to 1000): control rate
+    ~max_angular_speed (float, 3.14 rad/s, above 0): the command is clamped to this
+    ~tolerance (float, 0 degrees, from 0 to below 180): exit once the heading stays this close and
+        the robot is at rest; 0 controls for ever
+    ~timeout (float, 1 s, from 0 to 3600): stop and warn after this long without odometry (ROS time,
+        and at least 0.2 s of wall time); continue when it returns; 0 turns it off
+
 The node always sends zero before it exits.
 """
 

@@ -15,11 +15,12 @@ GIVEN = re.compile(r'_(?!_)(.*?):=(.*)', re.DOTALL)  # name and text of a parame
 
 
 def show_help_if_asked(documentation, parameters):
-    """If the command line contains --help, print a node's documentation and Parameters, and exit."""
+    """If the command line contains --help, print a node's documentation and Parameters, once, and exit."""
     if HELP.intersection(sys.argv[1:]):
         program = os.path.basename(sys.argv[0])
+        table = '' if parameters.help in documentation else parameters.help
         print(f'usage: {program} [NAME:=OTHER_NAME...] [_PARAMETER:=VALUE...]\n\n'
-              f'{documentation.strip()}\n\n{parameters.help}'.rstrip())
+              f'{documentation.strip()}\n\n{table}'.rstrip())
         sys.exit(0)
 
 
