@@ -51,6 +51,7 @@ apt_update() {
     apt_get update
 }
 
-apt_get() { as_root apt-get -q -y -o DPkg::Lock::Timeout=600 "$@"; }
+# apt_get removes nothing: apt then fails instead.
+apt_get() { as_root apt-get -q -y -o APT::Get::Remove=false -o DPkg::Lock::Timeout=600 "$@"; }
 
 as_root() { $([ "$(id -u)" = 0 ] || echo sudo) env DEBIAN_FRONTEND=noninteractive "$@"; }
