@@ -16,6 +16,27 @@ find_root() {
 }
 
 DPKG=/var/lib/dpkg/status
+# need_ownership FIND_OPTION...: the owner of the clone can write what ./ws made there. After sudo it may be root's.
+need_ownership() {
+    [ -O . ] || return 0
+    local path others=()
+    for path in .ws .venv runs; do
+        [ -z "$(find "$path" "$@" -path .ws/src -prune -o ! -writable ! -type l ! -uid "$(id -u)" \
+            -print -quit 2>/dev/null)" ] || others+=("$ROOT/$path")
+    done
+    [ ${#others[@]} = 0 ] || fail "these belong to another user, as after sudo: sudo chown -R $(id -un): ${others[*]}"
+}
+
+# open_workspace COMMAND ARGUMENT...: make its folder and take its lock.
+open_workspace() {
+    need_ownership
+    (mkdir -p "$WORKSPACE/src" && : >>"$WORKSPACE/lock" && : >>"$LOG") 2>/dev/null ||
+        fail "not everything that $1 needs is installed and built, and you cannot write $ROOT: \
+ask $(stat -c %U .) to type: $ROOT/ws --set-up $*"
+    exec 9>"$WORKSPACE/lock"
+    flock -n 9 || { announce 'another set-up is running; waiting for it'; flock 9; }
+}
+
 # The names of files that a C++ compiler reads, or that say what is built.
 SOURCES='(package\.xml|CMakeLists\.txt|setup\.py|[^/]*\.(c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|cmake|in|proto|msg|srv|action|cfg))'
 
@@ -29,7 +50,9 @@ build_fingerprint() {
 }
 
 build_is_ready() {
-    [ -d "$WORKSPACE/devel" ] && is_done "$WORKSPACE/ready" "$(build_fingerprint)" && {
+    [ -d "$WORKSPACE/devel" ] && [ -s "$WORKSPACE/ready" ] || return
+    [ -w "$WORKSPACE" ] || return 0  # who cannot build uses what is built
+    is_done "$WORKSPACE/ready" "$(build_fingerprint)" && {
         # What was missing may have been installed since.
         [ ! -s "$WORKSPACE/left_out" ] || [ ! "$DPKG" -nt "$WORKSPACE/ready" ]
     }
