@@ -17,9 +17,9 @@ from pathlib import Path
 
 signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C prints no traceback, during the next imports neither
 
-import yaml  # noqa: E402
-from catkin_pkg.package import InvalidPackage, parse_package  # noqa: E402
-from catkin_pkg.topological_order import topological_order_packages  # noqa: E402
+import yaml
+from catkin_pkg.package import InvalidPackage, parse_package
+from catkin_pkg.topological_order import topological_order_packages
 
 WORKSPACE, SOURCES = Path(sys.argv[2]), re.compile(sys.argv[3])
 DEVEL = WORKSPACE / 'devel'
@@ -68,6 +68,7 @@ def checksum(folder):
 
 
 def names_of_depends(package):
+    """Return all names of which the conditions hold."""
     return {depend.name for kind in KINDS for depend in getattr(package, kind) if depend.evaluated_condition}
 
 

@@ -21,7 +21,7 @@ set_up() {
     cd "$ROOT"
     need_ownership -maxdepth 1
     find_ros
-    PARTS=("${DEBIAN_PARTS[@]}") REQUIREMENTS=(requirements-fork.txt requirements.txt)
+    PARTS=("${DEBIAN_PARTS[@]}") REQUIREMENTS=(requirements.txt)
     add_extras "$@"
     is_debians || PARTS=()
     has_parts "${PARTS[@]}" && has_requirements "${REQUIREMENTS[@]}" && build_is_ready || make_ready "$@"

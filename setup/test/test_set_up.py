@@ -7,7 +7,6 @@ import re
 import shutil
 import signal
 import subprocess
-import time
 
 import pytest
 from checkout import (
@@ -59,8 +58,8 @@ ln -s /bin/true "$VENV/bin/python3"  # as a pip that has nothing to do
 cd "$ROOT"
 WORKSPACE=$CHECKOUT
 make_python() { true; }
-add_requirements requirements-fork.txt requirements.txt
-has_requirements requirements-fork.txt requirements.txt
+add_requirements requirements.txt test/requirements.txt
+has_requirements requirements.txt test/requirements.txt
 """
 FAIL = """
 fails() { seq 1 100; return 3; }
@@ -155,8 +154,8 @@ def test_what_a_package_depends_on_is_installed(checkout):
     run = in_checkout(checkout, DEPENDS + RUN_MINE)
     assert run.wait() == 0 and 'hello from pybullet' in run.stdout, run.output
     assert run.stderr.splitlines()[:4] == [
-        "./ws: mine depends on libapache2-mod-php, which is Debian's, not ROS's: "
-        'sudo apt-get install --no-remove libapache2-mod-php',
+        ("./ws: mine depends on libapache2-mod-php, which is Debian's, not ROS's: "
+         'sudo apt-get install --no-remove libapache2-mod-php'),
         "./ws: mine depends on nowhere, which neither ROS nor rosdep's table knows",
         './ws: this needs libtf-dev tf-tools libtf2-ros-dev python3-tf2-ros',
         './ws: continuing without these dependencies of packages in .ws/src'], run.stderr
@@ -208,7 +207,7 @@ def make_program(folder, text, age=0.0):
         CMAKE.format(name=folder.name) + 'add_executable(${PROJECT_NAME}_node x.cpp)\n')
     (folder / 'x.cpp').write_text(f'#include <cstdio>\nint main() {{ puts("{text}"); }}')
     for path in folder.iterdir():
-        os.utime(path, (time.time() - age,) * 2)
+        os.utime(path, (path.stat().st_mtime - age,) * 2)
 
 
 def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkout):
@@ -301,7 +300,7 @@ def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, 
 def test_it_notices_a_deleted_or_interrupted_python(tmp_path, damage):
     """Or, as in the last of these, another Python of the system."""
     run = in_checkout(make_checkout(tmp_path / 'a' / 'robot', made=()),
-                      f'{PYTHON}{damage}\n! has_requirements requirements-fork.txt requirements.txt')
+                      f'{PYTHON}{damage}\n! has_requirements requirements.txt test/requirements.txt')
     assert (run.wait(), run.output.strip()) == (0, ''), run.output
 
 
