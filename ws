@@ -20,6 +20,7 @@ set -euo pipefail
 CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}
 . "$CHECKOUT/setup/set_up.bash"
+leave_root "$@"
 
 usage() { sed -n '2,/^set/s/^# \?//p' "$CHECKOUT/ws"; }
 
@@ -50,7 +51,11 @@ case $1 in
     test) cd "$ROOT"; set -- python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
     shell) set -- bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
     rqt*) ! is_debians || refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
-    dask) export DASK_DISTRIBUTED__WORKER__DAEMON=false ;;  # each run of a launch file is a process
+    dask)
+        export DASK_DISTRIBUTED__WORKER__DAEMON=false  # each run of a launch file is a process
+        # Dask listens on every address, and its dashboard even with --host. Options that follow replace these.
+        [[ ! ${2:-} =~ ^(scheduler|worker)$ ]] ||
+            set -- "${@:1:2}" --host "${host:=127.0.0.1}" --dashboard-address "$host:0" "${@:3}" ;;
 esac
 # Nothing that a script starts outlives this process. It runs in a session without the terminal's signals.
 [ -z "${script:-}" ] || exec "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" \

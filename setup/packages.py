@@ -1,77 +1,168 @@
 """Build each package in .ws/src separately, so that an error in one stops no other.
 
-usage: packages.py depends|build WORKSPACE FOLDER..., where FOLDERs are the packages of this project.
+usage: packages.py depends|build WORKSPACE SOURCES FOLDER...
+
+SOURCES is a regular expression: the names of the files that are compiled or configure that. FOLDERs are
+the packages of this project.
 """
 
+import hashlib
+import os
 import re
+import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
 
+signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C prints no traceback, during the next imports neither
+
+import yaml
 from catkin_pkg.package import InvalidPackage, parse_package
-from catkin_pkg.packages import find_package_paths
 from catkin_pkg.topological_order import topological_order_packages
 
-WORKSPACE = Path(sys.argv[2])
+WORKSPACE, SOURCES = Path(sys.argv[2]), re.compile(sys.argv[3])
+DEVEL = WORKSPACE / 'devel'
 # Without PWD, CMake would resolve the links in the path of its folder.
-BUILD = 'cd "$1" && . "$0/devel/setup.bash" && { [ -e Makefile ] || cmake "${@:2}"; } && make -k'
-ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: error: .*)')
-# Debian's names of a ROS package. Some of its packages have the name of a ROS package: tf is a game.
-DEBIAN = r'^(?:lib{0}(?:-config-init-mutex)?-dev|python3-{0}|ros-{0}|{0}-tools|(?=python3-|lib|rviz|topic-|joint-){0})$'
+BUILD = 'cd "$1" && . "$0/devel/setup.bash" && cmake "${@:2}" && make -k -j"$(nproc)"'
+# The folders of a package's own devel space are linked into the common one, the set-up files are not.
+LINK = 'shopt -s nullglob; for folder in "$0"/devel/*/; do cp -rsf "$folder" "$1"; done'
+ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: (?:fatal )?error: .*|.*\bld: .*(?:undefined reference|cannot find).*)')
+IGNORED = {'AMENT_IGNORE', 'CATKIN_IGNORE', 'COLCON_IGNORE'}
 KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
 
 
+def walk(top):
+    """Yield folders with the names in them, each once, though links lead round in circles."""
+    seen = set()
+    for folder, folders, files in os.walk(top, followlinks=True):
+        real = os.path.realpath(folder)
+        folders[:] = [] if real in seen else sorted(name for name in folders if not name.startswith('.'))
+        if real not in seen:
+            yield folder, folders, files
+        seen.add(real)
+
+
+def find_packages():
+    """Yield the folders of packages in .ws/src."""
+    for folder, folders, files in walk(WORKSPACE / 'src'):
+        is_package = 'package.xml' in files
+        if IGNORED.intersection(folders, files):
+            folders.clear()
+        elif is_package:
+            folders.clear()
+            yield folder
+
+
+def checksum(folder):
+    """Return one over the names of a package's sources and scripts, and the content of the sources."""
+    total = hashlib.sha256()
+    for place, _, files in walk(folder):
+        for name in sorted(files):
+            path = os.path.join(place, name)
+            if SOURCES.fullmatch(name):
+                total.update(os.fsencode(path) + b'\0' + Path(path).read_bytes())
+            elif name.endswith('.py'):
+                total.update(os.fsencode(path) + b'\0')
+    return total.hexdigest()
+
+
+def names_of_depends(package):
+    """Return all names of which the conditions hold."""
+    return {depend.name for kind in KINDS for depend in getattr(package, kind) if depend.evaluated_condition}
+
+
 def read_packages():
-    """Return the valid packages by folder, all names, and a line about each invalid package."""
-    packages, errors = {}, []
-    taken = {parse_package(folder).name: folder for folder in sys.argv[3:]}
-    for path in sorted(find_package_paths(f'{WORKSPACE}/src')):
-        folder = f'{WORKSPACE}/src/{path}'
+    """Return the valid packages and their checksums by folder, all names, and a line about each other."""
+    packages, checksums, errors = {}, {}, []
+    taken = {parse_package(folder).name: folder for folder in sys.argv[4:]}
+    for folder in find_packages():
         try:
             package = parse_package(folder, warnings=[])
             if package.name in taken:
                 raise InvalidPackage(f'{taken[package.name]} has the name {package.name}, too: rename yours')
-        except (InvalidPackage, OSError, ValueError) as error:
-            reason = str(error).partition("package.xml':")[2] or error
-            errors.append(f'left out .ws/src/{path}: {reason}')
-        else:
             package.evaluate_conditions({'ROS_VERSION': '1', 'ROS_PYTHON_VERSION': '3'})
+            checksums[folder] = checksum(folder)
+        except Exception as error:  # noqa: BLE001
+            reason = str(error).partition("package.xml':")[2] or error
+            errors.append(f'left out {os.path.relpath(folder, WORKSPACE.parent)}: {reason}')
+        else:
             packages[folder], taken[package.name] = package, folder
-    return packages, taken, errors
+    return packages, checksums, taken, errors
 
 
 def build():
-    """Build the packages, and write the errors to the file left_out."""
-    packages, _, errors = read_packages()
+    """Build what has changed, from nothing, and write the errors to the file left_out."""
+    packages, checksums, _, errors = read_packages()
+    places = {folder: WORKSPACE / 'build' / os.path.relpath(folder, WORKSPACE).replace('/', '+')
+              for folder in packages}
+    for place in {*(WORKSPACE / 'build').glob('src*')} - {*places.values()}:
+        shutil.rmtree(place)
+    keys, failed = {}, set()
     for folder, package in topological_order_packages(packages):
         if folder is None:
             errors.append(f'left out {package}: they depend on each other')
             continue
-        place = WORKSPACE / 'build' / folder[len(f'{WORKSPACE}/'):].replace('/', '+')
-        place.mkdir(parents=True, exist_ok=True)
-        run = subprocess.run(
-            ['bash', '-c', BUILD, WORKSPACE, place, folder, f'-DPYTHON_EXECUTABLE={sys.executable}',
-             f'-DCATKIN_DEVEL_PREFIX={WORKSPACE}/devel'], check=False, text=True, errors='replace',
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        print(run.stdout, flush=True)
-        if run.returncode:
-            error = ERROR.search(run.stdout)
+        depends = sorted(names_of_depends(package))
+        keys[package.name] = checksums[folder] + ''.join(
+            hashlib.sha256(keys[name].encode()).hexdigest() for name in depends if name in keys)
+        error = build_package(folder, places[folder], keys[package.name])
+        if error:
+            failed.add(package.name)
+            waits = ', '.join(name for name in depends if name in failed)
             errors.append(f'{package.name} is not built, or only in part: '
-                          f'{error[1] or error[2] if error else f"see {WORKSPACE}/setup.log"}')
-    (WORKSPACE / 'devel' / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
+                          + (f'it depends on {waits}' if waits else error))
+        subprocess.run(['bash', '-c', LINK, places[folder], DEVEL], check=True)
+    subprocess.run(['find', DEVEL, '-xtype', 'l', '-delete'], check=True)  # links to what is gone
+    (DEVEL / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
     (WORKSPACE / 'left_out').write_text(''.join(' '.join(error.split()).rstrip(':') + '\n' for error in errors))
 
 
+def build_package(folder, place, key):
+    """Build a package, unless that has been done with this key, and return an error or None."""
+    built = place / 'built'
+    if built.exists() and built.read_text() == key:
+        return None
+    shutil.rmtree(place, ignore_errors=True)
+    place.mkdir(parents=True)
+    run = subprocess.run(
+        ['bash', '-c', BUILD, WORKSPACE, place, folder, f'-DPYTHON_EXECUTABLE={sys.executable}',
+         f'-DCATKIN_DEVEL_PREFIX={place}/devel'], check=False, text=True, errors='replace',
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    print(run.stdout, flush=True)
+    if run.returncode:
+        error = ERROR.search(run.stdout)
+        return error[1] or error[2] if error else f'see {WORKSPACE}/setup.log'
+    built.write_text(key)
+    return None
+
+
 def depends():
-    """Print the apt packages of all dependencies; standard input has the names that apt knows."""
-    known, (packages, taken, _) = sys.stdin.read(), read_packages()
-    needed = {depend.name: package.name for package in packages.values() for kind in KINDS
-              for depend in getattr(package, kind) if depend.evaluated_condition}
+    """Print Debian's packages for all dependencies; standard input has the names that apt knows.
+
+    A name that rosdep's table lacks, such as Debian's own, is only reported.
+    """
+    known, (packages, _, taken, _) = {*sys.stdin.read().split()}, read_packages()
+    table = yaml.safe_load(Path(__file__).with_name('rosdep.yaml').read_text())
+    needed = {name: package.name for package in packages.values() for name in names_of_depends(package)}
+    if any('gtest' in Path(folder, 'CMakeLists.txt').read_text(errors='replace') for folder in packages
+           if Path(folder, 'CMakeLists.txt').exists()):
+        needed['gtest'] = 'catkin'  # its catkin_add_gtest() has no effect without that
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
-        names = re.findall(DEBIAN.format(re.escape(name.replace('_', '-'))), known, re.MULTILINE)
-        print(*sorted(names))
-        if not names and not Path('/usr/share', name, 'package.xml').exists():
-            print(f'./ws: {needed[name]} depends on {name}, which apt does not know', file=sys.stderr)
+        parts = known.intersection(table.get(name, ()))
+        print(*sorted(parts))
+        if not parts and not Path('/usr/share', name, 'package.xml').exists() and not is_installed(name):
+            how = (f"which is Debian's, not ROS's: sudo apt-get install --no-remove {name}" if name in known
+                   else "which apt does not know" if name in table
+                   else "which neither ROS nor rosdep's table knows")
+            print(f'./ws: {needed[name]} depends on {name}, {how}', file=sys.stderr)
+
+
+def is_installed(name):
+    """Return whether Debian's package of this name is."""
+    query = subprocess.run(['dpkg-query', '-W', '-f', '${db:Status-Status}\n', '--', name], check=False,
+                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    return 'installed' in query.stdout.split()
 
 
 {'depends': depends, 'build': build}[sys.argv[1]]()

@@ -54,8 +54,7 @@ make_python() {
     echo "$ROS" >"$VENV/ros"
 }
 
-# add_requirements FILE...: install those that are missing, one file after the other: pip asks for a
-# hash of each line where one has it.
+# add_requirements FILE...: install those that are missing; pip refuses a file without one of its hashes.
 add_requirements() {
     local file
     has_requirements requirements.txt || make_python
@@ -65,7 +64,7 @@ add_requirements() {
         # --use-pep517 pip needs the package wheel, which virtual environments lack. On arm64, GCC would fuse
         # multiplications with additions, which changes the last digits.
         CFLAGS="${CFLAGS:-} -g0 -ffp-contract=off" TMPDIR=$WORKSPACE "$VENV/bin/python3" -m pip \
-            install --quiet --disable-pip-version-check --use-pep517 -r "$file"
+            install --quiet --disable-pip-version-check --use-pep517 --require-hashes -r "$file"
         fingerprint "$file" >"$VENV/ready-${file//\//-}"
     done
 }

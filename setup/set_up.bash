@@ -19,11 +19,12 @@ set_up() {
     find_root
     VENV=$ROOT/.venv WORKSPACE=$ROOT/.ws LOG=$ROOT/.ws/setup.log
     cd "$ROOT"
+    need_ownership -maxdepth 1
     find_ros
-    PARTS=("${DEBIAN_PARTS[@]}") REQUIREMENTS=(requirements-fork.txt requirements.txt)
+    PARTS=("${DEBIAN_PARTS[@]}") REQUIREMENTS=(requirements.txt)
     add_extras "$@"
     is_debians || PARTS=()
-    has_parts "${PARTS[@]}" && has_requirements "${REQUIREMENTS[@]}" && build_is_ready || make_ready
+    has_parts "${PARTS[@]}" && has_requirements "${REQUIREMENTS[@]}" && build_is_ready || make_ready "$@"
     [ ! -s "$WORKSPACE/left_out" ] || sed 's,^,./ws: ,' "$WORKSPACE/left_out" >&2
 }
 
@@ -32,10 +33,9 @@ add_extras() {
     case "$* " in
         'test '* | 'pytest '* | python*' -m pytest '*)
             PARTS+=("${TEST_PARTS[@]}" "${WINDOW_PARTS[@]}" rviz)
-            REQUIREMENTS+=(test/requirements.txt odometry_sweep/requirements{,-cluster}.txt robot_view/requirements.txt) ;;
+            REQUIREMENTS+=(test/requirements.txt odometry_sweep/requirements-cluster.txt robot_view/requirements.txt) ;;
         'ruff '* | 'vermin '* | 'pre-commit '*) PARTS+=(catkin-lint) REQUIREMENTS+=(test/requirements.txt) ;;
-        'dask '* | 'sweep '*'--cluster'*) REQUIREMENTS+=(odometry_sweep/requirements{,-cluster}.txt) ;;
-        'bench '* | 'sweep '*) REQUIREMENTS+=(odometry_sweep/requirements.txt) ;;
+        'dask '* | 'sweep '*'--cluster'*) REQUIREMENTS+=(odometry_sweep/requirements-cluster.txt) ;;
         'rosrun tf '*) PARTS+=(libtf-dev tf-tools) ;;
         'rosrun rviz '* | 'rviz '* | 'roslaunch '*' rviz:='[1Tt]*) PARTS+=(rviz) ;;&
         'rosrun sim_turtlebot '*' _gui:='[1Tt]* | 'demo '*'--gui '* | 'roslaunch '*' gui:='[1Tt]*)
@@ -45,11 +45,9 @@ add_extras() {
     esac
 }
 
-# make_ready: install and build what is missing; one call of ./ws at a time.
+# make_ready COMMAND ARGUMENT...: install and build what is missing; one call of ./ws at a time.
 make_ready() {
-    mkdir -p "$WORKSPACE/src"
-    exec 9>"$WORKSPACE/lock"
-    flock -n 9 || { announce 'another set-up is running; waiting for it'; flock 9; }
+    open_workspace "$@"
     need_parts "${PARTS[@]}"
     local what='installing Python packages'
     has_requirements requirements.txt || what='installing PyBullet, 100 MB; on arm64 pip compiles it for minutes'

@@ -5,6 +5,12 @@ fail() { announce "$1"; exit 1; }
 refuse() { announce "$1"; exit 2; }  # the command line is wrong
 nowhere() { fail "$1. Use the container: docs/container.md"; }
 
+# leave_root ARGUMENT...: under sudo, go on as its caller, so that no file of a user's clone becomes root's.
+leave_root() {
+    [ "$(id -u)" != 0 ] || [ "${SUDO_UID:-0}" = 0 ] || [ "$(stat -c %u "$CHECKOUT")" = 0 ] ||
+        exec sudo -E -H -u "#$SUDO_UID" -g "#$SUDO_GID" -- "$CHECKOUT/ws" "$@"
+}
+
 # End by Ctrl-C and Ctrl-\ even if the command that bash waits for ignores them.
 trap 'trap - INT; kill -INT $$' INT
 trap 'exit 131' QUIT
@@ -51,6 +57,7 @@ apt_update() {
     apt_get update
 }
 
-apt_get() { as_root apt-get -q -y -o DPkg::Lock::Timeout=600 "$@"; }
+# apt_get removes nothing: apt then fails instead.
+apt_get() { as_root apt-get -q -y -o APT::Get::Remove=false -o DPkg::Lock::Timeout=600 "$@"; }
 
 as_root() { $([ "$(id -u)" = 0 ] || echo sudo) env DEBIAN_FRONTEND=noninteractive "$@"; }

@@ -13,7 +13,7 @@ EXIT_BAD_BAG = 2
 
 def make_parser():
     """Return the parser of the command line."""
-    parser = argparse.ArgumentParser(prog='plot_run.py', description=__doc__)
+    parser = argparse.ArgumentParser(prog='plot_run.py', description=__doc__, allow_abbrev=False)
     parser.add_argument('bag', metavar='BAG', help='the recording')
     parser.add_argument('-o', '--output', metavar='PNG',
                         help='the picture (default: beside the bag, with its name)')

@@ -34,7 +34,8 @@ PARTS=() REQUIREMENTS=()
 add_extras "${WORDS[@]}"
 echo "${PARTS[*]} ${REQUIREMENTS[*]}"
 """
-VIEW, SWEEP, TESTS = (f'{folder}/requirements.txt' for folder in ('robot_view', 'odometry_sweep', 'test'))
+VIEW, TESTS = (f'{folder}/requirements.txt' for folder in ('robot_view', 'test'))
+CLUSTER = 'odometry_sweep/requirements-cluster.txt'
 
 
 @pytest.fixture
@@ -86,7 +87,8 @@ def test_a_variable_that_stops_python_is_named_or_of_no_effect(tmp_path, variabl
     ('echo --gui', ''), ('rosrun robot_view view.py', VIEW), ('demo rotate --view', VIEW), ('demo --view', VIEW),
     ('roslaunch odometry_launch sim.launch view:=true', VIEW), ('roslaunch odometry_launch sim.launch gui:=false', ''),
     ('rviz', 'rviz'), ('demo --gui --view', f'libgl1 libx11-6 {VIEW}'), ('rosrun tf tf_echo odom base_link', 'libtf-dev tf-tools'),
-    ('pre-commit run', f'catkin-lint {TESTS}'), ('sweep move', SWEEP),
+    ('pre-commit run', f'catkin-lint {TESTS}'), ('sweep move', ''),
+    ('dask worker', CLUSTER), ('sweep move --cluster tcp://a:1', CLUSTER),
     ('check heading my.py', ''), ('check heading my.py --view', VIEW)])
 def test_a_word_installs_something_only_where_it_means_that(fresh, command, extras):
     run = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}')
@@ -97,7 +99,7 @@ def test_a_word_installs_something_only_where_it_means_that(fresh, command, extr
 def test_tests_need_everything_that_they_test(fresh, command):
     """In a fresh clone too, where the first call may ask for help."""
     words = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}').stdout.split()
-    assert {TESTS, VIEW, SWEEP, 'rviz', 'chromium', 'libgl1'} <= set(words)
+    assert {TESTS, VIEW, CLUSTER, 'rviz', 'chromium', 'libgl1'} <= set(words)
 
 
 def last_words(folder, commands, **variables):

@@ -13,6 +13,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 
 SET_BY_WS = 'ROS_HOSTNAME', 'ROS_IP', 'ROS_ETC_DIR'
+DASK_TIMEOUT = 60.0  # s
 ETC = f'{os.environ["ODOMETRY_ROOT"]}/launch/etc'  # a link where this project's path has a space
 
 
@@ -42,6 +43,16 @@ def test_a_launch_in_a_shell_listens_on_loopback_only(tmp_path):
         assert_loopback_only(terminal.pid)
         terminal.press_ctrl_c()
         terminal.wait_for_prompt()
+
+
+@pytest.mark.parametrize('options', [[], ['--host', '127.0.0.1']])
+def test_dask_and_its_dashboards_listen_on_loopback_only(options):
+    with hold_port() as port, Process(ROOT / 'ws', 'dask', 'scheduler', '--port', str(port), *options) as scheduler:
+        scheduler.wait_for_output('dashboard at', DASK_TIMEOUT)
+        assert_loopback_only(scheduler.pid)
+        with Process(ROOT / 'ws', 'dask', 'worker', f'tcp://127.0.0.1:{port}', *options) as worker:
+            worker.wait_for_output('Registered to', DASK_TIMEOUT)
+            assert_loopback_only(worker.pid)
 
 
 @pytest.mark.parametrize('setting', ['ROS_IP=192.0.2.1', 'ROS_HOSTNAME=robot.invalid'])

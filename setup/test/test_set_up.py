@@ -2,18 +2,24 @@
 
 import contextlib
 import fcntl
+import os
 import re
 import shutil
 import signal
+import subprocess
 
 import pytest
 from checkout import (
+    CMAKE,
     FASTER,
+    START,
+    TIMEOUT,
     in_checkout,
     make_checkout,
     make_package,
     start_in_checkout,
 )
+from odometry_tests.terminal import Terminal
 
 RUN_MINE = FASTER + """
 set_up true
@@ -29,11 +35,12 @@ BAD = [
     ('open', 'package.xml', '</package>', '', 'invalid XML'),
     ('unconfigured', 'CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS nowhere)',
      'Could not find a package configuration file provided by "nowhere"'),
+    ('conditional', 'package.xml', '<buildtool_depend>', '<buildtool_depend condition="$ROS_VERSION = 1">', 'failed to parse'),
     ('uncompiled', 'CMakeLists.txt', 'catkin_package()', 'catkin_package()\nadd_library(x x.cpp)', 'x.cpp:1:.* error: '),
 ]
 # apt knows these; none is installed, and none can be.
 DEPENDS = """
-apt-cache() { printf '%s\\n' nowhere tf libtf-dev tf-tools python3-tf2-ros libtf2-ros-dev python3-odometry-common; }
+apt-cache() { printf '%s\\n' libapache2-mod-php tf libtf-dev tf-tools python3-tf2-ros libtf2-ros-dev; }
 has_parts() { [ "$1" = catkin ]; }  # the first of what every command needs
 need_parts() { has_parts "$@" || fail "this needs $*"; }
 """
@@ -51,8 +58,8 @@ ln -s /bin/true "$VENV/bin/python3"  # as a pip that has nothing to do
 cd "$ROOT"
 WORKSPACE=$CHECKOUT
 make_python() { true; }
-add_requirements requirements-fork.txt requirements.txt
-has_requirements requirements-fork.txt requirements.txt
+add_requirements requirements.txt test/requirements.txt
+has_requirements requirements.txt test/requirements.txt
 """
 FAIL = """
 fails() { seq 1 100; return 3; }
@@ -66,6 +73,8 @@ run_step 'a step' true
 bash -c "kill -$SIGNAL $$; sleep 0.1"
 echo forgotten
 """
+# Without root's right to write everywhere.
+READ_ONLY = 'setpriv --bounding-set=-dac_override ' if os.getuid() == 0 else ''
 PATH = 'find_root; echo "$ROOT"; readlink "$ROOT"'
 
 
@@ -132,17 +141,149 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
     assert (checkout / '.ws' / 'build' / 'src+mine' / 'CMakeCache.txt').stat() == made
 
 
-def test_what_a_package_depends_on_is_installed(checkout):
-    """As far as Debian has it under one of its names; without it, and without root, the others run."""
+def depend(checkout, *names):
+    """Have the package of the user's depend on others."""
     manifest = checkout / '.ws' / 'src' / 'mine' / 'package.xml'
-    depends = ''.join(f'<depend>{name}</depend>' for name in ('tf', 'tf2_ros', 'odometry_common', 'nowhere'))
+    depends = ''.join(f'<depend>{name}</depend>' for name in names)
     manifest.write_text(manifest.read_text().replace('</package>', f'{depends}</package>'))
+
+
+def test_what_a_package_depends_on_is_installed(checkout):
+    """As far as rosdep's table has it; other names are only said, and without root the others run."""
+    depend(checkout, 'tf', 'tf2_ros', 'odometry_common', 'nowhere', 'libapache2-mod-php')
     run = in_checkout(checkout, DEPENDS + RUN_MINE)
     assert run.wait() == 0 and 'hello from pybullet' in run.stdout, run.output
-    assert run.stderr.splitlines()[:3] == [
-        './ws: mine depends on nowhere, which apt does not know',
+    assert run.stderr.splitlines()[:4] == [
+        ("./ws: mine depends on libapache2-mod-php, which is Debian's, not ROS's: "
+         'sudo apt-get install --no-remove libapache2-mod-php'),
+        "./ws: mine depends on nowhere, which neither ROS nor rosdep's table knows",
         './ws: this needs libtf-dev tf-tools libtf2-ros-dev python3-tf2-ros',
         './ws: continuing without these dependencies of packages in .ws/src'], run.stderr
+
+
+def test_on_a_terminal_it_asks_before_it_installs_what_a_package_depends_on(checkout):
+    depend(checkout, 'tf')
+    script = checkout / 'set_up.bash'
+    script.write_text(f'{START}{DEPENDS}{FASTER}set_up true')
+    with Terminal(checkout, {**os.environ, 'CHECKOUT': str(checkout)}) as terminal:
+        terminal.type('bash set_up.bash')
+        terminal.wait_for_output('    tf-tools')
+        terminal.wait_for_output('install them? [Y/n]')
+        terminal.type('n')
+        assert terminal.wait_for_prompt(TIMEOUT) == 0, terminal.output
+    assert 'this needs' not in terminal.output and 'continuing without' in terminal.output
+
+
+def test_apt_may_remove_nothing(checkout):
+    run = in_checkout(checkout, 'as_root() { "$@"; }\napt_get -s install libboost1.81-dev || apt_get -s install libmpich-dev')
+    assert 'Remv' not in run.stdout, run.output
+
+
+def test_a_build_is_tried_again_once_something_was_installed(checkout):
+    (checkout / '.ws' / 'src' / 'mine' / 'CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
+    assert 'building' in in_checkout(checkout, FASTER + 'set_up true').stderr
+    installed = FASTER + 'DPKG=$CHECKOUT/status\n'
+    assert 'building' not in in_checkout(checkout, installed + 'set_up true').stderr
+    assert 'building' in in_checkout(checkout, installed + 'touch "$DPKG"\nset_up true').stderr
+
+
+def test_an_error_is_named_where_it_is(checkout):
+    """Not at what only waits for that."""
+    mine, user = (checkout / '.ws' / 'src' / name for name in ('mine', 'user'))
+    make_package(user, 'pybullet')
+    for file, old, new in [('package.xml', '</package>', '<depend>mine</depend></package>'),
+                           ('CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS mine)')]:
+        (user / file).write_text((user / file).read_text().replace(old, new))
+    (mine / 'CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
+    lines = in_checkout(checkout, FASTER + 'set_up true').stderr.splitlines()
+    assert './ws: mine is not built, or only in part: no SDL' in lines, lines
+    assert './ws: user is not built, or only in part: it depends on mine' in lines
+
+
+def make_program(folder, text, age=0.0):
+    """Make a package with a program that prints the text; its files are older by age, in seconds."""
+    make_package(folder, 'pybullet')
+    (folder / 'CMakeLists.txt').write_text(
+        CMAKE.format(name=folder.name) + 'add_executable(${PROJECT_NAME}_node x.cpp)\n')
+    (folder / 'x.cpp').write_text(f'#include <cstdio>\nint main() {{ puts("{text}"); }}')
+    for path in folder.iterdir():
+        os.utime(path, (path.stat().st_mtime - age,) * 2)
+
+
+def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkout):
+    """Also if its files are older; a removed package's program does not run."""
+    run_it = FASTER + 'set_up true\nset +u\n. "$WORKSPACE/devel/setup.bash"\nrosrun hw hw_node'
+    folder = checkout / '.ws' / 'src' / 'hw'
+    for text, age in ('first', 0.0), ('second', 1e5):
+        shutil.rmtree(folder, ignore_errors=True)
+        make_program(folder, text, age)
+        run = in_checkout(checkout, run_it)
+        assert run.wait() == 0 and run.stdout.strip() == text, run.output
+    shutil.rmtree(folder)
+    run = in_checkout(checkout, run_it)
+    assert run.wait() != 0 and 'hw' in run.stderr, run.output
+    assert not (checkout / '.ws' / 'devel' / 'lib' / 'hw' / 'hw_node').is_symlink()
+
+
+def as_reader(checkout, commands, **variables):
+    """Run them as a user who may not write what is there."""
+    script = checkout.parent / 'script.bash'
+    script.write_text(START + commands)
+    return in_checkout(checkout, f'exec {READ_ONLY}bash "${{CHECKOUT%/*}}/script.bash"', **variables)
+
+
+@pytest.fixture
+def read_only(checkout):
+    """Return a function that takes the right to write it from everybody."""
+    yield lambda: subprocess.run(['chmod', '-R', 'a-w', checkout], check=True)
+    subprocess.run(['chmod', '-R', 'u+w', checkout], check=True)
+
+
+def test_the_locale_changes_no_fingerprint(checkout):
+    """One that sorts a before B, and one that does not."""
+    for name in 'a', 'B':
+        (checkout / '.ws' / 'src' / 'mine' / f'{name}.h').touch()
+    commands = 'find_root\ncd "$ROOT"\nfind_ros() { ROS=/usr PYTHON=/; }; find_ros\nWORKSPACE=.ws VENV=.venv\nbuild_fingerprint'
+    found = {in_checkout(checkout, commands, LC_ALL=name).stdout for name in ('C', 'C.UTF-8', 'en_US.UTF-8')}
+    assert len(found) == 1, found
+
+
+def test_who_cannot_write_the_clone_runs_what_is_built(checkout, read_only):
+    """Until something is missing: then one line says who is to install it, and how."""
+    assert as_reader(checkout, RUN_MINE).wait() == 0
+    (checkout / '.ws' / 'src' / 'mine' / 'new.h').touch()
+    read_only()
+    run = as_reader(checkout, RUN_MINE)
+    assert run.wait() == 0 and './ws: ' not in run.stderr and 'hello from pybullet' in run.stdout, run.output
+    run = as_reader(checkout, FASTER + 'has_requirements() { false; }\nset_up demo --view')
+    assert run.wait() == 1 and re.fullmatch(
+        r'./ws: not everything that demo needs is installed and built, and you cannot write \S+: '
+        r'ask \w+ to type: \S+/ws --set-up demo --view', run.output.strip()), run.output
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason='only root can give files away')
+def test_what_sudo_has_left_is_named_with_what_mends_it(checkout):
+    in_checkout(checkout, FASTER + 'set_up true')
+    for folder in '.ws', 'runs':
+        (checkout / folder).mkdir(exist_ok=True)
+        os.chown(checkout / folder, 65534, 65534)
+    run = as_reader(checkout, FASTER + 'set_up demo')
+    assert run.wait() == 1 and re.fullmatch(
+        r'./ws: these belong to another user, as after sudo: sudo chown -R root: (\S+)/\.ws \1/runs',
+        run.output.strip()), run.output
+
+
+@pytest.mark.parametrize('user, owner, shown', [
+    ('0', '1000', '-E -H -u #1000 -g #100 -- ./ws demo rotate'), ('0', '0', 'stays'), ('1000', '1000', 'stays')])
+def test_under_sudo_it_goes_on_as_the_caller(checkout, user, owner, shown):
+    """But not in root's own clone."""
+    sudo = checkout.parent / 'sudo'
+    sudo.write_text('#!/bin/sh\necho "$@"\n')
+    sudo.chmod(0o755)
+    run = in_checkout(checkout, f'id() {{ echo {user}; }}\nstat() {{ echo {owner}; }}\nCHECKOUT=.\n'
+                      'leave_root demo rotate\necho stays', SUDO_UID='1000', SUDO_GID='100',
+                      PATH=f'{checkout.parent}:{os.environ["PATH"]}')
+    assert (run.wait(), run.output.strip()) == (0, shown)
 
 
 @pytest.mark.nightly
@@ -159,7 +300,7 @@ def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, 
 def test_it_notices_a_deleted_or_interrupted_python(tmp_path, damage):
     """Or, as in the last of these, another Python of the system."""
     run = in_checkout(make_checkout(tmp_path / 'a' / 'robot', made=()),
-                      f'{PYTHON}{damage}\n! has_requirements requirements-fork.txt requirements.txt')
+                      f'{PYTHON}{damage}\n! has_requirements requirements.txt test/requirements.txt')
     assert (run.wait(), run.output.strip()) == (0, ''), run.output
 
 

@@ -54,7 +54,7 @@ def machine():
 
 
 def parse(arguments):
-    parser = argparse.ArgumentParser(prog='./ws bench', description=__doc__,
+    parser = argparse.ArgumentParser(prog='./ws bench', description=__doc__, allow_abbrev=False,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('only', nargs='*', metavar='FIGURE', help=f'only these: {", ".join(sorted(FIGURES))}')
     parser.add_argument('--runs', type=int, default=3, metavar='N',

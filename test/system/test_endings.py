@@ -1,9 +1,11 @@
 """However a node that moves the robot ends, the robot stops, without a traceback."""
 
 import os
+import re
 import signal
 import socket
 import sys
+from pathlib import Path
 
 import psutil
 import pytest
@@ -13,6 +15,7 @@ import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
+from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import (
     Truth,
     detector,
@@ -41,6 +44,7 @@ rosgraph.is_master_online = ask
 run_node('deaf', print, '')
 """
 
+
 def test_a_node_without_a_master_says_so_and_ends_at_once():
     """With parameters to upload too, which rospy answers with a traceback."""
     with hold_port() as port, rosrun(
@@ -49,6 +53,15 @@ def test_a_node_without_a_master_says_so_and_ends_at_once():
         node.wait_for_output('Unable to register with master node')
         assert node.running
         assert node.end(signal.SIGHUP, timeout=2.0) == 0
+
+
+def test_a_node_that_nohup_starts_outlives_its_terminal():
+    """As bare rospy does: its process ignores HUP."""
+    with hold_port() as port, Process(
+            'nohup', ROOT / 'ws', 'rosrun', 'test_movement', 'test_movement.py',
+            env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as node:
+        node.wait_for_output('Unable to register with master node')
+        assert 1 << signal.SIGHUP - 1 & int(re.search(r'SigIgn:\t(\w+)', Path(f'/proc/{node.pid}/status').read_text())[1], 16)
 
 
 def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path):

@@ -31,7 +31,7 @@ PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parse
 
 
 def main():
-    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
+    argparse.ArgumentParser(description=__doc__.splitlines()[0], allow_abbrev=False).parse_args()
     PAGE.write_text(updated(PAGE.read_text()))
 
 

@@ -3,6 +3,7 @@
 import ast
 import importlib.util
 import re
+import subprocess
 import sys
 import sysconfig
 from xml.etree import ElementTree
@@ -82,6 +83,22 @@ def test_the_requirements_name_what_rosdep_does_not_know():
     named = {line.partition('==')[0].replace('-', '_')
              for file in REQUIREMENTS for line in file.read_text().splitlines()}
     assert FROM_PYPI <= named, FROM_PYPI - named
+
+
+@pytest.mark.parametrize('file', REQUIREMENTS, ids=lambda path: str(path.relative_to(ROOT)))
+def test_each_requirement_has_a_version_and_hashes(file):
+    lines = [line for line in file.read_text().splitlines() if not line.startswith('#')]
+    pinned = re.findall(r'^\S+==\S+.*(?: \\\n {4}--hash=sha256:[0-9a-f]{64})+$', '\n'.join(lines), re.MULTILINE)
+    assert pinned and '\n'.join(pinned).splitlines() == lines
+
+
+def test_the_page_removes_what_the_set_up_installs():
+    """docs/install.md: all lists of system packages, and those that are named where they are needed."""
+    command, = re.findall(r'\$\((CHECKOUT=.*)\)', (ROOT / 'docs' / 'install.md').read_text())
+    removed = subprocess.run(['bash', '-c', command], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    named = re.findall(r'\bPARTS\+=\((.*?)\)', (ROOT / 'setup' / 'set_up.bash').read_text())
+    words = {word for words in named for word in words.split() if not word.startswith('"')}
+    assert {*removed.split()} == {*words, *PARTS['DEBIAN'], *PARTS['TEST'], *PARTS['WINDOW']}
 
 
 def debian_packages():

@@ -11,8 +11,18 @@ import rospkg
 
 from odometry_launch.output import complain
 
-RUNS = Path(os.environ.get('ODOMETRY_RUNS') or Path(__file__).resolve().parents[3] / 'runs')
+CLONE = Path(__file__).resolve().parents[3]
 LOG_SIZE = 2**16  # bytes; the logs of a run are not much larger
+
+
+def find_runs():
+    """Return the folder of all output: runs in the clone, if this user can write there."""
+    runs = CLONE / 'runs'
+    is_writable = os.access(runs if runs.exists() else CLONE, os.W_OK)
+    return runs if is_writable else Path(rospkg.get_ros_home()) / 'odometry_runs'
+
+
+RUNS = Path(os.environ.get('ODOMETRY_RUNS') or find_runs())
 
 
 def new_folder(name=''):

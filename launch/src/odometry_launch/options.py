@@ -30,7 +30,7 @@ def parse(arguments):
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws demo', description='Run a tutorial with a simulated TurtleBot 2 and show its '
+        prog='./ws demo', allow_abbrev=False, description='Run a tutorial with a simulated TurtleBot 2 and show its '
         'progress. A recording and a picture of the run are saved in the folder runs.')
     parser.add_argument('tutorial', nargs='?', metavar='|'.join(MODES), default=MODES[0],
                         help='drive two metres, or turn to a heading (default: %(default)s)')

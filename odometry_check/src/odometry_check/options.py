@@ -16,7 +16,7 @@ from odometry_check.scenarios import EXERCISES
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws check', description='Judge a node that you wrote for a tutorial. It runs '
+        prog='./ws check', allow_abbrev=False, description='Judge a node that you wrote for a tutorial. It runs '
         'unmodified with the simulated robot; the report says what is right and what is not. Exit status '
         '0: all passed; 1: some failed; 2: the check could not run.')
     parser.add_argument('exercise', choices=EXERCISES, help='; '.join(

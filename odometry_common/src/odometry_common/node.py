@@ -180,9 +180,11 @@ def _go_without_logs_if_necessary():
 
 
 def _on_signals(handler):
-    """Handle Ctrl-C, SIGTERM and a closed terminal."""
-    for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(signum, handler)
+    """Handle Ctrl-C, SIGTERM and a closed terminal, unless nohup has the node outlive that."""
+    signal.signal(signal.SIGINT, handler)
+    signal.signal(signal.SIGTERM, handler)
+    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:
+        signal.signal(signal.SIGHUP, handler)
 
 
 def _interrupt_waits_by_signals():

@@ -37,7 +37,7 @@ def parse(arguments):
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws sweep', description='Run a tutorial many times, over a grid of parameter values '
+        prog='./ws sweep', allow_abbrev=False, description='Run a tutorial many times, over a grid of parameter values '
         'and seeds, without ROS. It uses all processors, prints statistics, and saves the metrics '
         'of each run in the folder runs.')
     source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
