@@ -16,7 +16,7 @@ find_ros() {
         for ROS in "$OPT"/{noetic,one} "$USR"; do
             [ ! -f "$ROS/setup.bash" ] || return 0
         done
-        type -P dpkg-query >/dev/null || nowhere 'this system has no ROS 1'
+        type -P dpkg-query >/dev/null || unsupported 'this system has no ROS 1'
     fi
 }
 

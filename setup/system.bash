@@ -3,7 +3,7 @@
 announce() { echo "./ws: $1" >&2; }
 fail() { announce "$1"; exit 1; }
 refuse() { announce "$1"; exit 2; }  # the command line is wrong
-nowhere() { fail "$1. Use the container: docs/container.md"; }
+unsupported() { fail "$1. Use the container: docs/container.md"; }
 
 # leave_root ARGUMENT...: under sudo, go on as its caller, so that no file of a user's clone becomes root's.
 leave_root() {
@@ -45,7 +45,7 @@ need_parts() {
     local version=$(LC_ALL=C apt-cache policy python3-rospy | awk '/Candidate: [0-9]/ { print $2 }')
     # Debian 11's rospy does not run on its own Python.
     dpkg --compare-versions "$version" ge 1.15.13 ||
-        nowhere 'the packages of this system contain no ROS 1, or one that is too old'
+        unsupported 'the packages of this system contain no ROS 1, or one that is too old'
     local what="${#missing[@]} system packages"
     [ ${#missing[@]} -gt 9 ] || what=${missing[*]}
     run_step "installing $what and what they need" apt_get install --no-install-recommends "${missing[@]}"

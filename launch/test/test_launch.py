@@ -11,7 +11,7 @@ from odometry_launch.folders import new_folder
 from odometry_launch.launch import Launch
 from odometry_launch.node_output import NodeOutput
 from odometry_launch.options import parse
-from odometry_launch.output import DemoError
+from odometry_launch.output import RunError
 from odometry_launch.ports import HeldPort, next_port, usual_master_port
 from odometry_tests.processes import Process
 
@@ -26,13 +26,13 @@ def test_an_unexpected_error_ends_a_wait_at_once(launch):
     def condition():
         raise AttributeError('no such thing')
 
-    with pytest.raises(DemoError, match='^no answer: AttributeError: no such thing$'):
+    with pytest.raises(RunError, match='^no answer: AttributeError: no such thing$'):
         launch.wait_for(condition, 'no answer')
 
 
 def test_a_master_that_is_suspended_ends_a_wait(launch, monkeypatch):
     monkeypatch.setattr('odometry_launch.launch.START_TIMEOUT', 0.1)
-    with pytest.raises(DemoError, match='^no answer within 0.1 s; '):
+    with pytest.raises(RunError, match='^no answer within 0.1 s; '):
         launch.wait_for(threading.Event().wait, 'no answer')
 
 

@@ -6,7 +6,7 @@ import pytest
 import rosbag
 import rospy
 from odometry_common.parameters import StartError
-from odometry_launch.output import DemoError
+from odometry_launch.output import RunError
 from odometry_launch.stepping import Recorded
 from odometry_sweep.lockstep import replay, tutorial_metrics
 from odometry_tests.messages import odometry
@@ -57,7 +57,7 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
     row.update(run=1, moved=0.11000000000000001)
     (tmp_path / 'runs.csv').write_text(f'{",".join(row)}\n{",".join(map(str, row.values()))}\n')
     monkeypatch.setattr('odometry_sweep.lockstep.record', lambda *_: Recorded(bag, set(), [], set(), {}))
-    with pytest.raises(DemoError, match='not the same: moved$'):
+    with pytest.raises(RunError, match='not the same: moved$'):
         replay(tmp_path, '1')
     assert 'moved           0.11000000000000001     0.11\n' in capsys.readouterr().out
 
@@ -65,7 +65,7 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
 @pytest.mark.parametrize('recording, line', [
     ({'moved': 0.11000000000000001}, 'published another distance'), ({'missing': 2}, 'has gaps')])
 def test_a_recording_that_is_not_that_of_the_run_is_refused(recorded, recording, line):
-    with pytest.raises(DemoError, match=line):
+    with pytest.raises(RunError, match=line):
         tutorial_metrics('move', {'distance': 0.1}, recorded(**recording))
 
 

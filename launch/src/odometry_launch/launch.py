@@ -21,7 +21,7 @@ from roslaunch.pmon import ProcessListener, start_process_monitor
 from roslaunch.rlutil import resolve_launch_arguments
 
 from odometry_launch.node_output import NodeOutput
-from odometry_launch.output import DemoError
+from odometry_launch.output import RunError
 from odometry_launch.ports import next_port, usual_master_port
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
@@ -102,16 +102,16 @@ class Launch(ProcessListener):
         """Return once the parameters are set and the nodes have been started."""
         self.wait_for(self._started.done, 'the nodes have not been started')
         if error := self._started.exception():
-            raise DemoError(f'the nodes have not been started: {error}')
+            raise RunError(f'the nodes have not been started: {error}')
 
     def check(self):
-        """Raise DemoError if a node has exited too early, KeyboardInterrupt after a signal."""
+        """Raise RunError if a node has exited too early, KeyboardInterrupt after a signal."""
         if self._is_stopped:
             raise KeyboardInterrupt
         for name, status in list(self._ended.items()):
             is_watched = self._watched is None or name in self._watched
             if is_watched and (status or name not in self._may_end):
-                raise DemoError(self.end_of(name))
+                raise RunError(self.end_of(name))
 
     def end_of(self, name):
         """Return how a node has ended, in one line; after an exception, with the last that was printed."""
@@ -141,7 +141,7 @@ class Launch(ProcessListener):
         return self._output.lines()
 
     def wait_for(self, condition, complaint):
-        """Return once a condition holds; raise DemoError if it fails, or after START_TIMEOUT."""
+        """Return once a condition holds; raise RunError if it fails, or after START_TIMEOUT."""
         end, outcome = time.monotonic() + START_TIMEOUT, queue.SimpleQueue()
         # On a thread, since a suspended master or node never answers.
         threading.Thread(target=_wait, args=[condition, outcome], daemon=True).start()
@@ -152,9 +152,9 @@ class Launch(ProcessListener):
                 self.check()
                 continue
             if error:
-                raise DemoError(f'{complaint}: {type(error).__name__}: {error}') from error
+                raise RunError(f'{complaint}: {type(error).__name__}: {error}') from error
             return
-        raise DemoError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
+        raise RunError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
                         f'{self._output.last_lines()}')
 
 

@@ -10,7 +10,7 @@ REWRITE = '\r\033[K'  # moves to the start of a terminal's line and clears it
 BAR_WIDTH = 30
 
 
-class DemoError(RuntimeError):
+class RunError(RuntimeError):
     """The demo cannot continue; the message is one line for the user."""
 
 
@@ -61,7 +61,7 @@ def run_command(program, run, mistakes):
         status = 128 + signal.SIGPIPE
     except KeyboardInterrupt:
         status = 128 + signal.SIGINT
-    except (DemoError, OSError, *mistakes) as error:
+    except (RunError, OSError, *mistakes) as error:
         complain(error, program)
         status = 2 if isinstance(error, mistakes) else 1
     signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one exits without a message

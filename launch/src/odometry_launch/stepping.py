@@ -14,7 +14,7 @@ from std_srvs.srv import Trigger
 
 from odometry_launch.following import is_answered, join
 from odometry_launch.launch import CHECK_PERIOD, Launch
-from odometry_launch.output import DemoError
+from odometry_launch.output import RunError
 from odometry_launch.recording import Recording
 
 SIMULATOR = 'sim_turtlebot'
@@ -48,7 +48,7 @@ def record(nodes, robot, end, folder=None, are_watched=True):
     :param robot: the simulator's parameters by name
     :param folder: for the bag (a Path); None: a new one
     :param are_watched: whether the end of a node is an error
-    :raises DemoError: if the simulator, or a node that is watched, has ended
+    :raises RunError: if the simulator, or a node that is watched, has ended
     """
     with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
         yaml.safe_dump({'real_time_factor': 0, 'lockstep': True, 'paused': True, **robot}, file)
@@ -66,7 +66,7 @@ def record(nodes, robot, end, folder=None, are_watched=True):
             restless = {name for name in restless if name.lstrip('/') not in statuses}  # who ends may send a zero
             found = filter(None, map(UNAWAITED.search, launch.lines()))
     if not bag:
-        raise DemoError('the run is not recorded')
+        raise RunError('the run is not recorded')
     return Recorded(bag, {*statuses}, crashes, required,
                     {**dict.fromkeys(restless, ACTS), **{match[1]: match[2] for match in found}})
 

@@ -14,7 +14,7 @@ from odometry_common.geometry import about_z
 from odometry_common.publishing import advertise
 from odometry_launch.following import join
 from odometry_launch.launch import Launch
-from odometry_launch.output import DemoError
+from odometry_launch.output import RunError
 from odometry_launch.recording import COMMANDS
 from rosgraph_msgs.msg import Log
 from roslib.packages import find_node
@@ -88,7 +88,7 @@ class Bench:
             self._services[service]()
         except rospy.ServiceException as error:
             self.check()
-            raise DemoError(f'the simulator does not answer: {error}') from None
+            raise RunError(f'the simulator does not answer: {error}') from None
 
     def drive(self, linear, angular):
         """Command a velocity (m/s, rad/s)."""
@@ -97,11 +97,11 @@ class Bench:
         self._publisher.publish(command)
 
     def check(self):
-        """Raise DemoError if the simulator has ended, KeyboardInterrupt after a signal."""
+        """Raise RunError if the simulator has ended, KeyboardInterrupt after a signal."""
         self._launch.check()
         if self._simulator and self._simulator.status is not None:
             last = self._simulator.output.strip().splitlines()[-1:] or ['without a word']
-            raise DemoError(f'the simulator has ended: {last[0]}')
+            raise RunError(f'the simulator has ended: {last[0]}')
 
     def wait_for(self, condition, complaint):
         """Return once a condition holds, which is looked at again and again."""

@@ -7,7 +7,7 @@ import time
 
 from odometry_common.parameters import StartError
 from odometry_launch.folders import use_writable_logs
-from odometry_launch.output import DemoError, run_command
+from odometry_launch.output import RunError, run_command
 from odometry_launch.ports import HOST, next_port
 
 from odometry_check.options import command_of, parse
@@ -20,7 +20,7 @@ PAGE_PATIENCE = 60.0  # s of wall time, for a browser
 
 def main():
     """Exit 0 if all passed, 1 if some failed, 2 if the check could not run."""
-    run_command(PROGRAM, _run, (StartError, DemoError, OSError))
+    run_command(PROGRAM, _run, (StartError, RunError, OSError))
 
 
 def _run():

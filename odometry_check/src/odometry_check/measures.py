@@ -20,7 +20,7 @@ END, STILL = 5.0, 2.0  # s at the end of a run, in which a controller has settle
 CEASED = 0.55  # s
 ERROR = re.compile(r'^(?:\w+\.)*(\w*(?:Error|Exception)): ?(.*)$', re.MULTILINE)
 PLACE = re.compile(r'File "([^"]+)", line (\d+)')
-NOT_HERS = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
+NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
 PROCESS = re.compile(r' \(process[^)]*\)')
 
 
@@ -66,7 +66,7 @@ def error_in(output):
     found = [*ERROR.finditer(output)]
     if not found:
         return None, None
-    lines = [line for path, line in PLACE.findall(output[:found[-1].start()]) if not NOT_HERS.search(path)]
+    lines = [line for path, line in PLACE.findall(output[:found[-1].start()]) if not NOT_USER_CODE.search(path)]
     return f'{found[-1][1]}: {found[-1][2]}'.rstrip(': '), lines[-1] if lines else '?'
 
 

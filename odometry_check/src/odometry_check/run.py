@@ -108,7 +108,7 @@ class Run:
             self.changed.notify_all()
 
     def _on_twist(self, topic, message, now):
-        # A moment of lockstep has no order: to the millisecond, the tick before may be meant.
+        # Messages of one tick arrive in any order: to the millisecond, the tick before may be meant.
         now = round(now / PERIOD) * PERIOD
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if abs(getattr(getattr(message, part), axis)) > ZERO)

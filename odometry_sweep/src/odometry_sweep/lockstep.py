@@ -16,7 +16,7 @@ from odometry_common.parameters import StartError
 from odometry_launch.arrival import REST_ANGULAR_SPEED, REST_SPEED
 from odometry_launch.bags import read_messages
 from odometry_launch.folders import use_writable_logs
-from odometry_launch.output import DemoError, complain
+from odometry_launch.output import RunError, complain
 from odometry_launch.recorded_run import read_run
 from odometry_launch.recording import leave_picture
 from odometry_launch.stepping import record
@@ -35,7 +35,7 @@ CRASHED, NOT_AWAITED = 'crashed', 'not awaited'
 def replay(folder, number):
     """Repeat the run with a number (a string) in the folder of a sweep, and compare.
 
-    :raises DemoError: if the result differs, or there is none
+    :raises RunError: if the result differs, or there is none
     :raises StartError: if there is no such run
     """
     campaign = read_campaign(Path(folder, CAMPAIGN_FILE))
@@ -56,7 +56,7 @@ def replay(folder, number):
     leave_picture(bag, **targets)
     different = [name for name in names if kept[name] != str(metrics[name])]
     if different:
-        raise DemoError(f'not the same: {", ".join(different)}')
+        raise RunError(f'not the same: {", ".join(different)}')
     print('the same, to the last bit', flush=True)
 
 
@@ -72,7 +72,7 @@ def run_nodes(subject, parameters, folder=None):
     """Record nodes in a folder (a Path), or in a new one.
 
     :return: the metrics by name, the path of the bag, and targets as for leave_picture()
-    :raises DemoError: if the recording contradicts itself
+    :raises RunError: if the recording contradicts itself
     """
     robot = {name: value for name, value in parameters.items() if name in ROBOT}
     if subject.kind == LAUNCH:
@@ -88,7 +88,7 @@ def run_nodes(subject, parameters, folder=None):
 
 
 def tutorial_metrics(kind, parameters, path):
-    """Return what a tutorial's loop measures in a bag; raise DemoError if its nodes did something else."""
+    """Return what a tutorial's loop measures in a bag; raise RunError if its nodes did something else."""
     with rosbag.Bag(str(path)) as bag:
         odometry, ground_truth, moved = (
             [message for _, message, _ in read_messages(bag, kind, topic)]
@@ -96,12 +96,12 @@ def tutorial_metrics(kind, parameters, path):
                                 (Float64, '/moved_distance')))
     for messages in (odometry, ground_truth):
         if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
-            raise DemoError('the recording has gaps')
+            raise RunError('the recording has gaps')
     ticks = ((seen.header.stamp.to_sec(), _motion(seen), _motion(true))
              for seen, true in zip(odometry, ground_truth))
     metrics = follow(TUTORIALS[kind](parameters), ticks, lambda *_: None)
     if kind == 'move' and metrics['moved'] not in [message.data for message in moved]:
-        raise DemoError('the detector published another distance')
+        raise RunError('the detector published another distance')
     return metrics
 
 

@@ -10,7 +10,7 @@ from datetime import timedelta
 from odometry_common.parameters import StartError
 from odometry_launch import junit
 from odometry_launch.folders import new_folder, path_in_errors
-from odometry_launch.output import DemoError, Line, bar, complain, run_command
+from odometry_launch.output import RunError, Line, bar, complain, run_command
 
 from odometry_sweep.options import parse
 from odometry_sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, table, write_results
@@ -45,7 +45,7 @@ def _sweep(campaign, runs, report):
     folder, rows, lost = new_folder('sweep-'), [], None
     try:
         rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
-    except (KeyboardInterrupt, DemoError) as error:
+    except (KeyboardInterrupt, RunError) as error:
         lost = error
     parts = (rows[begin:begin + campaign.seeds] for begin in range(0, len(rows), campaign.seeds))
     combinations = [Combination(*part) for part in zip(campaign.names, parts)]

@@ -10,7 +10,7 @@ import os
 import signal
 
 from odometry_common.parameters import StartError
-from odometry_launch.output import DemoError
+from odometry_launch.output import RunError
 from sim_turtlebot.physics.world_file import WorldFileError
 
 from odometry_sweep.closed_loop import run
@@ -24,7 +24,7 @@ TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.0
 def run_all(campaign, executor):
     """Yield parameters and metrics of each run of a Campaign, in order; None every CHECK_PERIOD without one.
 
-    :raises DemoError: if a run cannot be done, or the processes are lost
+    :raises RunError: if a run cannot be done, or the processes are lost
     """
     begun = ((parameters, executor.submit(campaign.subject.run, parameters)) for parameters in campaign.runs())
     try:
@@ -39,11 +39,11 @@ def run_all(campaign, executor):
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
     except concurrent.futures.BrokenExecutor:
-        raise DemoError('a process that did runs was killed') from None
+        raise RunError('a process that did runs was killed') from None
     except concurrent.futures.CancelledError:
-        raise DemoError('the scheduler of the cluster is gone') from None
+        raise RunError('the scheduler of the cluster is gone') from None
     except WorldFileError as error:
-        raise DemoError(f'{parameters["world"]} must be {error}') from None
+        raise RunError(f'{parameters["world"]} must be {error}') from None
 
 
 @contextlib.contextmanager

@@ -58,7 +58,7 @@ class Simulator:
             except ModuleNotFoundError as error:
                 raise StartError(f'lockstep needs {error.name}: install python3-{error.name}') from None
             self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate, settings.cpu_budget)
-            # Whoever unpauses it knows that all nodes are there.
+            # The caller has waited for the nodes.
             self._stable_time = 0.0 if settings.paused else STABLE_TIME
         numbers = range(1, settings.robots + 1)
         self._namespaces = [f'robot_{number}/' for number in numbers] if settings.robots > 1 else ['']

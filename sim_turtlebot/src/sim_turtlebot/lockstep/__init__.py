@@ -1,1 +1,1 @@
-"""When time goes on: once every process of the graph is idle."""
+"""Advance simulated time only when every process of the graph is idle."""
