@@ -24,7 +24,9 @@ def wall(monkeypatch):
     (0.0, [(HOUR, HOUR)], [False]),
     (1.0, [(HOUR, 0.0), (HOUR, 0.19), (HOUR, 0.21)], [False, False, True]),  # a clock that leaps
     (0.1, [(0.11, 0.09), (0.11, 0.11)], [False, True]),
-    (1.0, [(2.0, 0.1), (0.3, 0.3), (2.0, 0.9), (2.1, 1.01)], [False, False, False, True]),  # two clocks
+    (1.0, [(2.0, 0.1), (0.3, 0.15), (2.0, 0.3)], [False, False, True]),  # a reset
+    (1.0, [(2.0, 0.1), (0.3, 0.15), (2.0, 0.19), (0.3, 0.3), (2.0, 0.9), (2.1, 1.01)],
+     [False, False, False, False, False, True]),  # two clocks
     (1.0, [(-90.0, 0.5), (-89.1, 1.4), (-88.9, 1.6)], [False, False, True])])  # time goes back
 def test_silence_lasts_for_the_timeout_and_a_while_of_wall_time(wall, timeout, steps, silent):
     """Steps are times since the last arrival: simulated and real (s)."""

@@ -38,7 +38,8 @@ class Robot:
 
     def __init__(self):
         self.x, self.moved = 0.0, threading.Event()  # m, and whether that is new
-        self.seen = queue.Queue()  # the same, one by one; None at shutdown
+        # The same, one by one; None at shutdown, by rospy's signal handler: a Queue could deadlock there.
+        self.seen = queue.SimpleQueue()
         rospy.on_shutdown(lambda: self.seen.put(None))
         self._publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10)
         rospy.Subscriber('odom', Odometry, self._on_odometry)

@@ -24,7 +24,7 @@ OUT_OF_RANGE = {
                   'tolerance': [-1, 180], 'timeout': [-1, 1e6]},
     'sim_turtlebot_node.py': {
         'robots': [0, -1, 100000], 'x': [1e5], 'y': [-1e5], 'yaw': [360], 'odom_rate': [0, 1e5],
-        'clock_rate': [-1, 10, 2000], 'odometry_source': ['gps', ''], 'wheel_slip': [-0.1, 1],
+        'clock_rate': [-1, 10, 2000], 'cpu_budget': [0, 3601], 'odometry_source': ['gps', ''], 'wheel_slip': [-0.1, 1],
         'speed_ratio': [0, 1.1],
         'wheel_noise': [-0.1, 10], 'gyro_noise': [-0.1, 10], 'gyro_drift': [-1.1, 10],
         **dict.fromkeys(['wheel_diameter_ratio', 'wheel_separation_ratio',

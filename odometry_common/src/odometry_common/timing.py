@@ -2,9 +2,10 @@
 
 import math
 import time
+from collections import deque
 
 WALL_SILENCE = 0.2  # s
-JUMP_MEMORY = 10.0  # s of wall time after time has gone back
+JUMPS, JUMP_MEMORY = 2, 10.0  # so often time has gone back in so many s of wall time, as with two clocks
 
 
 class Watchdog:
@@ -14,12 +15,13 @@ class Watchdog:
         """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
 
         It also requires WALL_SILENCE of wall time, or a shorter timeout: simulated time can run a
-        hundred times as fast, and a subscriber may see it leap by seconds. While time goes back and
-        forth, as with two clocks, it requires `timeout` of wall time.
+        hundred times as fast, and a subscriber may see it leap by seconds. While time goes back again
+        and again, as with two clocks, it requires `timeout` of wall time.
         """
         self._timeout = timeout
         self._fed = None  # time and wall time of the last arrival
-        self._latest, self._went_back = -math.inf, -math.inf  # time, and wall time
+        self._latest = -math.inf
+        self._went_back = deque(JUMPS * [-math.inf], maxlen=JUMPS)  # wall times
 
     def feed(self, now):
         """Record an arrival at `now` (s)."""
@@ -38,13 +40,13 @@ class Watchdog:
         if now < fed:
             self._fed = now, fed_wall
             return False
-        jumps = time.monotonic() - self._went_back < JUMP_MEMORY
-        wall_timeout = self._timeout if jumps else min(self._timeout, WALL_SILENCE)
+        two_clocks = time.monotonic() - self._went_back[0] < JUMP_MEMORY
+        wall_timeout = self._timeout if two_clocks else min(self._timeout, WALL_SILENCE)
         return now - fed > self._timeout and time.monotonic() - fed_wall >= wall_timeout
 
     def _look_for_jump(self, now):
         if now < self._latest:
-            self._went_back = time.monotonic()
+            self._went_back.append(time.monotonic())
         self._latest = now
 
 

@@ -10,7 +10,7 @@ from datetime import timedelta
 from odometry_common.parameters import StartError
 from odometry_launch import junit
 from odometry_launch.folders import new_folder, path_in_errors
-from odometry_launch.output import RunError, Line, bar, complain, run_command
+from odometry_launch.output import Line, RunError, bar, complain, run_command
 
 from odometry_sweep.options import parse
 from odometry_sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, table, write_results
