@@ -100,6 +100,13 @@ def test_a_world_is_found_from_where_the_user_stands(written, monkeypatch, tmp_p
         assert parse(arguments).campaign.values == {'world': expected}
 
 
+def test_models_that_a_world_includes_are_named(tmp_path, capsys):
+    world = tmp_path / 'box.world'
+    world.write_text('<sdf version="1.6"><world name="w"><include><uri>model://box</uri></include></world></sdf>')
+    Campaign(Tutorial('move'), 1, {'world': [str(world)]}, {}).check()
+    assert capsys.readouterr().err.startswith(f'sweep: {world} includes model://box, which PyBullet does not load')
+
+
 def test_a_million_combinations_are_checked_at_once(monkeypatch):
     """Each value alone, with one simulation for the world."""
     built = []

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import yaml
 from odometry_common.parameters import Parameter, ParameterError, StartError, at_least, between
-from sim_turtlebot.physics.world_file import WorldFileError
+from odometry_launch.output import complain
+from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
 
@@ -60,6 +61,8 @@ class Campaign(NamedTuple):
                 Simulation(read_settings({**next(self.combinations), 'world': world}))
             except WorldFileError as error:
                 raise ParameterError('~world', world, error) from None
+            if warning := left_out(world):
+                complain(warning, 'sweep')
         known = dict.fromkeys([NOT_ARRIVED, *(f'{metric}_{name}' for metric in METRICS[self.subject.kind]
                                               for name in STATISTICS)])
         for name, limit in self.limits.items():

@@ -85,10 +85,7 @@ class Simulator:
             self._take_turn()
 
     def _warn_of_models_left_out(self):
-        world = self._settings.world
-        if models := left_out(world) if world else []:
-            warning = (f'{world} includes {", ".join(models)}, which PyBullet does not load: replace each <include> '
-                       'with the <model> of its model.sdf')
+        if warning := left_out(self._settings.world):
             rospy.logwarn(warning)
             self._topics.warn('world', warning)
 

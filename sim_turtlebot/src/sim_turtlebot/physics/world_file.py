@@ -42,12 +42,15 @@ def check_world_file(path):
 
 
 def left_out(path):
-    """Return the URIs of the models that a world file includes: PyBullet loads none of them."""
-    if Path(path).suffix == '.urdf':
-        return []
-    uris = (include.findtext('uri', '').strip()
-            for include in xml.etree.ElementTree.parse(path).iter('include'))
-    return sorted({uri for uri in uris if uri.rstrip('/') not in NEEDED_BY_NOBODY})
+    """Return a line about the models that a world file includes, of which PyBullet loads none; or ''."""
+    try:
+        includes = xml.etree.ElementTree.parse(path).iter('include')
+    except (OSError, xml.etree.ElementTree.ParseError):  # PyBullet finds and reads more files than this
+        return ''
+    uris = {include.findtext('uri', '').strip() for include in includes}
+    models = sorted(uri for uri in uris if uri.rstrip('/') not in NEEDED_BY_NOBODY)
+    return (f'{path} includes {", ".join(models)}, which PyBullet does not load: replace each <include> '
+            'with the <model> of its model.sdf') if models else ''
 
 
 def load(client, path):
