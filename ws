@@ -19,7 +19,7 @@ set -euo pipefail
 [ "$(uname)" = Linux ] || { echo "./ws: this needs Linux. On $(uname), use the container: docs/container.md" >&2; exit 1; }
 CHECKOUT=$(readlink -f "${BASH_SOURCE[0]}")
 CHECKOUT=${CHECKOUT%/*}
-. "$CHECKOUT/setup/set_up.bash"
+. "$CHECKOUT/tools/setup/set_up.bash"
 leave_root "$@"
 
 usage() { sed -n '2,/^set/s/^# \?//p' "$CHECKOUT/ws"; }
@@ -45,11 +45,11 @@ set_up "$@"
 cd "$OLDPWD"
 export ODOMETRY_ROOT=$ROOT
 case $1 in
-    demo) script=launch/script/demo.py ;;
+    demo) script=tools/odometry_tools/script/demo.py ;;
     bench) script=test/benchmarks/run_bench.py ;;
-    sweep | check) script=odometry_$1/script/$1.py ;;
+    sweep | check) script=tools/odometry_tools/script/$1.py ;;
     test) cd "$ROOT"; set -- python3 -m pytest -n auto --dist loadfile "${@:2}" ;;
-    shell) set -- bash --rcfile "$ROOT/setup/shell.bash" "${@:2}" ;;
+    shell) set -- bash --rcfile "$ROOT/tools/setup/shell.bash" "${@:2}" ;;
     rqt*) ! is_debians || refuse "there is no command $1: Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too" ;;
     dask)
         export DASK_DISTRIBUTED__WORKER__DAEMON=false  # each run of a launch file is a process
@@ -58,6 +58,6 @@ case $1 in
             set -- "${@:1:2}" --host "${host:=127.0.0.1}" --dashboard-address "$host:0" "${@:3}" ;;
 esac
 # Nothing that a script starts outlives this process. It runs in a session without the terminal's signals.
-[ -z "${script:-}" ] || exec "$VENV/bin/python3" -I -S "$ROOT/launch/src/odometry_launch/reaper.py" \
-    bash "$ROOT/setup/enter.bash" python3 "$ROOT/$script" "${@:2}"
-exec bash "$ROOT/setup/enter.bash" "$@"
+[ -z "${script:-}" ] || exec "$VENV/bin/python3" -I -S "$ROOT/tools/setup/reaper.py" \
+    bash "$ROOT/tools/setup/enter.bash" python3 "$ROOT/$script" "${@:2}"
+exec bash "$ROOT/tools/setup/enter.bash" "$@"

@@ -14,11 +14,11 @@ Publishes:
 
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, TransformStamped
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import compose, inverse, rotate
 from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
 from sim_turtlebot.frames import fill_pose
+from sim_turtlebot.geometry import compose, inverse, rotate
 from tf2_msgs.msg import TFMessage
 
 

@@ -2,8 +2,8 @@
 
 import numpy
 import pytest
-from odometry_common.geometry import rotate
-from odometry_common.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
+from sim_turtlebot.geometry import rotate
+from sim_turtlebot.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from sim_turtlebot.physics.description import URDF, read_joints, without_frames
 from tf import transformations
 

@@ -8,10 +8,10 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from odometry_common.geometry import about_z
 from odometry_tests.fuzzing import any_number
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import lean, settings_of
+from sim_turtlebot.geometry import about_z
 from sim_turtlebot.robot.multiplexer import INPUTS
 from sim_turtlebot.simulation import Simulation
 

@@ -6,10 +6,10 @@ import statistics
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from odometry_common.geometry import about_z, yaw_of
-from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
 from odometry_tests.simulation import Simulation
+from sim_turtlebot.geometry import about_z, yaw_of
+from sim_turtlebot.kobuki import WHEEL_SEPARATION
 from sim_turtlebot.robot.odometry import STILL, Motion
 
 RUNS = 400  # seeds, for a standard deviation within about a tenth

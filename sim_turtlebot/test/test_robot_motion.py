@@ -5,10 +5,10 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from odometry_common.geometry import yaw_of
-from odometry_common.kobuki import WHEEL_SEPARATION
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
+from sim_turtlebot.geometry import yaw_of
+from sim_turtlebot.kobuki import WHEEL_SEPARATION
 from sim_turtlebot.physics.description import WHEEL_JOINTS
 from sim_turtlebot.physics.world import World
 

@@ -6,12 +6,12 @@ import numpy
 import pytest
 import rosgraph
 from nav_msgs.msg import Odometry
-from odometry_common.kobuki import DEPTH_CAMERA as CAMERA
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, settings_of
 from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder, wait_until
 from sensor_msgs.msg import LaserScan
+from sim_turtlebot.kobuki import DEPTH_CAMERA as CAMERA
 from sim_turtlebot.robot.scanner import Scanner, is_scan_due
 
 WORLDS = ROOT / 'sim_turtlebot' / 'worlds'

@@ -5,7 +5,6 @@ import math
 import pytest
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Quaternion
-from odometry_common.geometry import about_z
 from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
 from odometry_tests.robots import place, pose
@@ -13,6 +12,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from sim_turtlebot.geometry import about_z
 from sim_turtlebot.robot.odometry import STILL
 from sim_turtlebot.robot.poses import checked_pose
 from std_msgs.msg import String

@@ -23,7 +23,7 @@ from worlds import SPEED, BareWorld, RobotWorld, bare_worlds
 SLICES = 4  # of a window
 FOLDER = Path(__file__).parent
 LOCKSTEP_RUNS = load_script('sim_turtlebot/test/lockstep_runs.py')
-SCRIPTS = {'demo': 'launch/src/odometry_launch/following.py',
+SCRIPTS = {'demo': 'tools/odometry_tools/src/odometry_tools/runs/following.py',
            'simulator': 'sim_turtlebot/script/sim_turtlebot_node.py',
            'detector': 'odom_movement_detector/src/odom_movement_detector.py',
            'mover': 'test_movement/src/test_movement.py'}
@@ -156,7 +156,7 @@ def start(options):
 @figure(f'{DRIVES} drives on two processors', 's', '<=', 1.15)
 def sweep(options):
     """Compare ./ws sweep with PyBullet stepping as many drives, in as many processes."""
-    from odometry_sweep.closed_loop import run  # the package may be left out
+    from odometry_tools.sweep.closed_loop import run  # the package may be left out
 
     def run_sweep():
         begin = time.perf_counter()

@@ -13,8 +13,8 @@ from statistics import median
 
 import rospy
 from figures import FIGURES
-from odometry_launch.folders import new_folder
 from odometry_tests.processes import Master
+from odometry_tools.runs.folders import new_folder
 
 HEADING = 'name', 'value', 'unit', 'limit', 'ratio', 'target'
 WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'

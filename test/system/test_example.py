@@ -4,12 +4,12 @@ import sys
 
 import pytest
 from geometry_msgs.msg import Twist
-from odometry_common.kobuki import DEPTH_CAMERA
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
+from sim_turtlebot.kobuki import DEPTH_CAMERA
 
 EXAMPLE = ROOT / 'docs' / 'example'
 DISTANCE = 1.0  # m

@@ -8,11 +8,11 @@ import inspect
 import re
 from xml.etree import ElementTree
 
-from odometry_check.options import make_parser as make_check_parser
 from odometry_common.parameters import Parameters
-from odometry_launch import options as demo_options
-from odometry_sweep.options import make_parser as make_sweep_parser
 from odometry_tests.scripts import ROOT, load_script
+from odometry_tools.check.options import make_parser as make_check_parser
+from odometry_tools.runs import options as demo_options
+from odometry_tools.sweep.options import make_parser as make_sweep_parser
 
 PAGE = ROOT / 'docs' / 'reference.md'
 GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep|\./ws check)\n.*?(?=^## |\Z)',

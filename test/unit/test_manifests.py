@@ -11,8 +11,8 @@ from xml.etree import ElementTree
 import pytest
 from odometry_tests.scripts import ROOT
 
-REQUIREMENTS = [ROOT / 'requirements.txt', *ROOT.glob('*/requirements*.txt')]
-MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('docs/*/package.xml')])
+REQUIREMENTS = [ROOT / 'requirements.txt', *ROOT.glob('*/requirements*.txt'), *ROOT.glob('tools/*/requirements*.txt')]
+MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('tools/*/package.xml'), *ROOT.glob('docs/*/package.xml')])
 # Imported, but under a name that rosdep does not know: the requirements files list them.
 FROM_PYPI = {'distributed', 'hypothesis', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}
@@ -25,7 +25,7 @@ DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
           'rostest': ['python3-rostest', 'librostest-dev']}
 # The lists in the set-up, by name.
 PARTS = {name: words.split() for name, words in re.findall(
-    r'^(\w+)_PARTS=\(([^)]*)\)', (ROOT / 'setup' / 'set_up.bash').read_text(), re.MULTILINE)}
+    r'^(\w+)_PARTS=\(([^)]*)\)', (ROOT / 'tools' / 'setup' / 'set_up.bash').read_text(), re.MULTILINE)}
 
 
 def name_of(manifest):
@@ -96,7 +96,7 @@ def test_the_page_removes_what_the_set_up_installs():
     """docs/install.md: all lists of system packages, and those that are named where they are needed."""
     command, = re.findall(r'\$\((CHECKOUT=.*)\)', (ROOT / 'docs' / 'install.md').read_text())
     removed = subprocess.run(['bash', '-c', command], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    named = re.findall(r'\bPARTS\+=\((.*?)\)', (ROOT / 'setup' / 'set_up.bash').read_text())
+    named = re.findall(r'\bPARTS\+=\((.*?)\)', (ROOT / 'tools' / 'setup' / 'set_up.bash').read_text())
     words = {word for words in named for word in words.split() if not word.startswith('"')}
     assert {*removed.split()} == {*words, *PARTS['DEBIAN'], *PARTS['TEST'], *PARTS['WINDOW']}
 

@@ -2,7 +2,7 @@
 
 import math
 
-from odometry_common.geometry import wrap_to_pi
+from odometry_common.angles import wrap_to_pi
 from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
 
 PARAMETERS = Parameters(

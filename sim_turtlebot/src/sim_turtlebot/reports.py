@@ -1,7 +1,8 @@
 """Log lines and ~warning about robots that fall or stop, and about the pace."""
 
 import rospy
-from odometry_common.geometry import is_upright
+
+from sim_turtlebot.geometry import is_upright
 
 TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 

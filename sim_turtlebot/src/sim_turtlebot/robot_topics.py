@@ -4,12 +4,12 @@ import sys
 
 from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import about_z
-from odometry_common.kobuki import DEPTH_CAMERA_FRAME
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu, JointState, LaserScan
 
 from sim_turtlebot.frames import fill_pose
+from sim_turtlebot.geometry import about_z
+from sim_turtlebot.kobuki import DEPTH_CAMERA_FRAME
 from sim_turtlebot.physics.description import WHEEL_JOINTS
 from sim_turtlebot.robot.scanner import is_scan_due
 

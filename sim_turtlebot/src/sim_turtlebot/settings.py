@@ -2,7 +2,6 @@
 
 import math
 
-from odometry_common.kobuki import CMD_VEL_TIMEOUT
 from odometry_common.parameters import (
     ANY,
     Parameter,
@@ -13,6 +12,7 @@ from odometry_common.parameters import (
     one_of,
 )
 
+from sim_turtlebot.kobuki import CMD_VEL_TIMEOUT
 from sim_turtlebot.robot.poses import MAX_COORDINATE
 
 LOCKSTEP_CLOCK_RATE = 100.0  # Hz; in lockstep a rospy.Rate of up to this keeps its rate

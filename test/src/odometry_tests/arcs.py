@@ -2,8 +2,8 @@
 
 import math
 
-from odometry_common.geometry import about_z, rotate
-from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
+from sim_turtlebot.geometry import about_z, rotate
+from sim_turtlebot.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 from sim_turtlebot.robot.odometry import STILL, Motion
 from sim_turtlebot.robot.robot import Robot as SimulatedRobot
 

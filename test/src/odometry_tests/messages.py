@@ -5,7 +5,7 @@ import math
 import rospy
 from geometry_msgs.msg import Quaternion
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import about_z
+from sim_turtlebot.geometry import about_z
 
 STRANGE = [math.nan, math.inf, -math.inf, 1e308, -1e308, 5e-324, -0.0]
 STRANGE_QUATERNIONS = [(0, 0, 0, 0), (0, 0, 0, 1e-320), (0, 0, 3, 4), (1e200, 0, 0, 1e200),

@@ -5,8 +5,8 @@ import math
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, Twist, Vector3
 from nav_msgs.msg import Odometry
-from odometry_common.geometry import about_z
 from sensor_msgs.msg import JointState
+from sim_turtlebot.geometry import about_z
 
 from odometry_tests.pausing import call, pause
 from odometry_tests.tutorial import Truth, heading

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from odometry_common.geometry import rotate
+from sim_turtlebot.geometry import rotate
 from sim_turtlebot.robot.odometry import true_motion
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation as SteppedRobots

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from odometry_common.geometry import about, compose, from_rpy
+from sim_turtlebot.geometry import about, compose, from_rpy
 
 # In the source folder, or below the prefix of an installed package.
 URDF = next(folder / 'urdf' / 'turtlebot2.urdf'

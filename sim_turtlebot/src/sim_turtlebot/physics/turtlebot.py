@@ -4,8 +4,7 @@ import contextlib
 import os
 from functools import partial
 
-from odometry_common.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
-
+from sim_turtlebot.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
 from sim_turtlebot.physics.description import BASE_JOINT, URDF, WHEEL_JOINTS, without_frames
 from sim_turtlebot.physics.native_output import suppress_native_output
 

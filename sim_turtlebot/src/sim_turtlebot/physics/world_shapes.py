@@ -2,8 +2,7 @@
 
 from typing import NamedTuple
 
-from odometry_common.geometry import compose, inverse, rotate
-
+from sim_turtlebot.geometry import compose, inverse, rotate
 from sim_turtlebot.physics.native_output import suppress_native_output
 
 with suppress_native_output():

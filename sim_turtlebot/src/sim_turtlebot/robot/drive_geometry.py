@@ -1,6 +1,6 @@
 """The wheel geometry that the base driver assumes."""
 
-from odometry_common.kobuki import WHEEL_SEPARATION
+from sim_turtlebot.kobuki import WHEEL_SEPARATION
 
 
 class DriveGeometry:

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from odometry_common.geometry import about_z, compose, inverse, mean_twist, rotate, yaw_of
+from sim_turtlebot.geometry import about_z, compose, inverse, mean_twist, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
 MAX_MEAN_TIME = 0.1  # s; over a longer time, the mean velocity says little about the current one

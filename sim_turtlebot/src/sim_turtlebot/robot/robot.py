@@ -3,9 +3,8 @@
 import math
 import random
 
-from odometry_common.geometry import height_of_z
-
-from odometry_common import kobuki
+from sim_turtlebot import kobuki
+from sim_turtlebot.geometry import height_of_z
 from sim_turtlebot.robot.drive_geometry import DriveGeometry
 from sim_turtlebot.robot.odometry import STILL, EncoderOdometry, WorldOdometry, true_motion
 from sim_turtlebot.robot.scanner import Scanner

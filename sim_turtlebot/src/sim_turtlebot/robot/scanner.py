@@ -3,7 +3,8 @@
 import math
 
 import numpy
-from odometry_common.kobuki import DEPTH_CAMERA
+
+from sim_turtlebot.kobuki import DEPTH_CAMERA
 
 
 class Scanner:

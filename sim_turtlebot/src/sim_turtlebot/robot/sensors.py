@@ -2,8 +2,8 @@
 
 import math
 
-from odometry_common.geometry import yaw_of
-from odometry_common.kobuki import TICKS_PER_TURN, WHEEL_RADIUS
+from sim_turtlebot.geometry import yaw_of
+from sim_turtlebot.kobuki import TICKS_PER_TURN, WHEEL_RADIUS
 
 METRES_PER_TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN
 

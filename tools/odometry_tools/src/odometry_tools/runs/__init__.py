@@ -1,0 +1,1 @@
+"""Runs of nodes beside the simulated robot: start, follow, record and draw them."""

@@ -1,0 +1,201 @@
+"""Run a launch file with its own ROS master, and notice when a node ends."""
+
+import concurrent.futures
+import contextlib
+import os
+import queue
+import signal
+import threading
+import time
+import uuid
+
+import rosgraph
+import roslaunch.core
+import roslaunch.launch
+import roslib
+from rosgraph.names import ns_join
+from roslaunch.config import load_config_default
+from roslaunch.core import RLException
+from roslaunch.parent import ROSLaunchParent
+from roslaunch.pmon import ProcessListener, start_process_monitor
+from roslaunch.rlutil import resolve_launch_arguments
+
+from odometry_tools.runs.node_output import NodeOutput
+from odometry_tools.runs.output import RunError
+from odometry_tools.runs.ports import next_port, usual_master_port
+
+START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
+ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
+END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by SIGKILL
+CHECK_PERIOD = 0.02  # s
+
+
+class Launch(ProcessListener):
+    """A context in which a master and the nodes of a launch file run."""
+
+    def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch',
+                 beside=None, watched=None):
+        """Start with __enter__().
+
+        :param launch_file: its name in `package`
+        :param arguments: dictionary of its arguments
+        :param may_end: names of nodes that may exit, with status 0
+        :param beside: package, name and arguments of another launch file that runs, too
+        :param watched: names of the nodes whose end is an error; None: of all
+        """
+        self._files = [(package, launch_file, arguments), *([beside] if beside else [])]
+        self._may_end, self._watched = may_end, watched
+        self._ended = {}  # exit codes of nodes by name
+        self._is_stopped = False
+        self._output = NodeOutput()
+
+    def __enter__(self):
+        """Start everything and return at once; OSError: no port is free."""
+        usual = usual_master_port()
+        self._port = next_port(usual)
+        os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
+        if self._port.number != usual:
+            print(f'rostopic in another terminal: export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}',
+                  flush=True)
+        roslib.set_interactive(True)  # roslaunch sets no signal handlers
+        for signum in ENDING:
+            signal.signal(signum, self._stop)
+        roslaunch.core.print = lambda *_, **__: None  # it would report each process
+        roslaunch.core.add_printerrlog_handler(self._output.add)
+        roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
+        self._parent = ROSLaunchParent(
+            str(uuid.uuid1()), [], show_summary=False, sigint_timeout=END_TIMEOUT)
+        self._parent.pm = start_process_monitor()
+        self._parent.pm.add_process_listener(self)  # the parent's own comes too late for early exits
+        # On a thread: the main thread imports rospy meanwhile.
+        self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
+        return self
+
+    def _start(self):
+        self._parent.config = config = load(self._files, self._port.number)
+        self.required = {name_of(node) for node in config.nodes if node.required}
+        for node in config.nodes:
+            node.required = False  # roslaunch would end the others; check() notices it
+        config.nodes_core.clear()  # no rosout: nobody reads its log
+        with self._output.capture():
+            self._parent.start()
+
+    def __exit__(self, *_):
+        """Wait until everything has exited; nodes may write logs until then."""
+        concurrent.futures.wait([self._started])
+        self._parent.shutdown()
+        self._port.close()
+
+    def terminate(self):
+        """Start to shut everything down, and return at once."""
+        self._parent.pm.shutdown()
+
+    def _stop(self, *_):
+        self._is_stopped = True  # an exception could be swallowed, or printed, by an import
+
+    def process_died(self, process_name, exit_code):
+        """Record the exit; roslaunch calls this on its thread."""
+        name, _, _ = process_name.partition('-')  # roslaunch numbers all processes but the master
+        self._ended[name] = exit_code
+
+    def wait_until_started(self):
+        """Return once the parameters are set and the nodes have been started."""
+        self.wait_for(self._started.done, 'the nodes have not been started')
+        if error := self._started.exception():
+            raise RunError(f'the nodes have not been started: {error}')
+
+    def check(self):
+        """Raise RunError if a node has exited too early, KeyboardInterrupt after a signal."""
+        if self._is_stopped:
+            raise KeyboardInterrupt
+        for name, status in list(self._ended.items()):
+            is_watched = self._watched is None or name in self._watched
+            if is_watched and (status or name not in self._may_end):
+                raise RunError(self.end_of(name))
+
+    def end_of(self, name):
+        """Return how a node has ended, in one line; after an exception, with the last that was printed."""
+        status = self._ended[name]
+        error = self._output.last_exception() if status == 1 else ''
+        return self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}'
+
+    @property
+    def names(self):
+        """The names of all nodes."""
+        return {name_of(node) for node in self._parent.config.nodes}
+
+    def statuses(self):
+        """Return the exit codes of the nodes that have ended, by name; roslaunch notices it late."""
+        for process in list(self._parent.pm.procs):
+            if not process.is_alive():
+                self.process_died(process.name, process.exit_code)
+        return {**self._ended}
+
+    def pids(self):
+        """Return the ids of the processes of the nodes that run, by name; -1 before they are started."""
+        pids = {process.name.partition('-')[0]: process.pid for process in list(self._parent.pm.procs)}
+        return {name: pids.get(name, -1) for name in self.names - self.statuses().keys()}
+
+    def lines(self):
+        """Return what the nodes have printed."""
+        return self._output.lines()
+
+    def wait_for(self, condition, complaint):
+        """Return once a condition holds; raise RunError if it fails, or after START_TIMEOUT."""
+        end, outcome = time.monotonic() + START_TIMEOUT, queue.SimpleQueue()
+        # On a thread, since a suspended master or node never answers.
+        threading.Thread(target=_wait, args=[condition, outcome], daemon=True).start()
+        while time.monotonic() < end:
+            try:
+                error = outcome.get(timeout=CHECK_PERIOD)
+            except queue.Empty:
+                self.check()
+                continue
+            if error:
+                raise RunError(f'{complaint}: {type(error).__name__}: {error}') from error
+            return
+        raise RunError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
+                        f'{self._output.last_lines()}')
+
+
+def load(files, port=None):
+    """Return roslaunch's configuration of launch files: package, name and arguments of each."""
+    sources = []
+    for package, name, arguments in files:
+        sources.append((path_of(package, name), [f'{key}:={value}' for key, value in arguments.items()]))
+    return load_config_default(sources, port, assign_machines=port is not None)
+
+
+def path_of(package, name):
+    """Return the path of a launch file; roslaunch.RLException: there is none."""
+    path, *others = resolve_launch_arguments([package, name])
+    if others:
+        raise RLException(f'there is no package {package}')
+    return path
+
+
+def name_of(node):
+    """Return the name of a node in a configuration, as roslaunch names its process."""
+    return ns_join(node.namespace, node.name).lstrip('/')
+
+
+def _wait(condition, outcome):
+    """Put None into a queue once a condition holds, or its exception."""
+    holds = False
+    try:
+        while not holds:
+            time.sleep(CHECK_PERIOD)
+            with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
+                holds = condition()
+        outcome.put(None)
+    except Exception as error:  # noqa: BLE001
+        outcome.put(error)
+
+
+def _how(status):
+    """Describe an exit code."""
+    if status is None:
+        return ' before it started'
+    if status < 0:
+        return f' by {signal.Signals(-status).name}'
+    return f' with status {status}' if status else ''

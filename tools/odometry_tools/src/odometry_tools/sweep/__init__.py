@@ -1,0 +1,1 @@
+"""Run a tutorial or a launch file many times."""

@@ -1,0 +1,133 @@
+"""Runs by nodes in lockstep, and their metrics from the bag."""
+
+import contextlib
+import csv
+import io
+import itertools
+import math
+import os
+import tempfile
+from pathlib import Path
+
+import rosbag
+import yaml
+from nav_msgs.msg import Odometry
+from odometry_common.parameters import StartError
+from sim_turtlebot.robot.odometry import Motion
+from sim_turtlebot.settings import read_settings
+from std_msgs.msg import Float64
+
+from odometry_tools.runs.arrival import REST_ANGULAR_SPEED, REST_SPEED
+from odometry_tools.runs.bags import read_messages
+from odometry_tools.runs.folders import use_writable_logs
+from odometry_tools.runs.output import RunError, complain
+from odometry_tools.runs.recorded_run import read_run
+from odometry_tools.runs.recording import leave_picture
+from odometry_tools.runs.stepping import record
+from odometry_tools.sweep.campaign import read_campaign
+from odometry_tools.sweep.closed_loop import ARRIVED, LATE, TUTORIALS, UNTIL, degrees, follow
+from odometry_tools.sweep.results import CAMPAIGN_FILE, FILE, METRICS
+from odometry_tools.sweep.subjects import LAUNCH, ROBOT
+
+CRASHED, NOT_AWAITED = 'crashed', 'not awaited'
+
+
+def replay(folder, number):
+    """Repeat the run with a number (a string) in the folder of a sweep, and compare.
+
+    :raises RunError: if the result differs, or there is none
+    :raises StartError: if there is no such run
+    """
+    campaign = read_campaign(Path(folder, CAMPAIGN_FILE))
+    campaign.check()
+    subject, names = campaign.subject, [*METRICS[campaign.subject.kind], 'ended']
+    try:
+        with open(Path(folder, FILE), newline='', encoding='utf-8') as file:
+            row, = (row for row in csv.DictReader(file) if row['run'] == number)
+        kept = {name: row[name] for name in names}
+        parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
+    except (OSError, KeyError, ValueError, StopIteration, csv.Error):
+        raise StartError(f'{Path(folder, FILE)} has no run {number}, or only a part of it') from None
+    use_writable_logs()
+    metrics, bag, targets = run_nodes(subject, parameters)
+    print(f'{f"run {number}":16}{"sweep":24}nodes in lockstep')
+    for name in names:
+        print(f'{name:16}{kept[name]:24}{metrics[name]}')
+    leave_picture(bag, **targets)
+    different = [name for name in names if kept[name] != str(metrics[name])]
+    if different:
+        raise RunError(f'not the same: {", ".join(different)}')
+    print('the same, to the last bit', flush=True)
+
+
+def run_alone(subject, parameters):
+    """Run nodes, and leave no file; return the metrics by name."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(nowhere := io.StringIO()), \
+            contextlib.redirect_stderr(nowhere):
+        os.environ['ROS_LOG_DIR'] = folder  # else each run leaves one
+        return run_nodes(subject, parameters, Path(folder))[0]
+
+
+def run_nodes(subject, parameters, folder=None):
+    """Record nodes in a folder (a Path), or in a new one.
+
+    :return: the metrics by name, the path of the bag, and targets as for leave_picture()
+    :raises RunError: if the recording contradicts itself
+    """
+    robot = {name: value for name, value in parameters.items() if name in ROBOT}
+    if subject.kind == LAUNCH:
+        recorded = record(subject.nodes(parameters), robot, subject.until, folder, are_watched=False)
+        for crash in recorded.crashes:
+            complain(crash, 'sweep')
+        return _launch_metrics(recorded), recorded.bag, {}
+    line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
+    nodes = 'odometry_tools', 'replay.launch', {'tutorial': subject.kind, 'params': line}
+    robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
+    bag = record(nodes, robot, subject.run(parameters)['time'], folder).bag
+    return tutorial_metrics(subject.kind, parameters, bag), bag, TUTORIALS[subject.kind](parameters).targets
+
+
+def tutorial_metrics(kind, parameters, path):
+    """Return what a tutorial's loop measures in a bag; raise RunError if its nodes did something else."""
+    with rosbag.Bag(str(path)) as bag:
+        odometry, ground_truth, moved = (
+            [message for _, message, _ in read_messages(bag, kind, topic)]
+            for kind, topic in ((Odometry, '/odom'), (Odometry, '/base_pose_ground_truth'),
+                                (Float64, '/moved_distance')))
+    for messages in (odometry, ground_truth):
+        if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
+            raise RunError('the recording has gaps')
+    ticks = ((seen.header.stamp.to_sec(), _motion(seen), _motion(true))
+             for seen, true in zip(odometry, ground_truth))
+    metrics = follow(TUTORIALS[kind](parameters), ticks, lambda *_: None)
+    if kind == 'move' and metrics['moved'] not in [message.data for message in moved]:
+        raise RunError('the detector published another distance')
+    return metrics
+
+
+def _motion(message):
+    pose, twist = message.pose.pose, message.twist.twist
+    return Motion(*(tuple(getattr(part, name) for name in part.__slots__) for part in (
+        pose.position, pose.orientation, twist.linear, twist.angular)))
+
+
+def _launch_metrics(recorded):
+    run = read_run(recorded.bag)
+    truth, error = run.ground_truth, run.error
+    travel = truth.at(truth.time[0]).inverse().then(truth.at(truth.time[-1]))
+    moving = (abs(truth.speed) > REST_SPEED) | (abs(truth.turn_rate) > REST_ANGULAR_SPEED)
+    return {'distance': truth.distance[-1], 'from_start': math.hypot(travel.x, travel.y),
+            'sideways': travel.y, 'heading': degrees(travel.yaw), 'heading_error': degrees(error.yaw),
+            'odometry_error': math.hypot(error.x, error.y), 'time': truth.time[moving].max(initial=0.0),
+            'commands': len(run.commands), 'ended': _ended(recorded)}
+
+
+def _ended(recorded):
+    """Return why a run ended: one of ARRIVED, LATE, UNTIL, CRASHED, NOT_AWAITED."""
+    if recorded.crashes:
+        return CRASHED
+    if recorded.unawaited:
+        return NOT_AWAITED
+    if not recorded.required:
+        return UNTIL
+    return ARRIVED if recorded.required <= recorded.ended else LATE

@@ -1,0 +1,120 @@
+"""Run a campaign, show its progress, and print the result."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from datetime import timedelta
+
+from odometry_common.parameters import StartError
+
+from odometry_tools.runs import junit
+from odometry_tools.runs.folders import new_folder, path_in_errors
+from odometry_tools.runs.output import Line, RunError, bar, complain, run_command
+from odometry_tools.sweep.options import parse
+from odometry_tools.sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, table, write_results
+from odometry_tools.sweep.running import on_cluster, on_this_machine, run_all
+from odometry_tools.sweep.subjects import LAUNCH
+
+PROGRAM = 'sweep'
+LINE_PERIOD = 5.0  # s
+
+
+def main():
+    """Exit 0 only if every run is done and within the limits of the campaign."""
+    run_command(PROGRAM, _run, (StartError, ModuleNotFoundError))
+
+
+def _run():
+    """Do what the options ask for; return the exit status."""
+    options = parse(sys.argv[1:])
+    if options.replay:
+        # The nodes' modules take long to import.
+        from odometry_tools.sweep.lockstep import replay
+        replay(*options.replay)
+        return 0
+    campaign = options.campaign
+    campaign.check()
+    with on_cluster(options.cluster) if options.cluster else on_this_machine(campaign, options.jobs) as executor:
+        return _sweep(campaign, run_all(campaign, executor), options.junit)
+
+
+def _sweep(campaign, runs, report):
+    """Save runs as run_all() yields them, and a report for CI at a path or None; return the exit status."""
+    folder, rows, lost = new_folder('sweep-'), [], None
+    try:
+        rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
+    except (KeyboardInterrupt, RunError) as error:
+        lost = error
+    parts = (rows[begin:begin + campaign.seeds] for begin in range(0, len(rows), campaign.seeds))
+    combinations = [Combination(*part) for part in zip(campaign.names, parts)]
+    if combinations:
+        print(f'\n{table(campaign.subject.kind, combinations)}\n', flush=True)
+    if lost is None:
+        _report(campaign, combinations, folder)
+        return int(_exceeds_limits(campaign, combinations, folder, report))
+    complain(f'{str(lost) or "interrupted"} after {len(rows)} of {campaign.count} runs, '
+             f'which are in {os.path.relpath(folder)}', PROGRAM)
+    return 1 if str(lost) else 128 + signal.SIGINT
+
+
+def with_progress(runs, total):
+    """Yield each run but None, and print how many are done and how long the others will take."""
+    done, start = 0, time.monotonic()
+    line = Line(LINE_PERIOD, start + LINE_PERIOD)
+    for run in runs:
+        if run is not None:
+            done += 1
+            yield run
+        duration = max(1e-3, time.monotonic() - start)
+        left = timedelta(seconds=round((total - done) * duration / max(done, 1)))
+        text = f'{bar(done / total)} {done} of {total} runs'
+        if done:
+            text += f', {done / duration:.1f} a second, {left} left'
+        line.show(text, start + duration) if done < total else line.finish(text)
+
+
+def _report(campaign, combinations, folder):
+    """Print what else there is to say, and draw the picture."""
+    for number, combination in enumerate(combinations):
+        late = combination.values(NOT_ARRIVED)
+        if late.any():
+            print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; the first is run '
+                  f'{number * campaign.seeds + late.argmax() + 1}')
+    for name, rows in combinations:
+        if campaign.subject.kind == LAUNCH and not any(row['commands'] for row in rows):
+            print(f'no commands     reached the robot, with {name}: see rostopic info /cmd_vel while the nodes run')
+    if any(len(rows) > 1 and rows[0]['ended'] in ENDS and all(row == rows[0] for row in rows)
+           for _, rows in combinations):
+        print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '
+              'wheel_noise or gyro_noise.')
+    # matplotlib takes half a second to import.
+    from odometry_tools.sweep import picture
+    path = folder / picture.FILE
+    with path_in_errors(path):
+        picture.make_figure(campaign.subject, combinations).savefig(path)
+    print(f'figures         {os.path.relpath(folder / FILE)}\n'
+          f'picture         {os.path.relpath(path)}', flush=True)
+
+
+def _exceeds_limits(campaign, combinations, folder, report):
+    """Print each limit that a Combination exceeds, and replay its worst run; return whether there is one."""
+    cases, worst = [], {}  # the numbers of runs, once each, in order
+    for limit, most in campaign.limits.items():
+        lines = []
+        for index, combination in enumerate(combinations):
+            size, run = combination.size_of(limit)
+            if not size <= most:
+                lines.append(f'{limit} is {size:.6g}, over its limit of {most:g}, with {combination.name}')
+                complain(lines[-1], PROGRAM)
+                if len(lines) == 1:
+                    worst[index * campaign.seeds + run + 1] = limit
+        cases.append(junit.Case(campaign.subject.name, limit, '; '.join(lines), 'limit'))
+    if report:
+        junit.write(report, 'odometry_sweep', cases)
+    for number in worst:  # in a process of its own, which is a node only once
+        subprocess.run([sys.executable, sys.argv[0], '--replay', str(folder), str(number)], check=False)
+    if cases and not worst:
+        print(f'limits          all {len(cases)} hold', flush=True)
+    return bool(worst)

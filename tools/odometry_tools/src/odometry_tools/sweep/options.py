@@ -1,0 +1,73 @@
+"""The sweep's command line."""
+
+import argparse
+
+import yaml
+
+from odometry_tools.sweep.campaign import SEEDS, Campaign, absolute_worlds, read_campaign
+from odometry_tools.sweep.closed_loop import TUTORIALS
+from odometry_tools.sweep.subjects import LAUNCH_ARGUMENT, Launched, Tutorial
+
+
+def parse(arguments):
+    """Return the options and their Campaign; exit if they contradict each other."""
+    parser = make_parser()
+    options = parser.parse_args(arguments)
+    if options.jobs is not None:
+        SEEDS._replace(name='--jobs').check(options.jobs)
+    if options.junit and not options.campaign:
+        parser.error('argument --junit: only with the limits of a --campaign')
+    if not (options.campaign or options.replay):
+        if not 1 <= len(options.what) <= 2:
+            parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
+        if len(options.what) == 1 and options.until is not None:
+            parser.error('argument --until: only for a launch file')
+        if len(values := dict(options.set)) < len(options.set):
+            parser.error('argument --set: a parameter is set twice')
+        subject = Launched(options.what, options.until) if len(options.what) == 2 else Tutorial(*options.what)
+        options.campaign = Campaign(subject, SEEDS.default if options.seeds is None else options.seeds,
+                                    absolute_worlds(values), {})
+    elif options.what or options.set or (options.seeds, options.until) != (None, None):
+        parser.error('the file of --campaign or --replay sets tutorial, --seeds, --set and --until')
+    elif options.campaign:
+        options.campaign = read_campaign(options.campaign)
+    return options
+
+
+def make_parser():
+    """Return the parser of the command line."""
+    parser = argparse.ArgumentParser(
+        prog='./ws sweep', allow_abbrev=False, description='Run a tutorial many times, over a grid of parameter values '
+        'and seeds, without ROS. It uses all processors, prints statistics, and saves the metrics '
+        'of each run in the folder runs.')
+    source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
+    parser.add_argument('what', nargs='*', metavar='move|rotate|PACKAGE FILE',
+                        help='drive two metres; turn to a heading; or a launch file of yours')
+    parser.add_argument('--until', type=float, metavar='S',
+                        help='how long a run of a launch file takes (simulated s)')
+    parser.add_argument('--seeds', type=int, metavar='N',
+                        help='runs of each combination of values, each with its own seed (default: 1)')
+    parser.add_argument('--set', type=_values, action='append', default=[],
+                        metavar='NAME=VALUE[,VALUE...]',
+                        help='values of a parameter of the nodes; each combination is run')
+    source.add_argument('--campaign', metavar='FILE',
+                        help='a YAML file with tutorial, seeds, set and limits, instead of these')
+    parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
+    machine.add_argument('--jobs', type=int, metavar='N',
+                         help='number of processes (default: one for each processor)')
+    machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
+                         help='run on the workers of a Dask cluster')
+    source.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
+                        help='repeat a run in the folder of a sweep with the nodes in lockstep, '
+                             'record it, and compare to the last bit')
+    return parser
+
+
+def _values(text):
+    name, separator, values = text.partition('=')
+    if not separator or not name.replace(LAUNCH_ARGUMENT, '', 1).isidentifier():
+        raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
+    try:
+        return name, yaml.safe_load(f'[{values}]')
+    except (yaml.YAMLError, RecursionError):
+        raise argparse.ArgumentTypeError(f'{text!r} contains a value that is not YAML') from None

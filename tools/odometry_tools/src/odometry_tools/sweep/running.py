@@ -1,0 +1,91 @@
+"""Do the runs of a campaign in parallel, on this machine or on a Dask cluster."""
+
+import collections
+import concurrent.futures
+import contextlib
+import itertools
+import logging
+import multiprocessing
+import os
+import signal
+
+from odometry_common.parameters import StartError
+from sim_turtlebot.physics.world_file import WorldFileError
+
+from odometry_tools.runs.output import RunError
+from odometry_tools.sweep.closed_loop import run
+
+MAX_AHEAD = 1000  # runs that may be done before an earlier one
+CHECK_PERIOD = 1.0  # s
+CONNECT_TIMEOUT = 10  # s
+TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
+
+
+def run_all(campaign, executor):
+    """Yield parameters and metrics of each run of a Campaign, in order; None every CHECK_PERIOD without one.
+
+    :raises RunError: if a run cannot be done, or the processes are lost
+    """
+    begun = ((parameters, executor.submit(campaign.subject.run, parameters)) for parameters in campaign.runs())
+    try:
+        ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
+        while ahead:
+            parameters, future = ahead[0]
+            # Dask does not wake result() if the scheduler is gone.
+            if not concurrent.futures.wait([future], CHECK_PERIOD).done:
+                yield None
+                continue
+            yield parameters, future.result()
+            ahead.popleft()
+            ahead.extend(itertools.islice(begun, 1))
+    except concurrent.futures.BrokenExecutor:
+        raise RunError('a process that did runs was killed') from None
+    except concurrent.futures.CancelledError:
+        raise RunError('the scheduler of the cluster is gone') from None
+    except WorldFileError as error:
+        raise RunError(f'{parameters["world"]} must be {error}') from None
+
+
+@contextlib.contextmanager
+def on_this_machine(campaign, jobs=None):
+    """Yield an executor with so many processes, or with one for each processor."""
+    processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
+    # A forked process has imported everything.
+    with concurrent.futures.ProcessPoolExecutor(
+            processes, multiprocessing.get_context('fork'), _reset_signals) as executor:
+        try:
+            yield executor
+        except BaseException:
+            for process in multiprocessing.active_children():
+                process.kill()  # a run may take minutes
+            raise
+
+
+def _reset_signals():
+    """Restore the default signal handlers in a forked process."""
+    for signum in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(signum, signal.SIG_DFL)
+
+
+@contextlib.contextmanager
+def on_cluster(address):
+    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT; StartError: it is not usable."""
+    import distributed
+    logging.disable()  # Dask logs what its exceptions say
+    try:
+        client = distributed.Client(address, timeout=CONNECT_TIMEOUT)
+    except (OSError, ValueError) as error:
+        raise StartError(f'no scheduler answers at {address}: {error}') from None
+    with client:
+        try:
+            client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
+            results = client.run(run, *TRIAL)
+        except TimeoutError:
+            raise StartError('the cluster has no workers') from None
+        except ImportError as error:
+            raise StartError(f'a worker was not started by ./ws dask worker: {error}') from None
+        expected = run(*TRIAL)
+        for worker, metrics in results.items():
+            if metrics != expected:  # in the last digits
+                raise StartError(f'the worker {worker} has another version of these packages')
+        yield client.get_executor()

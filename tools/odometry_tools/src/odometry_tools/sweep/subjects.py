@@ -1,0 +1,121 @@
+"""What is swept: a tutorial, without ROS, or somebody's launch file, in lockstep."""
+
+import concurrent.futures
+import difflib
+import multiprocessing
+from typing import NamedTuple
+
+from odometry_common.parameters import Parameter, StartError, between
+from sim_turtlebot.settings import PARAMETERS
+
+from odometry_tools.sweep import closed_loop
+from odometry_tools.sweep.closed_loop import TUTORIALS
+
+LAUNCH = 'launch'  # in place of a tutorial
+LAUNCH_ARGUMENT = 'launch:'  # before an argument's name that is a parameter of the robot, too
+UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
+# The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
+NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
+# For wall time, tf, scans, late messages, and nodes that wait, compute or exit.
+NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate', 'scan_beams',
+             'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise', 'publish_tf', 'cpu_budget'}
+ROBOT = {row.name[1:]: row for row in PARAMETERS.rows}
+
+
+class Tutorial(NamedTuple):
+    """A tutorial; its fields are lines of a campaign file."""
+
+    tutorial: str
+
+    kind = name = property(lambda self: self.tutorial)
+
+    def check(self, values):
+        """Raise StartError if this cannot run with these values: lists by parameter."""
+        tutorial = choose(self.kind, TUTORIALS, f'there is no tutorial {self.kind!r}')
+        _check_values(self, values, {**{row.name[1:]: row for row in tutorial.PARAMETERS}, **ROBOT}, NEEDS_ROS)
+
+    def run(self, parameters):
+        """Run without ROS; return the metrics by name."""
+        return closed_loop.run(self.kind, parameters)
+
+
+class Launched(NamedTuple):
+    """A launch file, and when its runs end; its fields are lines of a campaign file."""
+
+    launch: list  # package and name
+    until: float  # s of simulated time
+
+    kind = LAUNCH
+    name = property(lambda self: self.launch[1])
+
+    def check(self, values):
+        """Raise StartError if this cannot run with these values: lists by parameter."""
+        import roslaunch
+        from roslaunch.arg_dump import get_args
+
+        from odometry_tools.runs.launch import load, path_of
+        UNTIL.check(self.until)
+        if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
+            raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
+        try:
+            arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in ROBOT else name
+                         for name in get_args([path_of(*self.launch)])]
+            _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
+            nodes = load([self.nodes({name: several[0] for name, several in values.items()})]).nodes
+        except roslaunch.RLException as error:
+            raise StartError(f'{self.name}: {" ".join(str(error).split())}') from None
+        if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
+            raise StartError(f'{self.name} starts a robot, but the sweep does that: leave out sim.launch')
+        if not nodes:
+            raise StartError(f'{self.name} starts no node')
+        for node in nodes:
+            _check_node(self.name, node)
+
+    def run(self, parameters):
+        """Run in a process of its own, since rospy begins only once; return the metrics by name."""
+        from odometry_tools.sweep.lockstep import run_alone
+        context = multiprocessing.get_context('forkserver')  # a Dask worker has threads
+        context.set_forkserver_preload([run_alone.__module__])
+        with concurrent.futures.ProcessPoolExecutor(1, context) as executor:
+            return executor.submit(run_alone, self, parameters).result()
+
+    def nodes(self, parameters):
+        """Return package, name and arguments of the launch file, as roslaunch reads them."""
+        return (*self.launch, {name.replace(LAUNCH_ARGUMENT, '', 1):
+                               str(value).lower() if isinstance(value, bool) else value
+                               for name, value in parameters.items() if name not in ROBOT})
+
+
+def _check_node(file, node):
+    """Raise StartError if roslaunch cannot start a node, or the node would not find the robot."""
+    from roslib.packages import find_node
+    program = f'{file}: node {node.name}, {node.package}/{node.type}'
+    try:
+        found = find_node(node.package, node.type)
+    except LookupError:
+        found = []
+    if not found:
+        raise StartError(f'{program}, is not there, or not executable (chmod +x)')
+    if 'ROS_MASTER_URI' in dict(node.env_args):
+        raise StartError(f'{program}, has a ROS_MASTER_URI of its own, where the robot is not')
+
+
+def _check_values(subject, values, known, left_out=frozenset()):
+    """Check each value alone: no range depends on another parameter of a sweep.
+
+    :param known: Parameters by name; None for what may have any value
+    """
+    known = {name: row for name, row in known.items() if name not in NOT_SET | left_out}
+    for name, several in values.items():
+        row = choose(name, known, f'parameter {name} cannot be set in a sweep of {subject.name}')
+        for value in several if row else ():
+            row.check(value)
+
+
+def choose(name, known, complaint):
+    """Return known[name]; without one raise StartError: the complaint, and what may be meant."""
+    if name not in list(known):
+        similar = difflib.get_close_matches(str(name), known, 1, cutoff=0.8)
+        hint = f'did you mean {similar[0]}?' if similar else f'there is {", ".join(sorted(known))}'
+        raise StartError(f'{complaint}: {hint}')
+    return known[name]

@@ -1,0 +1,212 @@
+"""The picture of a recorded run, and the figures that are printed with it."""
+
+import math
+
+import numpy
+import pytest
+import rosbag
+import rospy
+from nav_msgs.msg import Odometry
+from odometry_tests.forms import number_after
+from odometry_tests.messages import odometry
+from odometry_tests.processes import Process
+from odometry_tools.runs.figure import make_figure
+from odometry_tools.runs.recorded_run import BagError, read_run
+from std_msgs.msg import Float64
+
+PNG = b'\x89PNG'
+PERIOD = 0.1  # s
+START = 100.0  # s
+
+
+def metre():
+    messages = [odometry(x=0.01 * step, stamp=START + PERIOD * step) for step in range(101)]
+    for message in messages:
+        message.twist.twist.linear.x = 0.1
+    return messages
+
+
+def record(path, messages, topic='/odom', mode='w'):
+    """Write a bag as a real robot's, without commands or the robot's true position, or append."""
+    with rosbag.Bag(str(path), mode) as bag:
+        for number, message in enumerate(messages):
+            bag.write(topic, message, rospy.Time.from_sec(START + PERIOD * number))
+    return path
+
+
+def write_damaged(path):
+    """Write a bag whose only message is cut off."""
+    with rosbag.Bag(str(path), 'w') as bag:
+        bag.write('/odom', (Odometry._type, b'short', Odometry._md5sum, Odometry), raw=True)
+
+
+class Foreign(Odometry):
+    """Odometry as a bag may define it: with a constant whose name is Python code."""
+
+    _md5sum = 'c' * 32
+    _full_text = f'string __import__("pathlib").Path({{!r}}).touch(); y=1\n{Odometry._full_text}'
+
+
+def write_foreign(path, topic, ran):
+    """Write a bag that defines the odometry on a topic itself, with code that would make the file `ran`."""
+    Foreign._full_text = Foreign._full_text.format(str(ran))
+    record(path, metre())
+    return record(path, [Foreign()], topic, 'a')
+
+
+def plot(*arguments, **options):
+    run = Process('rosrun', 'odometry_tools', 'plot_run.py', *arguments, **options)
+    run.wait(30.0)
+    return run
+
+
+def legend_of(figure):
+    """Return the texts of a figure's legend."""
+    legend, = figure.legends
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def test_it_draws_any_bag_with_odometry(tmp_path):
+    """A real robot's bag has neither truth nor commands. Jupyter and editors set MPLBACKEND.
+
+    A driver's NaN is no position, and no top speed. The only odometry in a bag is taken by any name.
+    The picture lies beside the bag.
+    """
+    messages = metre()
+    messages[0].pose.pose.position.x = math.nan
+    messages[40].twist.twist.linear.x = math.nan
+    messages[50].pose.pose.orientation.w = math.nan
+    messages.append(messages[60])  # late
+    bag = record(tmp_path / 'real.bag', messages, '/robot_1/odom')
+    run = plot(bag, env={'MPLBACKEND': 'nonsense'}, cwd='/')
+    assert run.wait() == 0 and run.stderr == '', run.output
+    assert number_after('distance', run.stdout) == 0.99
+    assert number_after('duration', run.stdout) == 9.9
+    assert number_after('mean speed', run.stdout) == 0.1
+    assert number_after('top speed', run.stdout) == 0.1
+    assert 'odometry    /robot_1/odom\n' in run.stdout
+    assert 'left out    4 messages ignored\n' in run.stdout
+    assert (tmp_path / 'real.png').read_bytes().startswith(PNG)
+
+
+def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path):
+    """The robot is carried 50 m away and back; no line joins the places. A recording goes on."""
+    messages = metre()
+    for message in messages[20:30]:
+        message.pose.pose.position.y = 50.0
+    run = read_run(record(tmp_path / 'carried.bag', messages), end=START + 5.0)
+    assert run.odometry.time[-1] == pytest.approx(5.0)
+    assert run.odometry.distance[-1] == pytest.approx(0.48)
+    assert 'left out    2 jumps not counted' in run.summary()
+    _, drawn = make_figure(run).axes[0].lines[0].get_data()
+    assert [len(part) for part in numpy.split(drawn, numpy.flatnonzero(numpy.isnan(drawn)))] == [
+        20, 11, 22]
+
+
+def test_the_picture_names_the_bag_and_what_it_shows(tmp_path):
+    messages = [odometry(x=0.005 * step, stamp=START + PERIOD * step) for step in range(401)]
+    figure = make_figure(read_run(record(tmp_path / 'kitchen.bag', messages)))
+    assert [text.get_text() for text in figure.texts] == ['2.000 m in 40.0 s', f'{tmp_path.name}/kitchen.bag']
+    assert legend_of(figure) == ['odometry', 'start', 'end']
+    assert [axes.get_ylabel() for axes in figure.axes] == ['y (m)', 'distance (m)', 'speed (m/s)']
+
+
+def test_an_empty_twist_is_no_speed_and_an_empty_orientation_no_rotation(tmp_path):
+    """Some drivers fill in the position only. "top speed 0" beside a mean speed would be wrong."""
+    messages = metre()
+    for message in messages:
+        message.twist.twist.linear.x = message.pose.pose.orientation.w = 0.0
+    run = read_run(record(tmp_path / 'bare.bag', messages))
+    assert 'mean speed  0.100 m/s\ntop speed   unknown: twist.linear.x is always 0' in run.summary()
+    speed = make_figure(run).axes[2]
+    assert numpy.isnan(speed.lines[0].get_ydata()).all() and not run.odometry.yaw.any()
+
+
+def test_the_summary_says_how_far_odometry_and_truth_end_apart(tmp_path):
+    """At the same moment: the truth is recorded more often, for longer, and in another frame."""
+    path = record(tmp_path / 'both.bag', metre())
+    truth = [odometry(x=5.0, y=0.00275 * step, yaw=math.pi / 2 + 1e-4 * step,
+                      stamp=START + step * PERIOD / 4) for step in range(500)]
+    record(path, truth, '/base_pose_ground_truth', 'a')
+    assert 'off truth   0.100 m, 2.29 degrees at the end\n' in f'{read_run(path).summary()}\n'
+    assert 'off truth   0.050 m, 1.15 degrees' in read_run(path, end=START + 5.0).summary()
+
+
+def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
+    """A robot that turned right by 90 degrees was told to turn to 270: its panels hold no path."""
+    messages = [odometry(x=1e-4 * (step % 2), yaw=-step * math.pi / 200, stamp=START + PERIOD * step)
+                for step in range(101)]
+    figure = make_figure(read_run(record(tmp_path / 'turn.bag', messages)), heading_target=270.0)
+    assert figure.get_suptitle() == 'turned -90.0 degrees in 10.0 s, target 270 degrees'
+    labels = [axes.get_ylabel() for axes in figure.axes]
+    assert labels == ['heading (degrees)', 'error (degrees)', 'turn rate (rad/s)']
+    drawn, target = figure.axes[0].lines
+    assert target.get_ydata()[0] == pytest.approx(drawn.get_ydata()[-1]) == -90
+    assert 'target' in legend_of(figure)
+
+
+def test_noise_does_not_look_like_motion(tmp_path):
+    messages = [odometry(x=1e-4 * (step % 2), stamp=START + PERIOD * step) for step in range(101)]
+    figure = make_figure(read_run(record(tmp_path / 'still.bag', messages)))
+    figure.draw_without_rendering()  # which gives the path equal scales
+    path = figure.axes[0]
+    assert numpy.ptp(path.get_xlim()) >= 0.5 and numpy.ptp(path.get_ylim()) >= 0.5
+
+
+@pytest.mark.parametrize('write, lines', [
+    (lambda path: path.write_bytes(b'no bag at all'), 'cannot be read'),
+    (lambda path: rosbag.Bag(str(path), 'w').flush(), "is not indexed: rosbag reindex '{}'"),
+    (write_damaged, 'is damaged: DeserializationError(')])
+def test_a_file_without_a_run_is_refused(tmp_path, write, lines):
+    """With status 2 and one line that names it, and the cure if there is one."""
+    path = tmp_path / 'broken off.bag'
+    write(path)
+    run = plot(path)
+    assert run.wait() == 2
+    assert len(run.stderr.splitlines()) == 1 and str(path) in run.stderr, run.stderr
+    assert lines.format(path) in run.stderr
+
+
+def test_of_several_odometries_the_user_has_to_choose(tmp_path):
+    path = record(tmp_path / 'two.bag', metre(), '/b/odom')
+    record(path, metre()[:1], '/a/odom', 'a')
+    with pytest.raises(BagError, match='no messages on /odom; choose its odometry: --topic /a/odom '
+                                       'or --topic /b/odom$'):
+        read_run(path)
+    assert read_run(path, '/b/odom').odometry.distance[-1] == pytest.approx(1.0)
+
+
+def test_only_the_odometry_needs_the_right_type(tmp_path):
+    path = record(tmp_path / 'odd.bag', metre())
+    for topic in ('/cmd_vel', '/base_pose_ground_truth'):
+        record(path, [Float64()], topic, 'a')
+    run = read_run(path)
+    assert run.ground_truth is None and not len(run.commands)
+    with pytest.raises(BagError, match='odd.bag has std_msgs/Float64 on /cmd_vel; choose'):
+        read_run(path, '/cmd_vel')
+
+
+@pytest.mark.parametrize('topic, line', [
+    ('/base_pose_ground_truth', 'left out    /base_pose_ground_truth, defined differently from the installed message'),
+    ('/b/odom', '')])
+def test_a_definition_in_a_bag_does_not_run(tmp_path, topic, line):
+    path = write_foreign(tmp_path / 'stranger.bag', topic, tmp_path / 'ran')
+    run = plot('--topic', '/odom', path)
+    assert (run.wait(), line in run.stdout, run.stderr) == (0, True, ''), run.output
+    assert not (tmp_path / 'ran').exists()
+
+
+def test_an_index_that_points_to_a_foreign_definition_does_not_run_it(tmp_path):
+    path = write_foreign(tmp_path / 'lying.bag', '/x', tmp_path / 'ran')
+    with rosbag.Bag(str(path)) as bag, pytest.raises(
+            rosbag.ROSBagException, match='a message is of the type nav_msgs/Odometry'):
+        list(bag.read_messages('/x'))
+    assert not (tmp_path / 'ran').exists()
+
+
+def test_odometry_that_is_defined_differently_or_absent_is_named(tmp_path):
+    path = write_foreign(tmp_path / 'other.bag', '/b/odom', tmp_path / 'ran')
+    with pytest.raises(BagError, match='other.bag defines nav_msgs/Odometry on /b/odom differently'):
+        read_run(path, '/b/odom')
+    with pytest.raises(BagError, match='other.bag has 0 messages on /odom'):
+        read_run(path, '/odom', end=0.0)

@@ -1,0 +1,117 @@
+"""A sweep's command line and campaign files."""
+
+import pytest
+import yaml
+from odometry_common.parameters import StartError
+from odometry_tools.sweep.campaign import Campaign, read_campaign
+from odometry_tools.sweep.options import parse
+from odometry_tools.sweep.subjects import Tutorial
+
+GRID, HUNDRED = ['speed', 'distance', 'x', 'y', 'yaw'], [step / 100 for step in range(1, 101)]
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(content):
+        path = tmp_path / 'campaign.yaml'
+        path.write_text(content if isinstance(content, str) else yaml.safe_dump(content))
+        return path
+    return write
+
+
+def test_every_combination_is_run_with_every_seed_once():
+    campaign = Campaign(Tutorial('rotate'), 2, {'kp': [1, 2], 'x': [0], 'target': [90, -45]}, {})
+    assert [tuple(run.values()) for run in campaign.runs()] == [
+        (1, 0, 90, 0), (1, 0, 90, 1), (1, 0, -45, 0), (1, 0, -45, 1),
+        (2, 0, 90, 0), (2, 0, 90, 1), (2, 0, -45, 0), (2, 0, -45, 1)]
+    assert campaign.count == 8
+    assert campaign.names == ['kp 1, target 90', 'kp 1, target -45',
+                              'kp 2, target 90', 'kp 2, target -45']
+    assert campaign._replace(values={'kp': [1]}).names == ['all runs']
+
+
+def test_the_command_line_and_a_file_say_the_same(written):
+    """In a file a single value needs no list; the file that a sweep leaves can be run again."""
+    values = {'wheel_slip': [0, '1e-2'], 'gyro': [True], 'odometry_source': ['encoder']}
+    campaign = parse(['move', '--seeds', '3', '--set', 'wheel_slip=0,1e-2', '--set', 'gyro=true',
+                      '--set', 'odometry_source=encoder']).campaign
+    assert campaign == Campaign(Tutorial('move'), 3, values, {})
+    file = written({'tutorial': 'move', 'seeds': 3, 'set': {**values, 'gyro': True},
+                    'limits': {'sideways_p95': 0.5}})
+    campaign = campaign._replace(limits={'sideways_p95': 0.5})
+    assert parse(['--campaign', str(file)]).campaign == campaign
+    campaign.check()
+
+
+@pytest.mark.parametrize('arguments, line', [
+    ([], 'choose a tutorial'),
+    (['move', '--seeds', '1.5'], "invalid int value: '1.5'"),
+    (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
+    (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
+    (['move', '--set', f'speed={"[" * 1000}'], "[[' contains a value that is not YAML"),
+    (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
+    (['--seeds', '0', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds'),
+    (['--until', '0', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds'),
+    (['move', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds')])
+def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
+    with pytest.raises(SystemExit) as end:
+        parse(arguments)
+    assert end.value.code == 2
+    assert line in capsys.readouterr().err.splitlines()[-1]
+
+
+@pytest.mark.parametrize('content, line', [
+    ('\0', 'cannot be read: '), ('[' * 1000, 'cannot be read: '), ('3', 'names no tutorial'),
+    ('seeds: 3', 'there is no tutorial None: there is move, rotate'),
+    ({'launch': 'move', 'until': 1}, "launch is 'move', but must be [package, file]"),
+    ({'tutorial': 'move', 'until': 1}, "has 'until': there is limits, seeds, set, tutorial"),
+    ({'tutorial': ['move']}, "there is no tutorial ['move']: there is move, rotate"),
+    ({'tutorial': 'move', 'seed': 3}, "has 'seed': did you mean seeds?"),
+    ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),
+    ({'tutorial': 'move', 'set': [1]}, 'set is [1], but must have a line for each name'),
+    ({'tutorial': 'move', 'set': {'speed': []}}, 'there are 0 runs, but must be 1 to 1000000'),
+    ({'tutorial': 'move', 'set': {'speed': [0.1, 0]}},
+     'parameter ~speed is 0, but must be a number other than 0 m/s'),
+    ({'tutorial': 'move', 'set': dict.fromkeys(GRID, HUNDRED)},
+     'there are 10000000000 runs, but must be 1 to 1000000'),
+    ({'tutorial': 'move', 'set': {'kp': 1}},
+     'parameter kp cannot be set in a sweep of move: there is cmd_vel_timeout, dist'),
+    ({'tutorial': 'move', 'set': {'wheel_nose': 0.1}},
+     'parameter wheel_nose cannot be set in a sweep of move: did you mean wheel_noise?'),
+    ({'tutorial': 'rotate', 'set': {'tolerance': 1}}, 'parameter tolerance cannot be set'),
+    ({'tutorial': 'move', 'set': {'world': '/no.urdf'}}, "parameter ~world is '/no.urdf'"),
+    ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95: there is '),
+    ({'tutorial': 'move', 'limits': {'moved_error_p95': -1}},
+     'limit moved_error_p95 is -1, but must be a number from 0'),
+    ({'tutorial': 'move', 'limits': {'time_p5': 'x'}}, "limit time_p5 is 'x'")])
+def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
+    with pytest.raises(StartError) as refusal:
+        read_campaign(written(content)).check()
+    assert line in str(refusal.value)
+    assert len(str(refusal.value).splitlines()) == 1
+
+
+def test_a_world_is_found_from_where_the_user_stands(written, monkeypatch, tmp_path):
+    """Also by nodes and a replay, which run elsewhere."""
+    monkeypatch.chdir(tmp_path)
+    expected = ['', str(tmp_path / 'my.urdf')]
+    for arguments in ['move', '--set', "world='',my.urdf"], \
+            ['--campaign', str(written({'tutorial': 'move', 'set': {'world': ['', 'my.urdf']}}))]:
+        assert parse(arguments).campaign.values == {'world': expected}
+
+
+def test_models_that_a_world_includes_are_named(tmp_path, capsys):
+    world = tmp_path / 'box.world'
+    world.write_text('<sdf version="1.6"><world name="w"><include><uri>model://box</uri></include></world></sdf>')
+    Campaign(Tutorial('move'), 1, {'world': [str(world)]}, {}).check()
+    assert capsys.readouterr().err.startswith(f'sweep: {world} includes model://box, which PyBullet does not load')
+
+
+def test_a_million_combinations_are_checked_at_once(monkeypatch):
+    """Each value alone, with one simulation for the world."""
+    built = []
+    monkeypatch.setattr('odometry_tools.sweep.campaign.Simulation', built.append)
+    grid = dict.fromkeys(['x', 'y', 'yaw'], HUNDRED)
+    campaign = Campaign(Tutorial('move'), 1, {**grid, 'world': ['room.urdf']}, {})
+    campaign.check()
+    assert len(built) == 1 and next(campaign.runs())['yaw'] == HUNDRED[0]

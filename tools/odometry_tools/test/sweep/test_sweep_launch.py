@@ -1,0 +1,181 @@
+"""A sweep of somebody's launch file: rows, what is refused, and nodes that end or crash."""
+
+import os
+import re
+import shutil
+import sys
+
+import pytest
+from odometry_common.parameters import StartError
+from odometry_tests.scripts import ROOT
+from odometry_tools.sweep.campaign import Campaign
+from odometry_tools.sweep.subjects import Launched
+from sweeps import SCRIPT, folder_of, rows_in, sweep
+
+EXAMPLE = ROOT / 'docs' / 'example'
+NODE = '''#!{python}
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+rospy.init_node('node')
+odometry = Odometry()
+rospy.Subscriber('odom', Odometry, lambda message: globals().update(odometry=message))
+publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+rate = rospy.Rate(10)
+command = Twist()
+command.linear.x = 0.5
+end = rospy.get_param('~end')
+for number in range(10):
+    publisher.publish(command)
+    rate.sleep()
+    if end == 'crash' and number == 5 or end == 'chance' and int(1e4 * odometry.pose.pose.position.x) % 4 == 3:
+        raise ValueError('on purpose')
+    while end == 'busy' and not rospy.is_shutdown():
+        pass
+if end == 'never':
+    rospy.spin()
+'''
+NODES = '''<launch>
+  <arg name="end" default="done"/>
+  <node name="node" pkg="guest" type="node.py" required="true"><param name="end" value="$(arg end)"/></node>
+</launch>'''
+HELPER = '''<launch>
+  <arg name="x" default="done"/>
+  <node name="node" pkg="guest" type="node.py"><param name="end" value="$(arg x)"/></node>
+  <node name="helper" pkg="guest" type="helper.sh"/>
+</launch>'''
+ONE_NODE = '<launch><node name="{0}" pkg="guest" type="{0}.py">{1}</node></launch>'
+NAPPER = '''#!{python}
+import select, threading, time
+import rospy
+from geometry_msgs.msg import Twist
+rospy.init_node('napper')
+publisher, number = rospy.Publisher('cmd_vel', Twist, queue_size=1), 0
+nap = dict(sleep=time.sleep, select=lambda seconds: select.select([], [], [], seconds),
+           event=threading.Event().wait)[rospy.get_param('~nap')]
+while not rospy.is_shutdown():
+    number += 1
+    command = Twist()
+    command.linear.x = 0.1 + 0.02 * (number % 5)
+    publisher.publish(command)
+    nap(0.1)
+'''
+NAPS = '''<launch>
+  <arg name="nap"/>
+  <node name="node" pkg="guest" type="napper.py"><param name="nap" value="$(arg nap)"/></node>
+</launch>'''
+SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>'
+
+
+@pytest.fixture(autouse=True)
+def packages(tmp_path, monkeypatch):
+    """Make a package, and the example under another name: it may be in the workspace, too."""
+    folder = tmp_path / 'guest'
+    folder.mkdir()
+    (folder / 'package.xml').write_text('<package><name>guest</name></package>')
+    (folder / 'nodes.launch').write_text(NODES)
+    (folder / 'sim.launch').write_text(SIMULATOR)
+    (folder / 'none.launch').write_text('<launch/>')
+    (folder / 'helper.launch').write_text(HELPER)
+    (folder / 'helper.sh').write_text('#!/bin/sh\nexec sleep 3000\n')
+    (folder / 'silent.py').write_text(f'#!{sys.executable}\nimport rospy\nrospy.init_node("silent")\nrospy.spin()\n')
+    (folder / 'silent.launch').write_text(ONE_NODE.format('silent', ''))
+    (folder / 'plain.py').touch()
+    (folder / 'plain.launch').write_text(ONE_NODE.format('plain', ''))
+    (folder / 'elsewhere.launch').write_text(
+        ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'))
+    for program in 'helper.sh', 'silent.py':
+        (folder / program).chmod(0o755)
+    (folder / 'naps.launch').write_text(NAPS)
+    for name, text in ('node.py', NODE), ('napper.py', NAPPER):
+        (folder / name).write_text(text.format(python=sys.executable))
+        (folder / name).chmod(0o755)
+    example = shutil.copytree(EXAMPLE, tmp_path / 'example')
+    for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
+        file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
+    monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{example}:{os.environ["ROS_PACKAGE_PATH"]}')
+
+
+def test_the_example_gives_the_same_bytes_each_time():
+    """The robot's parameters reach the robot, and the others the node."""
+    arguments = ['example', 'one_metre.launch', '--until', '4', '--seeds', '2', '--set', 'speed=0.5',
+                 '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
+    run = sweep(*arguments, command=SCRIPT)  # ./ws knows only its own packages
+    first, printed = folder_of(run.stdout), run.stdout
+    assert re.search(r'^from_start \(m\) .*\nall runs +1\.0', printed, re.MULTILINE), printed
+    rows = rows_in(first)
+    assert [row['ended'] for row in rows] == ['until', 'until']
+    assert all(float(row['time']) < 4.0 and row['commands'] == '40' for row in rows), rows
+    assert len({row['odometry_error'] for row in rows} - {'0.0'}) == 2, 'no noise, or always the same'
+    run = sweep('--campaign', str(first / 'campaign.yaml'), '--jobs', '1', command=SCRIPT)
+    assert (folder_of(run.stdout) / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
+
+
+@pytest.mark.parametrize('ends', [['crash'], pytest.param(
+    ['done', 'crash', 'busy', 'never'], marks=pytest.mark.nightly)], ids=len)
+def test_how_a_run_ended_is_a_column(ends):
+    """A crash ends neither the campaign nor the run."""
+    printed = sweep('guest', 'nodes.launch', '--until', '2', '--set', f'end={",".join(ends)}',
+                    command=SCRIPT).stdout
+    expected = {'done': 'arrived', 'crash': 'crashed', 'busy': 'not awaited', 'never': 'late'}
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == [expected[end] for end in ends]
+    assert printed.count('not arrived') == len({*ends} - {'done'}), printed
+    if ends == ['crash']:
+        assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
+
+
+def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
+    printed = sweep('guest', 'naps.launch', '--until', '4', '--set', 'nap=sleep,select,event', command=SCRIPT).stdout
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == 3 * ['not awaited'], printed
+
+
+def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
+    printed = sweep('guest', 'nodes.launch', '--until', '2', '--seeds', '4', '--set', 'end=chance', '--set',
+                    'odometry_source=encoder', '--set', 'wheel_noise=0.05', command=SCRIPT).stdout
+    ends = [row['ended'] for row in rows_in(folder_of(printed))]
+    assert {*ends} == {'arrived', 'crashed'}, ends
+    assert f'not arrived     {ends.count("crashed")} of 4, with all runs' in printed, printed
+    again = sweep('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1), command=SCRIPT)
+    assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
+
+
+def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_parameters_name():
+    printed = sweep('guest', 'helper.launch', '--until', '2', '--set', 'launch:x=done', '--set', 'x=1',
+                    command=SCRIPT, timeout=60.0).stdout
+    row, = rows_in(folder_of(printed))
+    assert (row['ended'], row['x'], row['launch:x']) == ('until', '1', 'done')
+
+
+def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
+    printed = sweep('guest', 'silent.launch', '--until', '1', command=SCRIPT).stdout
+    assert 'no commands     reached the robot, with all runs: ' in printed, printed
+
+
+@pytest.mark.parametrize('launched, values, line', [
+    (('guest', 'plain.launch', 1), {}, 'plain.launch: node plain, guest/plain.py, is not there, or not executable'),
+    (('guest', 'elsewhere.launch', 1), {}, 'elsewhere.launch: node node, guest/node.py, has a ROS_MASTER_URI of'),
+    (('guest', 'helper.launch', 1), {'launch:y': [1]}, 'parameter launch:y cannot be set in a sweep of helper.launch'),
+    (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
+    (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
+    (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
+    (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
+    (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but the sweep does that'),
+    (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
+    (('guest', 'other.launch', 1), {}, 'other.launch] is neither a launch file in package'),
+    ((str(EXAMPLE / 'launch' / 'one_metre.launch'), 'x', 1), {}, 'there is no package /')])
+def test_a_launch_file_that_cannot_be_swept_is_one_line(launched, values, line):
+    with pytest.raises(StartError) as refusal:
+        Campaign(Launched([*launched[:2]], launched[2]), 1, values, {}).check()
+    assert line in str(refusal.value)
+    assert len(str(refusal.value).splitlines()) == 1
+
+
+@pytest.mark.nightly
+def test_a_limit_that_fails_leaves_its_worst_run(tmp_path):
+    file = tmp_path / 'campaign.yaml'
+    file.write_text('launch: [guest, nodes.launch]\nuntil: 2\nset: {end: [done, crash]}\n'
+                    'limits: {not_arrived: 0, from_start_worst: 2}\n')
+    run = sweep('--campaign', str(file), status=1, command=SCRIPT)
+    assert run.stderr.splitlines() == ['sweep: not_arrived is 1, over its limit of 0, with end crash',
+                                       'sweep: node has ended with status 1; last error printed: ValueError: on purpose'], run.output
+    assert re.search('^run 2 .*^picture .*^the same, to the last bit$', run.stdout, re.MULTILINE | re.DOTALL)

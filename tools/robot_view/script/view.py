@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""Show robots, simulated or real, in a browser.
+
+Everybody who opens the page can drive the robot.
+
+Subscribes:
+    odom (nav_msgs/Odometry): the odometry of each robot
+    base_pose_ground_truth (nav_msgs/Odometry): the true pose of a simulated robot
+    joint_states (sensor_msgs/JointState): the wheels
+    scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
+    moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
+    rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
+    sim_turtlebot/world_markers (visualization_msgs/MarkerArray): the world
+    sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
+
+Publishes:
+    cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
+    moved_distance/reset (std_msgs/Empty): reset
+    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): the pose at
+        which the panel's button places a simulated robot
+
+Calls:
+    sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,
+        sim_turtlebot/reset_simulation (std_srvs/Empty): the panel's buttons
+"""
+
+from odometry_common.node import run_node
+from odometry_common.parameters import StartError
+from robot_view.address import PARAMETERS, read_address
+from robot_view.robots import Robots
+
+FIRST_ROBOT_TIMEOUT = 2.0  # s
+
+
+def main():
+    """View until shutdown."""
+    address = read_address()
+    robots = Robots()
+    # Otherwise a robot that starts now drives while viser is imported, which leaves no time for its messages.
+    robots.found.wait(FIRST_ROBOT_TIMEOUT)
+    try:
+        from robot_view.browser_page import BrowserPage
+    except ModuleNotFoundError as error:
+        raise StartError(f'{error.name} is not installed; tools/robot_view/requirements.txt '
+                         'lists what the page needs: pip install -r it') from None
+    page = BrowserPage(address, robots)
+    print(f'view: {address.url}')
+    page.run()
+
+
+if __name__ == '__main__':
+    # disable_rostime: simulated time may stand still, and the page does not need it.
+    run_node('view', main, __doc__, PARAMETERS, anonymous=True, disable_rostime=True)

@@ -1,0 +1,166 @@
+"""The page: scene, panel, plots and pad, the same in every browser."""
+
+import math
+import threading
+import time
+from pathlib import Path
+
+import rospy
+from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
+
+from robot_view.camera import FIELD_OF_VIEW, look_at_all, look_at_robot
+from robot_view.pad import Pad, add_pad
+from robot_view.panel import Readings, SimulationButtons, add_placing
+from robot_view.plots import Plots
+from robot_view.scene import WORLD, RobotModel, add_world
+from robot_view.server import start_server
+from robot_view.world_model import WorldModel
+
+PANEL_WIDTH = 316  # pixels; viser adds four
+FRAME_PERIOD = 0.05  # s of wall time between two pictures
+DRAWING_PERIOD = 0.2  # s between two updates of trails, readings and plots
+IDLE_PERIOD = 0.5  # s between two checks for a browser
+STYLE = Path(__file__).with_name('page.css')
+
+
+class BrowserPage:
+    """The page in all browsers; served at an Address until the process exits."""
+
+    def __init__(self, address, robots):
+        """Show Robots."""
+        self._robots = robots
+        self._models = {}  # RobotModel by namespace
+        self._server = start_server(address)
+        scene = self._server.scene
+        self._world = add_world(scene)
+        self._shapes = WorldModel(scene, WORLD)
+        self._build()
+        self._server.on_client_connect(self._on_connect)
+        self._server.on_client_disconnect(self._on_disconnect)
+
+    def _build(self):
+        server, gui = self._server, self._server.gui
+        gui.configure_theme(show_logo=False, show_share_button=False, control_width='medium')
+        gui.add_html(f'<style>{STYLE.read_text(encoding="utf-8")}</style>')
+        self._readings = Readings(gui)
+        self._choice = gui.add_dropdown('robot', ('',), visible=False)
+        self._simulation = SimulationButtons(gui, self._robots)
+        with gui.add_folder('drive: hold a button or an arrow key'):
+            self._pad = Pad(lambda: self.chosen if self._models else None, self._speeds)
+            add_pad(gui, self._pad)
+            self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
+            self._angular = gui.add_slider(
+                'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
+        self._follow = gui.add_checkbox('follow', True, hint='the chosen robot')
+        self._follow.on_update(self._on_follow)
+        gui.add_button('show all', color='gray').on_click(self._on_show_all)
+        self._plots = Plots(gui, gui.add_folder('plots'))
+        self._placing = add_placing(gui, self._put)
+        gui.main_panel.dock_right()
+        gui.main_panel.set_width(PANEL_WIDTH)
+        server.initial_camera.fov = FIELD_OF_VIEW
+        look_at_robot(server.initial_camera)
+
+    def run(self):
+        """Draw while a browser shows the page, until shutdown."""
+        pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
+        drawn = 0.0
+        while not rospy.core.is_shutdown_requested():
+            if not self._server.get_clients():
+                pause.wait(IDLE_PERIOD)
+                continue
+            if time.monotonic() - drawn >= DRAWING_PERIOD:
+                drawn = time.monotonic()
+                self._draw()
+            self._move()
+            time.sleep(FRAME_PERIOD)
+
+    @property
+    def chosen(self):
+        """Namespace of the robot that the readings show, the camera follows and the pad drives."""
+        # viser also accepts a value that is not an option.
+        options = self._choice.options
+        name = self._choice.value if self._choice.value in options else options[0]
+        return name and f'{name}/'
+
+    def _move(self):
+        """Draw the robots at their current poses."""
+        with self._server.atomic():
+            for namespace, monitor, model in self._known():
+                with monitor.lock:
+                    model.move(monitor)
+                    if namespace == self.chosen and self._follow.value:
+                        (x, y, _), _ = monitor.pose
+                        self._world.position = (-x, -y, 0.0)
+
+    def _draw(self):
+        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""
+        self._find_models()
+        self._simulation.update()
+        self._placing.visible = self._robots.is_simulated
+        self._shapes.draw(self._robots.world)
+        for namespace, monitor, model in self._known():
+            with monitor.lock:
+                model.draw_path(monitor)
+                if namespace == self.chosen:
+                    self._readings.show(monitor.readings())
+                    self._plots.draw(monitor.trace.history.array(), monitor.targets.distance)
+
+    def _find_models(self):
+        """Show the robots that are recorded, and no others."""
+        namespaces = list(self._robots.monitors)
+        for namespace in self._models.keys() - set(namespaces):
+            self._models.pop(namespace).close()
+        for namespace in namespaces:
+            if namespace not in self._models:
+                self._models[namespace] = RobotModel(
+                    self._server.scene, namespace.strip('/') or 'robot', len(namespaces) > 1)
+        names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
+        if self._choice.options != names:
+            self._choice.options = names
+        self._choice.visible = len(names) > 1
+
+    def _known(self):
+        """Return the namespaces, monitors and models of the robots with odometry."""
+        return [(namespace, monitor, self._models[namespace])
+                for namespace, monitor in self._robots.monitors.items()
+                if monitor.is_known and namespace in self._models]
+
+    def _put(self, *pose):
+        if self._models:
+            self._robots.monitors[self.chosen].put(*pose)
+
+    def _speeds(self):
+        return _clamped(self._linear), math.radians(_clamped(self._angular))
+
+    def _on_follow(self, _):
+        if self._follow.value:
+            for client in self._server.get_clients().values():
+                look_at_robot(client.camera)
+
+    def _on_show_all(self, event):
+        """Show start, target and place of every robot to the browser that asks."""
+        self._follow.value = False
+        self._show_all(event.client)
+
+    def _show_all(self, client):
+        x, y, _ = self._world.position
+        places = [(x + place[0], y + place[1])
+                  for _, monitor, _ in self._known() for place in monitor.places()]
+        if places:
+            look_at_all(client.camera, places)
+
+    def _on_connect(self, client):
+        if not self._follow.value:
+            self._show_all(client)
+
+    async def _on_disconnect(self, client):
+        # Not on a thread, or the last hold of the same browser could come later.
+        self._pad.release(client.client_id)
+
+
+def _clamped(slider):
+    """Return the value of a slider; viser also accepts values beyond its ends, and NaN."""
+    if not math.isfinite(slider.value):
+        return 0.0
+    return min(max(slider.value, slider.min), slider.max)

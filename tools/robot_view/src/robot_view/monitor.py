@@ -1,0 +1,182 @@
+"""The state of a robot, from its topics."""
+
+import math
+import threading
+import time
+from collections import deque
+
+import numpy
+import rospy
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
+from nav_msgs.msg import Odometry
+from odometry_common.angles import wrap_to_pi
+from odometry_common.orientation import yaw_from_orientation
+from sensor_msgs.msg import JointState, LaserScan
+from sim_turtlebot.geometry import PlanarPose, about_z
+from sim_turtlebot.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
+from std_msgs.msg import Empty, Float64
+
+from robot_view.path_trace import PathTrace
+from robot_view.targets import ROTATOR, Targets
+
+SIMULATOR = 'sim_turtlebot'  # node
+EPOCH = 1e9  # s; stamps beyond this are wall time
+RATE_SAMPLES = 10  # readings per measurement of the real-time factor
+
+
+class RobotMonitor:
+    """The latest state of one robot. Once it `is_known`, hold its `lock` to read it.
+
+    A pose is a pair: x, y, z (m) and a quaternion w, x, y, z. The namespace is '' or ends in a slash.
+    """
+
+    def __init__(self, namespace):
+        self.lock = threading.Lock()
+        self.trace = PathTrace()
+        self.wheels = {}  # angles (rad) by joint
+        self.scan = None  # pose of the robot, and points in its frame: rows of x, y, z (m)
+        self.targets = Targets(namespace)
+        self._odometry = self._ground_truth = self._moved = None
+        self._first_stamp = None
+        self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
+        self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
+        self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
+        topics = [('odom', Odometry, self._on_odometry),
+                  ('base_pose_ground_truth', Odometry, self._on_ground_truth),
+                  ('joint_states', JointState, self._on_joints),
+                  ('moved_distance', Float64, self._on_moved),
+                  ('scan', LaserScan, self._on_scan),
+                  (f'{ROTATOR}/target', Float64, self._on_target)]
+        self._connections = [self._poses, self._reset, *(
+            rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
+            for topic, kind, callback in topics)]
+
+    def close(self):
+        """Disconnect from the robot."""
+        for connection in self._connections:
+            connection.unregister()
+
+    def reset_distance(self):
+        """Let the detector start counting from zero."""
+        self._reset.publish()
+
+    def put(self, x, y, heading):
+        """Place a simulated robot in the world, at x, y (m) and a heading (degrees), at rest."""
+        message = PoseStamped(pose=Pose(Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
+        message.header.frame_id = 'world'
+        self._poses.publish(message)
+
+    @property
+    def is_known(self):
+        """Whether odometry has arrived."""
+        return self._odometry is not None
+
+    @property
+    def pose(self):
+        """The true pose if the robot is simulated, else the odometry's."""
+        return _pose_3d(self._ground_truth or self._odometry)
+
+    @property
+    def odometry_pose(self):
+        """The pose in the frame of the odometry."""
+        return _pose_3d(self._odometry)
+
+    @property
+    def stamp(self):
+        """The time of the odometry (s)."""
+        return self._odometry.header.stamp.to_sec()
+
+    def places(self):
+        """Return x, y (m) of the start, of the goal if there is one, and of the robot."""
+        start, goal = self.trace.origin, self.targets.goal
+        return [start[:2], self.pose[0][:2], *([start.then(goal)[:2]] if goal else [])]
+
+    def readings(self):
+        """Return the current values for panel.Readings by name; None if unknown."""
+        heading = self.trace.heading
+        return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
+                'true_since': self.trace.since, 'speed': self._odometry.twist.twist.linear.x,
+                'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
+                'simulated_time': self.stamp if self.stamp < EPOCH else None,
+                'real_time_factor': self._real_time_factor()}
+
+    def _real_time_factor(self):
+        """Return the robot's seconds per second; None if unknown, as after a reset."""
+        self._clocks.append((time.monotonic(), self.stamp))
+        (start, first), (end, last) = self._clocks[0], self._clocks[-1]
+        is_full = len(self._clocks) == RATE_SAMPLES
+        return (last - first) / (end - start) if is_full and last >= first else None
+
+    def _on_odometry(self, message):
+        pose = _planar_pose(message)
+        if pose is None:
+            return
+        with self.lock:
+            self._odometry = message
+            if self._first_stamp is None:
+                self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
+            self.trace.add_odometry(self.stamp, pose)
+            self.targets.aim(pose, self._moved)
+            self.trace.add_history(self.stamp - self._first_stamp, self._moved, self.targets.heading)
+
+    def _on_ground_truth(self, message):
+        pose = _planar_pose(message)
+        if pose is None:
+            return
+        with self.lock:
+            self._ground_truth = message
+            self.trace.add_ground_truth(message.header.stamp.to_sec(), pose)
+
+    def _on_joints(self, message):
+        with self.lock:
+            self.wheels = dict(zip(message.name, message.position))
+
+    def _on_scan(self, message):
+        points = scan_points(message)
+        with self.lock:
+            if self._odometry is not None:
+                self.scan = self.pose, points
+
+    def _on_moved(self, message):
+        before, self._moved = self._moved, message.data if math.isfinite(message.data) else None
+        if None not in (before, self._moved) and self._moved < before:  # counting starts again
+            self.targets.goal = None
+
+    def _on_target(self, message):
+        if math.isfinite(message.data):
+            self.targets.heading = message.data
+
+
+def _pose_3d(message):
+    position, orientation = message.pose.pose.position, message.pose.pose.orientation
+    wxyz = orientation.w, orientation.x, orientation.y, orientation.z
+    length = math.hypot(*wxyz)
+    return (position.x, position.y, position.z), tuple(part / length for part in wxyz)
+
+
+def _planar_pose(message):
+    """Return the PlanarPose of an Odometry; None if it cannot be drawn."""
+    position = message.pose.pose.position
+    numbers = position.x, position.y, position.z, message.twist.twist.linear.x
+    try:
+        yaw = yaw_from_orientation(message.pose.pose.orientation)
+    except ValueError:  # the quaternion is no rotation
+        return None
+    return PlanarPose(position.x, position.y, yaw) if all(map(math.isfinite, numbers)) else None
+
+
+def scan_points(message):
+    """Return the points of a LaserScan: rows of x, y, z (m) in the frame of the base.
+
+    Ranges that are infinite or NaN, as in REP-117, give no point. Nor does a sensor other than the
+    depth camera, since its place on the robot is unknown.
+    """
+    if message.header.frame_id.split('/')[-1] != DEPTH_CAMERA_FRAME:
+        return numpy.empty((0, 3))
+    ranges = numpy.array(message.ranges, dtype=float)
+    with numpy.errstate(invalid='ignore'):  # of any numbers in the message
+        angles = message.angle_min + message.angle_increment * numpy.arange(len(ranges))
+        is_seen = (ranges >= message.range_min) & (ranges <= message.range_max)
+        points = numpy.column_stack(
+            [ranges * numpy.cos(angles), ranges * numpy.sin(angles), numpy.zeros(len(ranges))])
+    return points[is_seen & numpy.isfinite(points).all(axis=1)] + DEPTH_CAMERA

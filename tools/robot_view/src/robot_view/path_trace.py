@@ -1,0 +1,128 @@
+"""Compute a robot's trail, true distance and odometry drift from its poses."""
+
+import math
+
+import numpy
+from odometry_common.angles import wrap_to_pi
+from sim_turtlebot.geometry import PlanarPose
+
+MAX_SPEED = 5.0  # m/s; a faster step is a reset, as for the movement detector
+STAMP_JITTER = 0.05  # s; error of the time between two poses, by their stamps
+START_RADIUS = 0.05  # m; an odometry that is closer to zero has just started
+TRAIL_SPACING = 0.01  # m
+HISTORY_SPACING = 0.1  # s
+ORIGIN = PlanarPose(0.0, 0.0, 0.0)
+
+
+class Samples:
+    """At most `limit` rows of `width` numbers, evenly spaced along a run of any length."""
+
+    def __init__(self, spacing, width, limit=1000):
+        self._spacing = spacing
+        self._width = width
+        self._limit = limit
+        self._last = -math.inf
+        self._rows = []
+
+    def add(self, at, row):
+        """Add a row at a time or distance `at`, unless it is too close to the last one."""
+        if at - self._last < self._spacing:
+            return
+        self._last = at
+        self._rows.append(row)
+        if len(self._rows) > self._limit:
+            self._rows = self._rows[::2]
+            self._spacing *= 2
+
+    def array(self):
+        """Return all rows."""
+        return numpy.array(self._rows, dtype=float).reshape(-1, self._width)
+
+
+class PathTrace:
+    """The path of one robot, by ground truth if there is any, else by odometry."""
+
+    def __init__(self):
+        self._restart()
+
+    def _restart(self):
+        self.origin = ORIGIN  # of the odometry, in the frame of the path
+        self.true_distance = None  # m
+        self.since = None  # the time (s) from which it counts, if that is not the odometry's start
+        self.drift = ORIGIN  # from the odometry's pose to the true one
+        self.heading = None  # rad, of the odometry, continuous
+        self.trail = Samples(TRAIL_SPACING, 2)  # x, y (m)
+        self.history = Samples(HISTORY_SPACING, 5)  # as add_history() adds them
+        self._travelled = 0.0
+        self._last_traced = None
+        self._odometry = self._ground_truth = None  # stamp and pose
+
+    def add_odometry(self, stamp, pose):
+        """Add the odometry's PlanarPose at `stamp` (s)."""
+        if _is_reset(self._odometry, stamp, pose):
+            self._restart()
+        self._odometry = stamp, pose
+        if self.heading is None:
+            self.heading = pose.yaw
+        self.heading += wrap_to_pi(pose.yaw - self.heading)
+        if self._ground_truth is None:
+            self._trace(pose)
+        self._compare()
+
+    def add_ground_truth(self, stamp, pose):
+        """Add the true PlanarPose at `stamp` (s)."""
+        if _is_reset(self._ground_truth, stamp, pose):
+            self._restart()
+        if self._ground_truth is None:
+            self.trail = Samples(TRAIL_SPACING, 2)
+            self._last_traced = None
+        elif self.true_distance is not None:
+            self.true_distance += _distance(self._ground_truth[1], pose)
+        self._ground_truth = stamp, pose
+        self._trace(pose)
+        self._compare()
+
+    def add_history(self, time, moved, target):
+        """Add a row to the history: time (s), moved and true distance (m), heading, target (deg).
+
+        :param target: heading to turn to (degrees) or None; whole turns are added to bring it
+            nearest to the heading
+        """
+        heading = math.degrees(self.heading)
+        if target is not None:
+            target = heading + math.remainder(target - heading, 360)
+        row = [time, moved, self.true_distance, heading, target]
+        self.history.add(time, [math.nan if value is None else value for value in row])
+
+    def _trace(self, pose):
+        if self._last_traced is not None:
+            self._travelled += _distance(self._last_traced, pose)
+        self._last_traced = pose
+        self.trail.add(self._travelled, (pose.x, pose.y))
+
+    def _compare(self):
+        """Compare odometry and ground truth if both have the same stamp."""
+        if not self._odometry or not self._ground_truth:
+            return
+        (stamp, odometry), (true_stamp, ground_truth) = self._odometry, self._ground_truth
+        if stamp != true_stamp:
+            return
+        if self.true_distance is None:
+            self.origin = ground_truth.then(odometry.inverse())
+            # If the robot has driven before, its odometry may only show that the wheels slipped.
+            self.true_distance = _distance(ORIGIN, odometry)
+            if self.true_distance > START_RADIUS:
+                self.true_distance, self.since = 0.0, stamp
+        self.drift = self.origin.then(odometry).inverse().then(ground_truth)
+
+
+def _is_reset(last, stamp, pose):
+    """Return whether time went back, or the robot jumped, since the last stamp and pose."""
+    if last is None:
+        return False
+    passed = stamp - last[0]
+    return _distance(last[1], pose) > MAX_SPEED * (passed + STAMP_JITTER)
+
+
+def _distance(one, other):
+    return math.hypot(other.x - one.x, other.y - one.y)

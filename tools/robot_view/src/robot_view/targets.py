@@ -1,0 +1,54 @@
+"""The targets of the tutorials' nodes."""
+
+import math
+
+import rospy
+from odometry_common.parameters import as_number
+from sim_turtlebot.geometry import PlanarPose
+
+MOVER, ROTATOR = 'test_movement', 'rotate_robot'
+DISTANCE, SPEED = 2.0, 0.1  # m, m/s; the mover's defaults
+
+
+class Targets:
+    """The targets of one robot's mover and rotator, while they run; each None if unknown."""
+
+    def __init__(self, namespace):
+        self.heading = None  # degrees
+        self.distance = None  # moved distance at which the mover stops (m)
+        self.goal = None  # where that is: a PlanarPose in the odometry's frame
+        self._namespace = namespace
+        self._sign = None  # of the speed of a running mover
+
+    def find(self, nodes):
+        """Read the targets of the nodes that have started.
+
+        :param nodes: the names of all that run
+        :raises rosgraph.MasterException, OSError: if the master does not answer
+        """
+        if not self._runs(ROTATOR, nodes):
+            self.heading = None
+        elif self.heading is None:
+            self.heading = self._read(ROTATOR, 'target', None)
+        if not self._runs(MOVER, nodes):
+            self._sign = None
+        elif self._sign is None:
+            self.distance = self._read(MOVER, 'distance', DISTANCE)
+            if rospy.get_param(self._name(MOVER, 'relative'), False):
+                self.distance = None  # only the mover knows where it began to count
+            self.goal, self._sign = None, math.copysign(1.0, self._read(MOVER, 'speed', SPEED))
+
+    def aim(self, pose, moved):
+        """Find the goal once: ahead of a robot at a PlanarPose that has moved this far (m)."""
+        if self.goal is None and None not in (self._sign, self.distance, moved):
+            self.goal = pose.then(PlanarPose(self._sign * (self.distance - moved), 0.0, 0.0))
+
+    def _runs(self, node, nodes):
+        return rospy.resolve_name(self._namespace + node) in nodes
+
+    def _read(self, node, name, default):
+        value = as_number(rospy.get_param(self._name(node, name), default))
+        return default if value is None else value
+
+    def _name(self, node, name):
+        return f'{self._namespace}{node}/{name}'

@@ -1,0 +1,105 @@
+"""What the held buttons of the pad command."""
+
+import math
+
+import pytest
+import rosgraph
+from geometry_msgs.msg import Twist
+from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+from robot_view import pad
+from robot_view.steering import (
+    COMMAND_PERIOD,
+    FORWARD,
+    HOLD_RATE,
+    HOLD_TIMEOUT,
+    LEFT,
+    RIGHT,
+    STANDSTILL,
+    STOP,
+    Steering,
+)
+
+
+@pytest.mark.parametrize('events', [
+    # Two pages that hold the same button do not double it; one that closes releases none of the other's.
+    [('+page forward', {'': (1, 0)}), ('+other forward', {'': (1, 0)}), ('+page left', {'': (1, 1)}),
+     ('-page', {'': (1, 0)}), ('-other back', {'': (1, 0)}), ('-other forward', {'': (0, 0)}), ('-page', {})],
+    [('+page forward', {'': (1, 0)}), ('+page back', {'': (0, 0)}), ('+other stop', {'': (0, 0)})],
+    # A page chooses another robot while it holds a button: the first one stops first.
+    [('+page forward robot_1/', {'robot_1/': (1, 0)}),
+     ('+page forward robot_2/', {'robot_1/': (0, 0), 'robot_2/': (1, 0)})]])
+def test_held_buttons_add_up_until_they_are_released(events):
+    """A + holds a button, a - releases it, or all of a page; a robot gets one zero."""
+    steering = Steering()
+    for event, expected in events:
+        client, *held = event[1:].split()
+        if event[0] == '-':
+            steering.release(client, *held)
+        else:
+            steering.hold(client, held[0], ''.join(held[1:]), 0.0)
+        assert list(steering.commands(0.0).items()) == list(expected.items()), event
+    assert steering.is_driving == bool(expected)
+
+
+def test_a_page_that_hangs_drives_until_its_hold_expires():
+    """A command in each period until then, one zero, and nothing after it."""
+    steering = Steering()
+    steps_between_holds = round(1 / HOLD_RATE / COMMAND_PERIOD)
+    hangs_after = 20
+    sent = []
+    for step in range(hangs_after + 100):
+        now = COMMAND_PERIOD * step
+        if step <= hangs_after and step % steps_between_holds == 0:
+            steering.hold('page', FORWARD, '', now)
+        sent.append(steering.commands(now))
+    last = sent.index({'': STANDSTILL})
+    assert (last - hangs_after) * COMMAND_PERIOD == pytest.approx(HOLD_TIMEOUT, abs=COMMAND_PERIOD)
+    assert sent[:last] == [{'': (1, 0)}] * last
+    assert not any(sent[last + 1:]) and not steering.is_driving
+
+
+def test_a_stop_lasts_until_the_buttons_are_pressed_anew():
+    """By everybody who held one, also by a page that was silent just then; others may drive."""
+    steering = Steering()
+    steering.hold('silent', LEFT, '', -1.0)
+    steering.hold('page', FORWARD, '', 0.0)
+    assert steering.commands(0.0) == {'': (1, 0)}
+    steering.hold('other', STOP, '', 0.1)
+    for now in (0.1 * step for step in range(1, 30)):
+        steering.hold('page', FORWARD, '', now)
+        steering.hold('silent', LEFT, '', now)
+        assert steering.commands(now).get('', STANDSTILL) == STANDSTILL
+    steering.hold('other', RIGHT, '', 3.0)
+    assert steering.commands(3.0) == {'': (0, -1)}
+    steering.release('page', FORWARD)
+    steering.hold('page', FORWARD, '', 3.1)
+    assert steering.commands(3.1) == {'': (1, -1)}
+
+
+def test_a_robot_that_does_not_listen_keeps_no_other_one_driving(master, monkeypatch):
+    """The last command of that one would stand."""
+    monkeypatch.setattr(pad, 'CONNECTING_TIMEOUT', math.inf)
+    received = Recorder('/heard/cmd_vel', Twist)
+    chosen = ['/heard/']
+    driver = pad.Pad(lambda: chosen[0], lambda: (0.2, 1.0))
+    wait_until(lambda: driver.hold('page', FORWARD) or received.messages, TIMEOUT, 'a command')
+    chosen[0] = '/unheard/'
+    driver.hold('other', LEFT)
+    received.wait_for(lambda m: m == Twist(), what='zero')
+
+
+@pytest.mark.parametrize('button', [STOP, FORWARD])
+def test_a_button_released_before_the_robot_subscribes_stops_it(master, monkeypatch, button):
+    """To connect takes a moment, on a busy machine longer than a click."""
+    monkeypatch.setattr(pad, 'CONNECTING_TIMEOUT', math.inf)
+    namespace = f'/late_for_{button}/'
+    driver = pad.Pad(lambda: namespace, lambda: (0.2, 1.0))
+
+    def is_advertised():
+        driver.hold('page', button)
+        return f'{namespace}cmd_vel' in dict(rosgraph.Master('/test').getSystemState()[0])
+
+    wait_until(is_advertised, TIMEOUT, 'a publisher of cmd_vel')
+    driver.release('page')
+    received = Recorder(f'{namespace}cmd_vel', Twist)
+    assert received.wait_for() == Twist()

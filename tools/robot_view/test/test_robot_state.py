@@ -1,0 +1,181 @@
+"""What the page computes from a robot's poses, scans and parameters."""
+
+import math
+
+import numpy
+import pytest
+import rospy
+from robot_view.monitor import scan_points
+from robot_view.path_trace import ORIGIN, PathTrace, Samples
+from robot_view.targets import Targets
+from sensor_msgs.msg import LaserScan
+from sim_turtlebot.geometry import PlanarPose
+from sim_turtlebot.kobuki import DEPTH_CAMERA
+
+PERIOD = 0.05  # s
+HERE = PlanarPose(1.0, 2.0, math.pi / 2)
+
+
+def follow(trace, poses, start=0.0, ground_truth=None):
+    for index, pose in enumerate(poses):
+        stamp = start + PERIOD * index
+        trace.add_odometry(stamp, pose)
+        if ground_truth:
+            trace.add_ground_truth(stamp, ground_truth[index])
+
+
+def straight(metres, steps=20, scale=1.0):
+    return [PlanarPose(scale * metres * step / steps, 0.0, 0.0) for step in range(steps + 1)]
+
+
+def test_samples_cover_the_whole_run_evenly_within_their_limit():
+    """However long it is, from the first to almost the last place."""
+    samples = Samples(1, 1, limit=50)
+    for place in range(1000):
+        samples.add(place, [place])
+    kept = samples.array()[:, 0]
+    assert 25 <= len(kept) <= 50 + 1
+    assert kept[0] == 0 and len(set(numpy.diff(kept))) == 1
+    assert kept[-1] > 1000 - 1000 / 25
+
+
+def test_the_odometry_begins_where_the_robot_is_in_the_world():
+    """Its frame is put where ground truth and odometry agree at first."""
+    start = PlanarPose(5.0, -3.0, math.pi / 2)
+    trace = PathTrace()
+    path = straight(1.0)
+    follow(trace, path, ground_truth=[start.then(pose) for pose in path])
+    assert trace.origin == pytest.approx(start)
+    assert trace.true_distance == pytest.approx(1.0)
+    assert trace.drift == pytest.approx(ORIGIN, abs=1e-9)
+    assert trace.trail.array()[-1] == pytest.approx([5.0, -2.0])
+
+
+def test_what_nobody_saw_is_not_counted():
+    """A recording that begins late says since when; the wheels may have slipped before."""
+    trace = PathTrace()
+    follow(trace, [PlanarPose(3.0 + pose.x, 0.0, 0.0) for pose in straight(1.0)], start=7.0,
+           ground_truth=straight(0.5))
+    assert trace.true_distance == pytest.approx(0.5)
+    assert trace.since == 7.0
+
+
+def test_slipping_wheels_show_as_drift():
+    """The odometry counts a metre, and the robot goes nine tenths of it."""
+    trace = PathTrace()
+    follow(trace, straight(1.0), ground_truth=straight(1.0, scale=0.9))
+    assert trace.drift == pytest.approx((-0.1, 0.0, 0.0))
+    assert trace.since is None
+    assert trace.true_distance == pytest.approx(0.9)
+
+
+def test_poses_of_different_moments_are_not_compared():
+    trace = PathTrace()
+    follow(trace, straight(1.0), ground_truth=straight(1.0))
+    trace.add_odometry(10.0, PlanarPose(1.2, 0.0, 0.0))
+    assert trace.drift == pytest.approx(ORIGIN)
+
+
+@pytest.mark.parametrize('stamp', [0.0, 1.05])
+def test_a_reset_begins_a_new_trace(stamp):
+    real, simulated = PathTrace(), PathTrace()
+    follow(real, straight(1.0))
+    follow(simulated, straight(1.0), ground_truth=straight(1.0))
+    real.add_odometry(stamp, ORIGIN)
+    simulated.add_ground_truth(stamp, ORIGIN)
+    assert real.trail.array().tolist() == simulated.trail.array().tolist() == [[0.0, 0.0]]
+    assert simulated.true_distance is None
+
+
+def test_a_heading_goes_on_beyond_half_a_turn():
+    """A plot of it has no jumps, and the target is that turn of it which is nearest."""
+    trace = PathTrace()
+    turns = [math.radians(degrees) for degrees in range(0, 721, 10)]
+    follow(trace, [PlanarPose(0.0, 0.0, math.remainder(yaw, 2 * math.pi)) for yaw in turns])
+    trace.add_history(1.0, None, 90.0)
+    _, moved, true, heading, target = trace.history.array()[-1]
+    assert heading == pytest.approx(720)
+    assert target == pytest.approx(810)
+    assert math.isnan(moved) and math.isnan(true)
+
+
+def scan(*ranges, frame='camera_depth_frame'):
+    message = LaserScan(ranges=ranges, angle_min=-math.pi / 2, angle_increment=math.pi / 2,
+                        range_min=0.5, range_max=4.0)
+    message.header.frame_id = frame
+    return message
+
+
+@pytest.mark.parametrize('frame', ['camera_depth_frame', '/camera_depth_frame',
+                                   'robot_2/camera_depth_frame'])
+def test_each_range_is_a_point_seen_from_the_camera(frame):
+    expected = numpy.array([(0, -1, 0), (2, 0, 0), (0, 4, 0)]) + DEPTH_CAMERA
+    assert scan_points(scan(1.0, 2.0, 4.0, frame=frame)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize('nothing', [math.inf, -math.inf, math.nan, 0.4, 4.1, -1.0])
+def test_where_nothing_was_seen_there_is_no_point(nothing):
+    assert scan_points(scan(nothing, 2.0, nothing)) == pytest.approx(
+        numpy.array([(2, 0, 0)]) + DEPTH_CAMERA)
+    assert scan_points(scan(nothing, nothing, nothing)).shape == (0, 3)
+
+
+def test_a_scan_of_unknown_origin_has_no_points():
+    assert scan_points(scan(1.0, 2.0, 3.0, frame='laser')).shape == (0, 3)
+
+
+@pytest.mark.parametrize('field', ['angle_min', 'angle_increment', 'range_max'])
+@pytest.mark.parametrize('value', [math.nan, math.inf])
+def test_every_point_is_finite(field, value):
+    message = scan(1.0, math.inf, 3.0)
+    setattr(message, field, value)
+    assert numpy.isfinite(scan_points(message)).all()
+
+
+@pytest.fixture
+def targets(master):
+    return Targets('/aim/')
+
+
+def start(targets, node, **parameters):
+    rospy.set_param(f'/aim/{node}', parameters)
+    targets.find({f'/aim/{node}', '/other'})
+
+
+@pytest.mark.parametrize('parameters, y', [
+    ({'distance': 3.0}, 4.5), ({'distance': 3}, 4.5), ({}, 3.5), ({'distance': 3.0, 'speed': -0.2}, -0.5),
+    ({'distance': 0.25}, 1.75)])
+def test_the_goal_is_where_the_mover_stops(targets, parameters, y):
+    """Half a metre has been driven; a negative speed drives backwards."""
+    start(targets, 'test_movement', **parameters)
+    targets.aim(HERE, 0.5)
+    assert targets.distance == parameters.get('distance', 2.0)
+    assert targets.goal[:2] == pytest.approx((1.0, y))
+
+
+def test_a_goal_stays_until_another_mover_starts(targets):
+    start(targets, 'test_movement', distance=3.0)
+    targets.aim(HERE, 0.5)
+    first = targets.goal
+    targets.aim(PlanarPose(0.0, 0.0, 0.0), 1.0)
+    targets.find(set())
+    assert targets.goal == first and targets.distance == 3.0
+    start(targets, 'test_movement', distance=1.0)
+    targets.aim(PlanarPose(0.0, 0.0, 0.0), 0.0)
+    assert targets.goal == pytest.approx((1.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize('nodes, moved', [({'/aim/test_movement'}, 0.5), ({'/other'}, 0.5), ({'/aim/test_movement'}, None)])
+def test_nobody_guesses_a_goal(targets, nodes, moved):
+    """Neither of a relative mover, nor without a mover or a moved distance."""
+    rospy.set_param('/aim/test_movement', {'relative': moved is not None})
+    targets.find(nodes)
+    targets.aim(HERE, moved)
+    assert targets.goal is None
+
+
+def test_the_rotators_target_is_there_while_it_runs(targets):
+    start(targets, 'rotate_robot', target=30)
+    assert targets.heading == 30.0
+    targets.find(set())
+    assert targets.heading is None
