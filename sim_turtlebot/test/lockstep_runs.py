@@ -2,9 +2,11 @@
 
 import contextlib
 import io
+import signal
 import subprocess
 
 from odometry_tests.pausing import call
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
@@ -14,6 +16,20 @@ CLIENTS_FOLDER = ROOT / 'sim_turtlebot' / 'test'
 RUN_TIME = 60.0  # s
 NOT_AWAITED = 'lockstep does not wait for'
 UNPACED = '_real_time_factor:=0'
+
+
+@contextlib.contextmanager
+def started_client(*command):
+    """Start a client and kill it in the end, as Ctrl-C may hang any node of rospy.
+
+    rospy's handler closes the connections, on the main thread: if this is in publish(), it already holds
+    the lock that closing takes (rospy/impl/tcpros_pubsub.py, QueuedConnection). Or the handler waits for
+    the answer of a node that has ended.
+    """
+    with Process(*command) as process:
+        yield process
+        process.send(signal.SIGKILL)
+        process.wait()
 
 
 def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):

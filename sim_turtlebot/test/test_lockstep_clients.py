@@ -2,7 +2,6 @@
 
 import contextlib
 import os
-import signal
 import sys
 from functools import partial
 
@@ -17,10 +16,11 @@ from lockstep_runs import (
     assert_same_bytes,
     compile_client,
     record,
+    started_client,
 )
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call
-from odometry_tests.processes import Process, assert_refused
+from odometry_tests.processes import assert_refused
 from odometry_tests.tutorial import Truth, simulator, simulator_in_step
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
@@ -60,7 +60,7 @@ def start_client(tmp_path_factory):
             command = sys.executable, CLIENTS_FOLDER / f'{family}_clients.py', argument
         else:
             command = sys.executable, CLIENTS_FOLDER / 'clients.py', kind
-        return Process(*command, f'__name:={name}')
+        return started_client(*command, f'__name:={name}')
 
     return start
 
@@ -117,7 +117,8 @@ def test_the_files_of_threads_that_have_ended_are_closed(seconds, start_client):
     assert counts[1] < counts[0] + 2 * at_once, counts
 
 
-BUSY, SLEEPS, STOPPED = 'it has been busy for 2 s', 'it acts by wall time', 'it has been stopped'
+# A node that is busy before it has registered may be as busy as one that starts: 30 s.
+BUSY, SLEEPS, STOPPED = 'it has been busy for', 'it acts by wall time', 'it has been stopped'
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
     'odd busy': BUSY, 'odd busy_after_one_command': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
@@ -132,14 +133,13 @@ NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
 @pytest.mark.parametrize('kind', [
     pytest.param(kind, marks=[] if kind in NAMED_BY_DAY else pytest.mark.nightly) for kind in NAMED])
 def test_who_cannot_be_waited_for_is_named_once_and_time_goes_on(kind, pace, start_client):
-    with start_client('rate', 'bystander'), start_client(kind, 'culprit') as culprit, \
+    with start_client('rate', 'bystander'), start_client(kind, 'culprit'), \
             simulator('_lockstep:=true', '_cpu_budget:=2', f'_real_time_factor:={pace}') as simulation:
         simulation.wait_for_output(
             f'{NOT_AWAITED} /culprit, so two runs may differ: {NAMED[kind]}', RUN_TIME)
         truth = Truth()
         truth.wait_seconds(10.0)
         assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
-        culprit.send(signal.SIGKILL)
 
 
 def test_a_node_that_computes_is_waited_for_and_one_that_floods_is_not(start_client):
@@ -147,7 +147,7 @@ def test_a_node_that_computes_is_waited_for_and_one_that_floods_is_not(start_cli
     with simulator_in_step(UNPACED) as simulation, start_client('computing long', 'client'):
         Recorder('/cmd_vel', Twist).wait_for_count(2, RUN_TIME)
         with start_client('odd flood', 'culprit'):
-            simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so two runs may differ: {BUSY}', RUN_TIME)
+            simulation.wait_for_output(f'{NOT_AWAITED} /culprit, so two runs may differ: {BUSY} 2 s', RUN_TIME)
     assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
 
 
