@@ -4,14 +4,11 @@ import pytest
 import rospy
 from odometry_common.parameters import Parameters
 from odometry_tests.processes import run_script
-from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.scripts import SCRIPTS, load_script
 from odometry_tests.tutorial import mover, rotator
 
-SCRIPTS = sorted(str(path.relative_to(ROOT)) for folder in ('src', 'script')
-                 for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test')
 
-
-@pytest.mark.parametrize('script', SCRIPTS)
+@pytest.mark.parametrize('script', SCRIPTS, ids=lambda path: path.name)
 def test_help_says_what_a_script_does_and_has(script):
     """Without a master, whatever else is typed; with a remapping that roslaunch adds."""
     ended = run_script(script, '--help', '__name:=any', '_nonsense:=[',

@@ -2,17 +2,16 @@
 
 import pytest
 from odometry_common.parameters import ANY, ParameterError
+from odometry_tests import scripts
 from odometry_tests.processes import assert_refused, run_script
-from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.scripts import load_script
 from sim_turtlebot.physics.window import LIBRARIES, NoScreenError, screen
 from sim_turtlebot.settings import read_settings
 
 NOT_NUMBERS = ['abc', '', [1, 2], {'a': 1}, True, float('nan'), 'nan', float('inf'), '2026-01-01']
 WRONG_TYPE = {float: NOT_NUMBERS, int: [*NOT_NUMBERS, 1.5], bool: ['abc', '', [True], 1, 0.5],
               str: [1, 1.5, True, ['a'], {'a': 'b'}]}
-SCRIPTS = {name.split('/')[-1]: load_script(name) for name in (
-    str(path.relative_to(ROOT)) for folder in ('src', 'script')
-    for path in ROOT.glob(f'*/{folder}/*.py') if path.parent.parent.name != 'test')}
+SCRIPTS = {path.name: load_script(path) for path in scripts.SCRIPTS}
 TABLES = {name: script.PARAMETERS for name, script in SCRIPTS.items()
           if hasattr(script, 'PARAMETERS')}
 ROWS = [(script, row) for script, table in TABLES.items() for row in table.rows]

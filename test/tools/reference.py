@@ -9,7 +9,7 @@ import re
 from xml.etree import ElementTree
 
 from odometry_common.parameters import Parameters
-from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.scripts import ROOT, SCRIPTS, load_script
 from odometry_tools.check.options import make_parser as make_check_parser
 from odometry_tools.runs import options as demo_options
 from odometry_tools.sweep.options import make_parser as make_sweep_parser
@@ -49,7 +49,7 @@ def _part(heading):
 
 
 def _script(name):
-    path, = [*ROOT.glob(f'*/src/{name}'), *ROOT.glob(f'*/script*/{name}')]
+    path, = (path for path in SCRIPTS if path.name == name)
     return load_script(path)
 
 

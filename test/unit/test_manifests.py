@@ -9,10 +9,10 @@ import sysconfig
 from xml.etree import ElementTree
 
 import pytest
-from odometry_tests.scripts import ROOT
+from odometry_tests.scripts import PACKAGES, ROOT
 
 REQUIREMENTS = [ROOT / 'requirements.txt', *ROOT.glob('*/requirements*.txt'), *ROOT.glob('tools/*/requirements*.txt')]
-MANIFESTS = sorted([*ROOT.glob('*/package.xml'), *ROOT.glob('tools/*/package.xml'), *ROOT.glob('docs/*/package.xml')])
+MANIFESTS = [package / 'package.xml' for package in [*PACKAGES, ROOT / 'docs' / 'example']]
 # Imported, but under a name that rosdep does not know: the requirements files list them.
 FROM_PYPI = {'distributed', 'hypothesis', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from odometry_tests.scripts import DOCUMENTS, ROOT, load_script
+from odometry_tests.scripts import DOCUMENTS, ROOT, SCRIPTS, TESTS, load_script
 
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
 TEST = re.compile(r'`(test_\w+|\w+\.test)`')
@@ -30,7 +30,7 @@ def test_every_link_leads_somewhere(page):
 
 def test_each_test_that_reliability_names_exists():
     named = set(TEST.findall((ROOT / 'docs' / 'reliability.md').read_text()))
-    tests = [path for folder in ('test', '*/test') for path in ROOT.glob(f'{folder}/**/*test*')]
+    tests = [path for folder in TESTS for path in ROOT.glob(f'{folder}/**/*test*')]
     there = {path.stem if path.suffix == '.py' else path.name for path in tests}
     assert named and named <= there, sorted(named - there)
 
@@ -66,7 +66,7 @@ def test_every_node_and_launch_file_has_a_heading():
 
     check.py, demo.py and sweep.py are ./ws check, ./ws demo and ./ws sweep; rosout.py stands in for ROS's own.
     """
-    nodes = {path.name for folder in ('src', 'script') for path in ROOT.glob(f'*/{folder}/*.py')}
+    nodes = {path.name for path in SCRIPTS}
     launched = {path.name for path in ROOT.glob('launch/*.launch')} - {'movers.launch'}
     nodes -= {'check.py', 'demo.py', 'sweep.py', 'rosout.py'}
     headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}

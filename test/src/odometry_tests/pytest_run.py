@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from odometry_tests.scripts import TESTS
+
 WORKERS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
 BY_DAY = 'not nightly'  # of pytest.ini
 OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['skipped']}
@@ -32,7 +34,7 @@ def has_folder(config):
 def _path_of(argument, root):
     name, *case = argument.split('::')
     found = [] if Path(name).exists() else [
-        path for pattern in (f'{name}.py', name) for folder in ('test', '*/test')
+        path for pattern in (f'{name}.py', name) for folder in TESTS
         for path in root.glob(f'{folder}/**/{pattern}')]
     return '::'.join([str(found[0]) if found else name, *case])
 

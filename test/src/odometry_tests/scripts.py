@@ -4,8 +4,11 @@ import importlib.util
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-DOCUMENTS = [ROOT / 'README.md', ROOT / 'CONTRIBUTING.md', *sorted(ROOT.glob('[!.]*/*.md')),
-             *sorted(ROOT.glob('tools/*/*.md'))]
+PACKAGES = sorted(path.parent for folder in ('*', 'tools/*') for path in ROOT.glob(f'{folder}/package.xml'))
+TESTS = 'test', '*/test', 'tools/*/test'  # folders in ROOT
+SCRIPTS = sorted(path for package in PACKAGES if package.name != 'test' for folder in ('src', 'script')
+                 for path in package.glob(f'{folder}/*.py'))
+DOCUMENTS = sorted(path for folder in ('.', '[!.]*', 'tools/*') for path in ROOT.glob(f'{folder}/*.md'))
 
 
 def load_script(path):

@@ -6,7 +6,7 @@ import subprocess
 import pytest
 from odometry_tests.scripts import ROOT
 
-SETUP = shlex.quote(str(ROOT / 'setup'))
+SETUP = shlex.quote(str(ROOT / 'tools' / 'setup'))
 FIND = f"""
 . {SETUP}/system.bash
 . {SETUP}/python.bash
