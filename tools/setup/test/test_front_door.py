@@ -34,7 +34,7 @@ PARTS=() REQUIREMENTS=()
 add_extras "${WORDS[@]}"
 echo "${PARTS[*]} ${REQUIREMENTS[*]}"
 """
-VIEW, TESTS = (f'{folder}/requirements.txt' for folder in ('robot_view', 'test'))
+VIEW, TESTS = (f'{folder}/requirements.txt' for folder in ('tools/robot_view', 'test'))
 CLUSTER = 'tools/odometry_tools/requirements-cluster.txt'
 
 
