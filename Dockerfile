@@ -26,7 +26,7 @@ RUN export PIP_NO_CACHE_DIR=1 && ./ws --set-up demo --view && ./ws --set-up swee
     find .venv/lib/python3*/site-packages/pybullet_data -mindepth 2 -delete && \
     rm -rf /usr/lib/python3/dist-packages/numpy/*/tests .venv/lib/python3*/site-packages/*/tests && \
     rm -rf "$HOME/.cache" && .venv/bin/python3 -c 'import matplotlib.font_manager' && \
-    .venv/bin/python3 -m compileall -q */src */script* && \
+    .venv/bin/python3 -m compileall -q */src tools/*/src */script* tools/*/script* && \
     mkdir runs && chmod -R a+rX . && chmod a+w . && chmod -R a+w .ws .venv runs "$HOME"
 
 USER learner

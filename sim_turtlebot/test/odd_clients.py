@@ -43,6 +43,7 @@ def flood(robot):
 
 
 def flood_service(_robot):
+    rospy.wait_for_service('sim_turtlebot/unpause_physics')
     ask = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
     while not rospy.is_shutdown():
         ask()

@@ -7,7 +7,8 @@ from odometry_tests.scripts import ROOT
 
 PACKAGE = ROOT / 'sim_turtlebot' / 'src' / 'sim_turtlebot'
 ROS = {'rospy', 'rosgraph', 'tf', 'tf2_ros'}
-MAY_IMPORT = {'physics': {'physics'}, 'robot': {'robot'}, 'lockstep': {'lockstep'}}
+NUMBERS = {'geometry', 'kobuki'}
+MAY_IMPORT = {'physics': {'physics', *NUMBERS}, 'robot': {'robot', *NUMBERS}, 'lockstep': {'lockstep'}}
 
 
 @pytest.mark.parametrize('room', MAY_IMPORT)
