@@ -153,7 +153,7 @@ def test_a_node_that_computes_is_waited_for_and_one_that_floods_is_not(start_cli
 
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
     with simulator_in_step(UNPACED), start_client('odd flood_service', 'caller'):
-        Truth().wait_seconds(5.0)
+        Truth().wait_seconds(1.0)
 
 
 @pytest.mark.parametrize('arguments', [[], ['_lockstep:=true']], ids=['paced', 'lockstep'])

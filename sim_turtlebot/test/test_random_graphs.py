@@ -20,6 +20,7 @@ MOST_NODES = 8
 @pytest.mark.parametrize('graph', range(GRAPHS))
 def test_two_runs_of_a_random_graph_are_the_same_bytes(simulated_time, graph):
     nodes = random.Random(graph).randint(2, MOST_NODES)
-    starts = [partial(started_client, sys.executable, CLIENT, graph, node, nodes, f'__name:=random_{node}') for node in range(nodes)]
+    starts = [partial(started_client, sys.executable, CLIENT, graph, node, nodes, f'__name:=random_{node}')
+              for node in range(nodes)]
     topics = {'/odom': (Odometry, 20 * TIME), '/cmd_vel': (Twist, 3 * TIME)}
     assert_same_bytes(*(record(starts, topics, ['_clock_rate:=100']) for _ in range(2)))

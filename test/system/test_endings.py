@@ -61,7 +61,9 @@ def test_a_node_that_nohup_starts_outlives_its_terminal():
             'nohup', ROOT / 'ws', 'rosrun', 'test_movement', 'test_movement.py',
             env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as node:
         node.wait_for_output('Unable to register with master node')
-        assert 1 << signal.SIGHUP - 1 & int(re.search(r'SigIgn:\t(\w+)', Path(f'/proc/{node.pid}/status').read_text())[1], 16)
+        status = Path(f'/proc/{node.pid}/status').read_text()
+        ignored = int(re.search(r'SigIgn:\t(\w+)', status)[1], 16)
+        assert ignored & 1 << signal.SIGHUP - 1, status
 
 
 def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path):

@@ -38,7 +38,7 @@ ask $(stat -c %U .) to type: $ROOT/ws --set-up $*"
 }
 
 # The names of files that a C++ compiler reads, or that say what is built.
-SOURCES='(package\.xml|CMakeLists\.txt|setup\.py|[^/]*\.(c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|cmake|in|proto|msg|srv|action|cfg))'
+SOURCES='(package\.xml|[A-Z]+_IGNORE|CMakeLists\.txt|setup\.py|[^/]*\.(c|cc|cpp|cxx|h|hh|hpp|hxx|inl|ipp|cmake|in|proto|msg|srv|action|cfg))'
 
 # build_fingerprint: of the build files of these packages, and of the sources and the names of the
 # scripts of the user's. %C: a replaced file may have the same time of change.
@@ -82,10 +82,19 @@ may_install() {
     read -r -p './ws: install them? [Y/n] ' answer && [[ ${answer:-y} == [Yy]* ]]
 }
 
+# our_packages: the folders that ours leads to; catkin_make adds a CMakeLists.txt.
+our_packages() { find "$WORKSPACE/ours" -type l ! -name CMakeLists.txt -printf '%l\n' | sort; }
+
 build_all() {
+    local before
+    mkdir -p "$WORKSPACE/ours"
+    before=$(our_packages)
     rm -rf "$WORKSPACE/ours"
-    mkdir -p "$WORKSPACE"/{ours,build/ours}
-    ln -sfn -t "$WORKSPACE/ours" "${PACKAGES[@]/#/$ROOT/}"
+    mkdir "$WORKSPACE/ours"
+    ln -s -t "$WORKSPACE/ours" "${PACKAGES[@]/#/$ROOT/}"
+    # A package of ours that has moved, or gone, would leave its programs.
+    [ "$before" = "$(our_packages)" ] || rm -rf "$WORKSPACE"/{build,devel}
+    mkdir -p "$WORKSPACE/build/ours"
     # CMake uses PWD if it names its folder, and otherwise a path without links.
     cd "$WORKSPACE/build/ours"
     catkin_make -C "$WORKSPACE" --source "$WORKSPACE/ours" --build "$WORKSPACE/build/ours" \

@@ -42,7 +42,7 @@ def make_checkout(folder, made=('.venv',)):
     """Make it of links to this project's files, and to that of what ./ws makes which is named."""
     folder.mkdir(parents=True)
     for path in ROOT.iterdir():
-        if path.name in made or path.name not in ('.venv', '.ws', 'ws', 'test_movement'):
+        if path.name in made or path.name not in ('.venv', '.ws', 'runs', 'ws', 'test_movement'):
             (folder / path.name).symlink_to(path)
     # A link would lead ./ws elsewhere, and this package is for tests to change.
     shutil.copy(ROOT / 'ws', folder / 'ws')

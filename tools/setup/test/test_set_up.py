@@ -210,8 +210,10 @@ def make_program(folder, text, age=0.0):
         os.utime(path, (path.stat().st_mtime - age,) * 2)
 
 
-def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkout):
-    """Also if its files are older; a removed package's program does not run."""
+@pytest.mark.parametrize('leave_out', [shutil.rmtree, lambda folder: (folder / 'CATKIN_IGNORE').touch()],
+                         ids=['removed', 'ignored'])
+def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkout, leave_out):
+    """Also if its files are older; the program of a package that is removed or ignored does not run."""
     run_it = FASTER + 'set_up true\nset +u\n. "$WORKSPACE/devel/setup.bash"\nrosrun hw hw_node'
     folder = checkout / '.ws' / 'src' / 'hw'
     for text, age in ('first', 0.0), ('second', 1e5):
@@ -219,10 +221,19 @@ def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkou
         make_program(folder, text, age)
         run = in_checkout(checkout, run_it)
         assert run.wait() == 0 and run.stdout.strip() == text, run.output
-    shutil.rmtree(folder)
+    leave_out(folder)
     run = in_checkout(checkout, run_it)
     assert run.wait() != 0 and 'hw' in run.stderr, run.output
     assert not (checkout / '.ws' / 'devel' / 'lib' / 'hw' / 'hw_node').is_symlink()
+
+
+def test_a_package_of_ours_that_has_gone_leaves_no_program(checkout):
+    """As after an update, which may move it."""
+    program = checkout / '.ws' / 'devel' / 'lib' / 'test_movement' / 'test_movement.py'
+    run = in_checkout(checkout, FASTER + 'set_up true')
+    assert run.wait() == 0 and program.exists(), run.output
+    run = in_checkout(checkout, FASTER + 'PACKAGES=(odometry_common)\nrm "$CHECKOUT/.ws/ready"\nset_up true')
+    assert run.wait() == 0 and not program.exists(), run.output
 
 
 def as_reader(checkout, commands, **variables):

@@ -155,7 +155,7 @@ class Launch(ProcessListener):
                 raise RunError(f'{complaint}: {type(error).__name__}: {error}') from error
             return
         raise RunError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
-                        f'{self._output.last_lines()}')
+                       f'{self._output.last_lines()}')
 
 
 def load(files, port=None):

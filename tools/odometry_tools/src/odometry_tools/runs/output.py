@@ -1,4 +1,4 @@
-"""Output of the demo and the sweep: progress and complaints."""
+"""Output of the demo, the check and the sweep: progress and complaints."""
 
 import math
 import os
@@ -11,7 +11,7 @@ BAR_WIDTH = 30
 
 
 class RunError(RuntimeError):
-    """The demo cannot continue; the message is one line for the user."""
+    """A run cannot continue; the message is one line for the user."""
 
 
 class Line:
