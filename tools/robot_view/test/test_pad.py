@@ -6,6 +6,7 @@ import pytest
 import rosgraph
 from geometry_msgs.msg import Twist
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+from robot_view import pad
 from robot_view.steering import (
     COMMAND_PERIOD,
     FORWARD,
@@ -17,8 +18,6 @@ from robot_view.steering import (
     STOP,
     Steering,
 )
-
-from robot_view import pad
 
 
 @pytest.mark.parametrize('events', [
