@@ -2,6 +2,8 @@
 
 import random
 import threading
+import types
+from concurrent import futures
 from functools import partial
 
 import pytest
@@ -30,7 +32,7 @@ def test_a_request_that_nobody_begins_to_serve_in_time_fails_and_never_takes_eff
     served = []
     monkeypatch.setattr(request_queue, 'ANSWER_TIMEOUT', 0.01)
     with pytest.raises(TimeoutError, match='not begun within 0.01 s of wall time, and dropped'):
-        requests.put_and_wait(('/a', 's'), lambda: served.append('late'))
+        requests.call('/a', 's', lambda: served.append('late'))
     requests.serve_all()
     assert not served
 
@@ -38,14 +40,16 @@ def test_a_request_that_nobody_begins_to_serve_in_time_fails_and_never_takes_eff
 def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(requests, monkeypatch):
     begun, failed = threading.Event(), threading.Event()
 
-    def serve_on_another_thread(_sender, request):
-        run(request)
+    def wait_until_begun(answers, timeout):
         assert begun.wait(PATIENCE)
+        return futures.wait(answers, timeout)
 
     monkeypatch.setattr(request_queue, 'ANSWER_TIMEOUT', 0.01)
-    monkeypatch.setattr(requests, 'put', serve_on_another_thread)
+    monkeypatch.setattr(request_queue, 'futures', types.SimpleNamespace(
+        Future=futures.Future, wait=wait_until_begun))
+    run(lambda: requests.wait(PATIENCE) and requests.serve_all())
     with pytest.raises(TimeoutError, match='not finished within 0.01 s of wall time; it will'):
-        requests.put_and_wait(('/a', 's'), lambda: begun.set() or failed.wait(PATIENCE))
+        requests.call('/a', 's', lambda: begun.set() or failed.wait(PATIENCE))
     failed.set()
 
 
@@ -55,33 +59,34 @@ def test_of_a_topic_the_latest_message_of_each_sender_is_served(requests):
 
     def bring_all(name):
         for number in range(COUNT):
-            requests.put((name, '/cmd_vel'), partial(served.append, (name, number)))
+            requests.put(name, '/cmd_vel', partial(served.append, (name, number)))
 
     names = ['/b', '/a', '/c']
     random.shuffle(names)
-    requests.put(('/a', '/set_pose'), partial(served.append, 'pose'))
+    requests.put('/a', '/set_pose', partial(served.append, 'pose'))
     for thread in [run(bring_all, name) for name in names]:
         thread.join(PATIENCE)
-    requests.put(('/b', '/cmd_vel'), partial(served.append, ('/b', COUNT)))
+    requests.put('/b', '/cmd_vel', partial(served.append, ('/b', COUNT)))
     assert requests.nodes == {*names}
     requests.serve_all(by_name=True)
     assert served == [('/a', COUNT - 1), 'pose', ('/b', COUNT), ('/c', COUNT - 1)]
     for name in '/b', '/a', '/b':
-        requests.put((name, '/cmd_vel'), partial(served.append, name))
+        requests.put(name, '/cmd_vel', partial(served.append, name))
     requests.serve_all()
     assert served[4:] == ['/a', '/b'] and not requests.wait(0.0)
 
 
 def test_what_arrives_meanwhile_is_served_next_time(requests):
-    requests.put(('/a', '/t'), lambda: requests.put(('/a', '/t'), lambda: None))
+    requests.put('/a', '/t', lambda: requests.put('/a', '/t', lambda: None))
     requests.serve_all()
     assert requests.wait(0.0)
 
 
 def test_what_is_held_is_served_afterwards(requests):
     served = []
-    requests.put(('/a', '/step'), lambda: served.append('step'))
-    requests.put(('/b', '/cmd_vel'), lambda: served.append('command'))
+    run(requests.call, '/a', '/step', lambda: served.append('step'))
+    assert requests.wait(PATIENCE)
+    requests.put('/b', '/cmd_vel', lambda: served.append('command'))
     with requests.holding('/step'):
         requests.serve_all()
         assert served == ['command']

@@ -4,6 +4,7 @@ from functools import partial
 
 import rospy
 from geometry_msgs.msg import PoseStamped, Twist
+from odometry_common.parameters import ParameterError
 from std_msgs.msg import Empty
 from std_srvs import srv
 
@@ -34,9 +35,13 @@ class Inputs:
                             self._reset_odometry, robot)
             self._subscribe(f'~{namespace}set_pose', PoseStamped, self._set_pose, robot)
 
-    def serve(self, name, action, kind=srv.Empty):
-        """Offer a service that calls a function without arguments, which returns the response's fields."""
-        rospy.Service(name, kind, partial(self._answer, action, kind))
+    def serve(self, name, action, kind=srv.Empty, prepare=tuple):
+        """Offer a service: the main thread calls `action`, which returns the response's fields.
+
+        :param prepare: returns the arguments of the action; called on rospy's thread, since it may ask the
+            master
+        """
+        rospy.Service(name, kind, partial(self._answer, action, kind, prepare))
 
     def poses_are_set(self):
         """Return whether a robot has been placed since the last call."""
@@ -47,12 +52,12 @@ class Inputs:
         """Have the main thread call action(message, *arguments) for each message."""
         # Of messages that arrive together rospy reads only the latest, so a flood costs little.
         rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
-            _sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
+            *_sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
 
-    def _answer(self, action, kind, request):
+    def _answer(self, action, kind, prepare, request):
         try:
-            fields = self._requests.put_and_wait(_sender_of(request), action)
-        except TimeoutError as error:
+            fields = self._requests.call(*_sender_of(request), partial(action, *prepare()))
+        except (OSError, ParameterError) as error:
             raise rospy.ServiceException(error) from None
         return kind._response_class(*fields or ())
 

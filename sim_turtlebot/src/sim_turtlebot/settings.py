@@ -23,6 +23,7 @@ FROM_0_TO_1 = between(0, 1)
 FACTOR = between(0.5, 2)
 COORDINATE = between(-MAX_COORDINATE, MAX_COORDINATE)
 START = 'where the robot starts; odom is zero there'
+SEED = Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise, from the start or the last reset on')
 
 PARAMETERS = Parameters(
     Parameter('~gui', False, '', ANY, "open PyBullet's window"),
@@ -96,7 +97,7 @@ PARAMETERS = Parameters(
                     lambda value, earlier: earlier.scan_range_min < value <= 1000),
               'farther objects give +inf'),
     Parameter('~scan_noise', 0.0, 'm', FROM_0_TO_1, 'standard deviation of a range'),
-    Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise'),
+    SEED,
     Parameter('~cmd_vel_timeout', CMD_VEL_TIMEOUT, 's', between(0, 3600),
               'stop when commands cease for this long; 0 turns it off'),
     Parameter('~real_time_factor', 1.0, '',
@@ -123,6 +124,11 @@ def read_settings(source=None):
     settings.scan_rate = min(settings.scan_rate, settings.odom_rate)
     settings.clock_rate = settings.clock_rate or _default_clock_rate(settings)
     return settings
+
+
+def read_seed():
+    """Return the seed that is set now; raise ParameterError if it is none."""
+    return Parameters(SEED).read().seed
 
 
 def _default_clock_rate(settings):

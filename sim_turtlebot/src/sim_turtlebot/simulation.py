@@ -71,10 +71,10 @@ class Simulation:
             robot.update(timeline.steps, 1.0 / timeline.odom_rate)
         return True
 
-    def reset(self):
-        """Return to the start; the same commands then give bit-identical results."""
+    def reset(self, seed):
+        """Return to the start; the same commands then give the bits of a new simulation with this seed."""
         self.timeline.restart()
         self.world.rebuild()
         for robot in self.robots:
-            robot.begin()
+            robot.begin(seed)
         self._muxes = [VelocityMux() for _ in self.robots]

@@ -16,11 +16,11 @@ from std_srvs.srv import Trigger
 
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.pacing import Pacer
-from sim_turtlebot.physics.window import NoScreenError
+from sim_turtlebot.physics.world import NoScreenError
 from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.reports import Reports
 from sim_turtlebot.requests import RequestQueue
-from sim_turtlebot.settings import read_settings
+from sim_turtlebot.settings import read_seed, read_settings
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.simulation_topics import SimulationTopics
 
@@ -70,13 +70,13 @@ class Simulator:
         self._warn_of_models_left_out()
         if settings.use_sim_time:
             warn_of_conflicts('/clock', 'stop all but one; for two robots use robots:=2')
-        for name, action in (('~pause_physics', self._pause), ('~unpause_physics', self._unpause),
-                             ('~reset_simulation', self._reset)):
-            self._inputs.serve(name, action)
+        self._inputs.serve('~pause_physics', self._pause)
+        self._inputs.serve('~unpause_physics', self._unpause)
+        self._inputs.serve('~reset_simulation', self._reset, prepare=lambda: [read_seed()])
         self._inputs.serve('~step', self._step, Trigger)
 
     def run(self):
-        """Simulate until shutdown, or until the window is closed."""
+        """Simulate until shutdown."""
         namespaces = dict.fromkeys([self._namespaces[0], self._namespaces[-1]])
         odometry, commands = (' to '.join(rospy.resolve_name(namespace + topic) for namespace in namespaces)
                               for topic in ('odom', 'cmd_vel'))
@@ -148,7 +148,7 @@ class Simulator:
             self._lockstep.check_senders(self._requests.nodes - unprompted, now, unprompted=False)
             self._serve()
         if new_odometry and self._settings.gui:
-            self._update_window()
+            self._simulation.world.look_at(self._simulation.robots[0].body)
 
     def _publish(self, new_odometry=True):
         """Publish what is due; in lockstep, wait after each until all nodes are idle.
@@ -166,13 +166,6 @@ class Simulator:
     def _publish_robots(self):
         self._topics.publish_robots()
         self._reports.robots()
-
-    def _update_window(self):
-        if self._simulation.world.window.closed:
-            rospy.loginfo('the window has been closed')
-            self._stop()
-        else:
-            self._simulation.world.look_at(self._simulation.robots[0].body)
 
     def _pause(self):
         self._paused = True
@@ -202,12 +195,19 @@ class Simulator:
             while self._timeline.odometry_count == count:
                 self._advance()
 
-    def _reset(self):
-        """Reset time and robots to the start."""
-        self._simulation.reset()
+    def _reset(self, seed):
+        """Reset time and robots to the start, with this seed.
+
+        While time stands still, it begins anew with the next step, as in a new simulator: nodes that
+        start after the reset receive the messages of time zero.
+        """
+        self._simulation.reset(seed)
         self._pacer.restart(self._timeline.now)
         self._publish()
+        if self._lockstep:
+            self._lockstep.forget_reports()
+            self._begun = self._inputs.obeys = not self._paused
 
     def _stop(self):
         self._stopping = True
-        self._requests.put(('', ''), lambda: None)
+        self._requests.put('', '', lambda: None)  # wakes the main thread

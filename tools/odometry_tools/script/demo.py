@@ -31,7 +31,7 @@ def _run(options):
     page_port = next_port(PAGE_PORT) if options.view else None
     launch_file, arguments = launch_arguments(options, page_port and page_port.number)
     use_writable_logs()
-    with Launch(launch_file, arguments, nodes_that_end(options)) as launch:
+    with Launch('odometry_launch', launch_file, arguments, nodes_that_end(options)) as launch:
         # While roslaunch starts the nodes, import rospy, and matplotlib on a thread: it may take long to
         # read its fonts.
         from odometry_tools.runs.figure import new_figure

@@ -63,6 +63,12 @@ class Lockstep:
             self._next_sleeper_check = time.monotonic() + SLEEPER_CHECK_PERIOD
             self._report_sleepers(time.monotonic())
 
+    def forget_reports(self):
+        """Name again the nodes that cannot be waited for: others may have their names."""
+        self._reported.clear()
+        self._unprompted.clear()
+        self._times.clear()
+
     def close(self):
         """Stop waiting."""
         self._waiter.close()

@@ -13,11 +13,10 @@ directions the line is missed by up to 1.5 mm, without constraint force mixing b
     iterative, 50 iterations, 240 Hz               1.9   0.19   4.9   35 to 58
 """
 
-import contextlib
+import os
 
 from sim_turtlebot.physics.native_output import suppress_native_output
 from sim_turtlebot.physics.turtlebot import LARGEST_OVERLAP, TurtleBot
-from sim_turtlebot.physics.window import Window, screen
 from sim_turtlebot.physics.world_file import WorldFileError, check_world_file, load
 
 with suppress_native_output():
@@ -37,6 +36,10 @@ FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
+class NoScreenError(RuntimeError):
+    """There is no display for a window."""
+
+
 class World:
     """A floor, whatever a world file adds, and TurtleBots that stand at their starts."""
 
@@ -45,19 +48,21 @@ class World:
 
         :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
-        :raises NoScreenError: if there is no screen for the GUI
+        :raises NoScreenError: if DISPLAY is not set for the GUI; PyBullet ends the process if it cannot use it
         :raises sim_turtlebot.physics.world_file.WorldFileError: if the file cannot be loaded, or leaves no
             room for a robot at its start
         """
         self._step_rate = step_rate
         self._world_file = world_file
-        with screen() if gui else contextlib.nullcontext(), suppress_native_output():
+        if gui and not os.environ.get('DISPLAY'):
+            raise NoScreenError('no display; set DISPLAY')
+        with suppress_native_output():
             self.client = BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
         # A mouse in the window, or gravity, may move other things.
         self.only_robots_move = not gui and not world_file
-        self.window = Window() if gui else None
+        self._gui = gui
         if gui:
             self.client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
         if world_file:
@@ -117,7 +122,7 @@ class World:
 
     def _draw(self, whether):
         """Draw the window or not; while it is drawn, loading a shape waits for a frame."""
-        if self.window:
+        if self._gui:
             self.client.configureDebugVisualizer(pybullet.COV_ENABLE_RENDERING, whether)
 
     def _configure(self):

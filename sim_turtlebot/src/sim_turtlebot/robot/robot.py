@@ -38,7 +38,7 @@ class Robot:
         timeout = settings.cmd_vel_timeout
         self._timeout = _whole_steps(timeout, step_rate) if timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
-        self._seed = settings.seed + index
+        self._index = index
         self._rng = random.Random()
         self._geometry = DriveGeometry(settings)
         self.gyro = Gyro(settings, self._rng)
@@ -50,7 +50,7 @@ class Robot:
                                               settings.gyro)
         self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
         self.scanner = Scanner(body, settings, index) if settings.scan else None
-        self.begin()
+        self.begin(settings.seed)
 
     @property
     def resting(self):
@@ -125,9 +125,11 @@ class Robot:
         self.gyro.reset(self.ground_truth.orientation)
         self.odometry = self._estimator.reset(self.ground_truth)
 
-    def begin(self):
+    def begin(self, seed):
         """Start at rest where the body is, and seed the random numbers."""
-        self._rng.seed(self._seed)
+        self._rng.seed(seed + self._index)
+        if self.scanner:
+            self.scanner.seed = seed
         self._forget_commands()
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()

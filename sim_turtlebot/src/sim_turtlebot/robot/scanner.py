@@ -15,7 +15,8 @@ class Scanner:
         self._cast_rays = body.cast_rays
         self._beams, self._noise = settings.scan_beams, settings.scan_noise
         self._range_min, self._range_max = settings.scan_range_min, settings.scan_range_max
-        self._seed = settings.seed % 2**32, index  # numpy's seeds are not negative
+        self._index = index
+        self.seed = settings.seed  # of the noise
         angles = numpy.linspace(-settings.scan_fov / 2, settings.scan_fov / 2, self._beams)
         directions = numpy.column_stack([numpy.cos(angles), numpy.sin(angles), numpy.zeros(self._beams)])
         self._starts = [DEPTH_CAMERA] * self._beams
@@ -33,7 +34,7 @@ class Scanner:
         ranges = self._range_max * shares
         if self._noise:
             # numpy guarantees a stable sequence for this generator only.
-            rng = numpy.random.RandomState([*self._seed, number])
+            rng = numpy.random.RandomState([self.seed % 2**32, self._index, number])  # none may be negative
             ranges += rng.normal(0.0, self._noise, self._beams)
         ranges[(shares == 1.0) | (ranges > self._range_max)] = math.inf
         ranges[ranges < self._range_min] = -math.inf

@@ -1,6 +1,8 @@
 """A run of a sweep is what the nodes do in lockstep, to the last bit."""
 
 import re
+import types
+from contextlib import nullcontext
 
 import pytest
 import rosbag
@@ -9,7 +11,7 @@ from odometry_common.parameters import StartError
 from odometry_tests.messages import odometry
 from odometry_tests.scripts import ROOT
 from odometry_tools.runs.output import RunError
-from odometry_tools.runs.stepping import Recorded
+from odometry_tools.runs.session import Recorded
 from odometry_tools.sweep.lockstep import replay, tutorial_metrics
 from std_msgs.msg import Float64
 from sweeps import folder_of, sweep
@@ -56,7 +58,8 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
     (tmp_path / 'campaign.yaml').write_text('tutorial: move\nset: {distance: 0.1}\n')
     row.update(run=1, moved=0.11000000000000001)
     (tmp_path / 'runs.csv').write_text(f'{",".join(row)}\n{",".join(map(str, row.values()))}\n')
-    monkeypatch.setattr('odometry_tools.sweep.lockstep.record', lambda *_: Recorded(bag, set(), [], set(), {}))
+    session = types.SimpleNamespace(run=lambda *_: Recorded(bag, set(), [], set(), {}))
+    monkeypatch.setattr('odometry_tools.sweep.lockstep.Session', lambda robot: nullcontext(session))
     with pytest.raises(RunError, match='not the same: moved$'):
         replay(tmp_path, '1')
     assert 'moved           0.11000000000000001     0.11\n' in capsys.readouterr().out

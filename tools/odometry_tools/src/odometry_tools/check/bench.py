@@ -44,7 +44,7 @@ class Bench:
 
     def __init__(self, exercise, page_port=0):
         """Take an Exercise, and where a page is served, if one is."""
-        self._launch = Launch('check.launch', {'page_port': page_port}, package='odometry_tools')
+        self._launch = Launch('odometry_tools', 'check.launch', {'page_port': page_port})
         self._drives = bool(exercise.route)
         self._simulator = self._settings = self._position = None
         self.run = None  # which takes the messages

@@ -9,7 +9,7 @@ from odometry_common.angles import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 
 from odometry_tools.check.scenarios import PERIOD
-from odometry_tools.runs.stepping import UNAWAITED
+from odometry_tools.runs.session import UNAWAITED
 
 ZERO = 1e-3  # m/s, rad/s; a slower command is none
 

@@ -78,13 +78,8 @@ def _record():
 
 def unpause():
     """Start simulated time; return whether the simulator answers."""
-    return is_answered('sim_turtlebot/unpause_physics')
-
-
-def is_answered(service):
-    """Call a service without arguments; return whether it answers."""
     try:
-        rospy.ServiceProxy(service, Empty)()
+        rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()
     except rospy.ServiceException:
         return False
     return True

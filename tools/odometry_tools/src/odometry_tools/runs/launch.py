@@ -1,4 +1,4 @@
-"""Run a launch file with its own ROS master, and notice when a node ends."""
+"""Run a launch file, with its own ROS master or beside another one, and notice when a node ends."""
 
 import concurrent.futures
 import contextlib
@@ -16,7 +16,7 @@ import roslib
 from rosgraph.names import ns_join
 from roslaunch.config import load_config_default
 from roslaunch.core import RLException
-from roslaunch.parent import ROSLaunchParent
+from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
 from roslaunch.rlutil import resolve_launch_arguments
 
@@ -28,67 +28,78 @@ START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
 ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by SIGKILL
 CHECK_PERIOD = 0.02  # s
+RUN_ID = str(uuid.uuid1())  # roslaunch compares it with the master's
 
 
 class Launch(ProcessListener):
-    """A context in which a master and the nodes of a launch file run."""
+    """A context in which the nodes of a launch file run."""
 
-    def __init__(self, launch_file, arguments, may_end=(), package='odometry_launch',
-                 beside=None, watched=None):
+    def __init__(self, package, launch_file, arguments, may_end=(), watched=None, beside=None):
         """Start with __enter__().
 
         :param launch_file: its name in `package`
         :param arguments: dictionary of its arguments
         :param may_end: names of nodes that may exit, with status 0
-        :param beside: package, name and arguments of another launch file that runs, too
         :param watched: names of the nodes whose end is an error; None: of all
+        :param beside: the Launch whose master these nodes use; None: they have their own
         """
-        self._files = [(package, launch_file, arguments), *([beside] if beside else [])]
-        self._may_end, self._watched = may_end, watched
+        self._file = package, launch_file, arguments
+        self._may_end, self._watched, self._beside = may_end, watched, beside
+        self.names = set()  # of all nodes
         self._ended = {}  # exit codes of nodes by name
         self._is_stopped = False
         self._output = NodeOutput()
 
     def __enter__(self):
         """Start everything and return at once; OSError: no port is free."""
+        if self._beside:
+            self.port = self._beside.port
+        else:
+            self._become_first()
+        roslaunch.core.print = lambda *_, **__: None  # it would report each process
+        roslaunch.core.clear_printerrlog_handlers()
+        roslaunch.core.add_printerrlog_handler(self._output.add)
+        roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
+        self._monitor = start_process_monitor()
+        self._monitor.add_process_listener(self)
+        # On a thread: the main thread imports rospy meanwhile.
+        self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
+        return self
+
+    def _become_first(self):
+        """Hold a port for the master, and take the signals that end it."""
         usual = usual_master_port()
-        self._port = next_port(usual)
-        os.environ['ROS_MASTER_URI'] = f'http://localhost:{self._port.number}'
-        if self._port.number != usual:
+        self.port = next_port(usual)
+        os.environ['ROS_MASTER_URI'] = f'http://localhost:{self.port.number}'
+        if self.port.number != usual:
             print(f'rostopic in another terminal: export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}',
                   flush=True)
         roslib.set_interactive(True)  # roslaunch sets no signal handlers
         for signum in ENDING:
             signal.signal(signum, self._stop)
-        roslaunch.core.print = lambda *_, **__: None  # it would report each process
-        roslaunch.core.add_printerrlog_handler(self._output.add)
-        roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
-        self._parent = ROSLaunchParent(
-            str(uuid.uuid1()), [], show_summary=False, sigint_timeout=END_TIMEOUT)
-        self._parent.pm = start_process_monitor()
-        self._parent.pm.add_process_listener(self)  # the parent's own comes too late for early exits
-        # On a thread: the main thread imports rospy meanwhile.
-        self._started = concurrent.futures.ThreadPoolExecutor(1).submit(self._start)
-        return self
 
     def _start(self):
-        self._parent.config = config = load(self._files, self._port.number)
+        config = load(*self._file, self.port.number)
+        self.names = {name_of(node) for node in config.nodes}
         self.required = {name_of(node) for node in config.nodes if node.required}
         for node in config.nodes:
             node.required = False  # roslaunch would end the others; check() notices it
         config.nodes_core.clear()  # no rosout: nobody reads its log
+        runner = ROSLaunchRunner(RUN_ID, config, pmon=self._monitor, sigint_timeout=END_TIMEOUT)
         with self._output.capture():
-            self._parent.start()
+            runner.launch()
 
     def __exit__(self, *_):
         """Wait until everything has exited; nodes may write logs until then."""
         concurrent.futures.wait([self._started])
-        self._parent.shutdown()
-        self._port.close()
+        self.terminate()
+        self._monitor.join()
+        if not self._beside:
+            self.port.close()
 
     def terminate(self):
         """Start to shut everything down, and return at once."""
-        self._parent.pm.shutdown()
+        self._monitor.shutdown()
 
     def _stop(self, *_):
         self._is_stopped = True  # an exception could be swallowed, or printed, by an import
@@ -106,6 +117,8 @@ class Launch(ProcessListener):
 
     def check(self):
         """Raise RunError if a node has exited too early, KeyboardInterrupt after a signal."""
+        if self._beside:
+            self._beside.check()
         if self._is_stopped:
             raise KeyboardInterrupt
         for name, status in list(self._ended.items()):
@@ -119,21 +132,16 @@ class Launch(ProcessListener):
         error = self._output.last_exception() if status == 1 else ''
         return self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}'
 
-    @property
-    def names(self):
-        """The names of all nodes."""
-        return {name_of(node) for node in self._parent.config.nodes}
-
     def statuses(self):
         """Return the exit codes of the nodes that have ended, by name; roslaunch notices it late."""
-        for process in list(self._parent.pm.procs):
+        for process in list(self._monitor.procs):
             if not process.is_alive():
                 self.process_died(process.name, process.exit_code)
         return {**self._ended}
 
     def pids(self):
         """Return the ids of the processes of the nodes that run, by name; -1 before they are started."""
-        pids = {process.name.partition('-')[0]: process.pid for process in list(self._parent.pm.procs)}
+        pids = {process.name.partition('-')[0]: process.pid for process in list(self._monitor.procs)}
         return {name: pids.get(name, -1) for name in self.names - self.statuses().keys()}
 
     def lines(self):
@@ -158,12 +166,10 @@ class Launch(ProcessListener):
                        f'{self._output.last_lines()}')
 
 
-def load(files, port=None):
-    """Return roslaunch's configuration of launch files: package, name and arguments of each."""
-    sources = []
-    for package, name, arguments in files:
-        sources.append((path_of(package, name), [f'{key}:={value}' for key, value in arguments.items()]))
-    return load_config_default(sources, port, assign_machines=port is not None)
+def load(package, name, arguments, port=None):
+    """Return roslaunch's configuration of a launch file in a package."""
+    source = path_of(package, name), [f'{key}:={value}' for key, value in arguments.items()]
+    return load_config_default([source], port, assign_machines=port is not None)
 
 
 def path_of(package, name):

@@ -1,12 +1,8 @@
 """Runs by nodes in lockstep, and their metrics from the bag."""
 
-import contextlib
 import csv
-import io
 import itertools
 import math
-import os
-import tempfile
 from pathlib import Path
 
 import rosbag
@@ -23,7 +19,7 @@ from odometry_tools.runs.folders import use_writable_logs
 from odometry_tools.runs.output import RunError, complain
 from odometry_tools.runs.recorded_run import read_run
 from odometry_tools.runs.recording import leave_picture
-from odometry_tools.runs.stepping import record
+from odometry_tools.runs.session import Session
 from odometry_tools.sweep.campaign import read_campaign
 from odometry_tools.sweep.closed_loop import ARRIVED, LATE, TUTORIALS, UNTIL, degrees, follow
 from odometry_tools.sweep.results import CAMPAIGN_FILE, FILE, METRICS
@@ -49,7 +45,8 @@ def replay(folder, number):
     except (OSError, KeyError, ValueError, StopIteration, csv.Error):
         raise StartError(f'{Path(folder, FILE)} has no run {number}, or only a part of it') from None
     use_writable_logs()
-    metrics, bag, targets = run_nodes(subject, parameters)
+    with Session(robot_of(subject, parameters)) as session:
+        metrics, bag, targets = run_nodes(session, subject, parameters)
     print(f'{f"run {number}":16}{"sweep":24}nodes in lockstep')
     for name in names:
         print(f'{name:16}{kept[name]:24}{metrics[name]}')
@@ -60,30 +57,29 @@ def replay(folder, number):
     print('the same, to the last bit', flush=True)
 
 
-def run_alone(subject, parameters):
-    """Run nodes, and leave no file; return the metrics by name."""
-    with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(nowhere := io.StringIO()), \
-            contextlib.redirect_stderr(nowhere):
-        os.environ['ROS_LOG_DIR'] = folder  # else each run leaves one
-        return run_nodes(subject, parameters, Path(folder))[0]
+def robot_of(subject, parameters):
+    """Return the simulator's parameters by name, without the seed, for a run with these parameters."""
+    robot = {name: value for name, value in parameters.items() if name in ROBOT and name != 'seed'}
+    if subject.kind != LAUNCH:
+        robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
+    return robot
 
 
-def run_nodes(subject, parameters, folder=None):
-    """Record nodes in a folder (a Path), or in a new one.
+def run_nodes(session, subject, parameters, folder=None):
+    """Record nodes in a Session, in a folder (a Path) or in a new one.
 
     :return: the metrics by name, the path of the bag, and targets as for leave_picture()
     :raises RunError: if the recording contradicts itself
     """
-    robot = {name: value for name, value in parameters.items() if name in ROBOT}
+    seed = parameters['seed']
     if subject.kind == LAUNCH:
-        recorded = record(subject.nodes(parameters), robot, subject.until, folder, are_watched=False)
+        recorded = session.run(subject.nodes(parameters), seed, subject.until, folder, are_watched=False)
         for crash in recorded.crashes:
             complain(crash, 'sweep')
         return _launch_metrics(recorded), recorded.bag, {}
     line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
     nodes = 'odometry_tools', 'replay.launch', {'tutorial': subject.kind, 'params': line}
-    robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
-    bag = record(nodes, robot, subject.run(parameters)['time'], folder).bag
+    bag = session.run(nodes, seed, subject.run(parameters)['time'], folder).bag
     return tutorial_metrics(subject.kind, parameters, bag), bag, TUTORIALS[subject.kind](parameters).targets
 
 

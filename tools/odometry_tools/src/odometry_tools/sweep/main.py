@@ -62,17 +62,22 @@ def _sweep(campaign, runs, report):
 def with_progress(runs, total):
     """Yield each run but None, and print how many are done and how long the others will take."""
     done, start = 0, time.monotonic()
-    line = Line(LINE_PERIOD, start + LINE_PERIOD)
+    line, pace, end = Line(LINE_PERIOD, start + LINE_PERIOD), '', start
     for run in runs:
+        now = max(time.monotonic(), start + 1e-3)
         if run is not None:
             done += 1
             yield run
-        duration = max(1e-3, time.monotonic() - start)
-        left = timedelta(seconds=round((total - done) * duration / max(done, 1)))
+            pace, end = _pace(done / (now - start)), now + (total - done) * (now - start) / done
         text = f'{bar(done / total)} {done} of {total} runs'
         if done:
-            text += f', {done / duration:.1f} a second, {left} left'
-        line.show(text, start + duration) if done < total else line.finish(text)
+            text += f', {pace}, {timedelta(seconds=max(0, round(end - now)))} left'
+        line.show(text, now) if done < total else line.finish(text)
+
+
+def _pace(rate):
+    """Return words for a number of runs per second."""
+    return f'{rate:.1f} a second' if rate >= 1 else f'{1 / rate:.1f} s each'
 
 
 def _report(campaign, combinations, folder):

@@ -1,8 +1,6 @@
 """What is swept: a tutorial, without ROS, or somebody's launch file, in lockstep."""
 
-import concurrent.futures
 import difflib
-import multiprocessing
 from typing import NamedTuple
 
 from odometry_common.parameters import Parameter, StartError, between
@@ -61,7 +59,7 @@ class Launched(NamedTuple):
             arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in ROBOT else name
                          for name in get_args([path_of(*self.launch)])]
             _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
-            nodes = load([self.nodes({name: several[0] for name, several in values.items()})]).nodes
+            nodes = load(*self.nodes({name: several[0] for name, several in values.items()})).nodes
         except roslaunch.RLException as error:
             raise StartError(f'{self.name}: {" ".join(str(error).split())}') from None
         if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
@@ -72,12 +70,9 @@ class Launched(NamedTuple):
             _check_node(self.name, node)
 
     def run(self, parameters):
-        """Run in a process of its own, since rospy begins only once; return the metrics by name."""
-        from odometry_tools.sweep.lockstep import run_alone
-        context = multiprocessing.get_context('forkserver')  # a Dask worker has threads
-        context.set_forkserver_preload([run_alone.__module__])
-        with concurrent.futures.ProcessPoolExecutor(1, context) as executor:
-            return executor.submit(run_alone, self, parameters).result()
+        """Run beside a robot in lockstep; return the metrics by name."""
+        from odometry_tools.sweep.session_process import run_in_session
+        return run_in_session(self, parameters)
 
     def nodes(self, parameters):
         """Return package, name and arguments of the launch file, as roslaunch reads them."""

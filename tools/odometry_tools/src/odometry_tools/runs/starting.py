@@ -1,0 +1,44 @@
+"""Tell when the processes of a launch file have become nodes."""
+
+import time
+
+import psutil
+import rosgraph
+import rospy
+
+HELPER_TIME = 1.0  # s of wall time
+
+
+class Starting:
+    """Tells whether the processes of a launch file have become nodes, have ended, or are no nodes."""
+
+    def __init__(self, launch):
+        self.nodes = set()  # names of those that are known to the master
+        self._launch = launch
+        self._asleep = {}  # by name: their CPU times and states, and since when (s) these are the same
+
+    def is_over(self):
+        """Check once more; to be called again and again."""
+        self.nodes |= registered() & self._launch.names
+        waiting = [(name, pid) for name, pid in self._launch.pids().items() if name not in self.nodes]
+        return all(self._has_slept(name, pid) for name, pid in waiting)
+
+    def _has_slept(self, name, pid):
+        """Return whether a process and its children have slept for HELPER_TIME: a node would compute."""
+        try:
+            process = psutil.Process(pid)
+            state = [(one.cpu_times(), one.status()) for one in (process, *process.children(recursive=True))]
+        except (psutil.NoSuchProcess, ValueError):  # roslaunch will notice, or has not started it yet
+            return False
+        now = time.monotonic()
+        before, since = self._asleep.get(name, (None, now))
+        if state != before or any(status != psutil.STATUS_SLEEPING for _, status in state):
+            since = now
+        self._asleep[name] = state, since
+        return now - since > HELPER_TIME
+
+
+def registered():
+    """Return the names of all nodes that the master knows, without a leading slash."""
+    state = rosgraph.Master(rospy.get_name()).getSystemState()
+    return {name.lstrip('/') for kind in state for _, names in kind for name in names}

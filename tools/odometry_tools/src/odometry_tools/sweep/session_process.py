@@ -1,0 +1,80 @@
+"""A process with a Session, since rospy begins only once in each."""
+
+import contextlib
+import io
+import multiprocessing
+import multiprocessing.util
+import os
+import tempfile
+import threading
+from pathlib import Path
+
+from odometry_tools.runs.output import RunError
+from odometry_tools.sweep.lockstep import robot_of, run_nodes
+
+CONTEXT = multiprocessing.get_context('forkserver')  # a Dask worker has threads
+CONTEXT.set_forkserver_preload([__name__])
+kept = threading.local()  # .process: the SessionProcess of the latest run
+
+
+def run_in_session(subject, parameters):
+    """Run a Launched; return the metrics by name.
+
+    The session of the run before is used again if the robot's parameters are the same. If it breaks,
+    a new one repeats the run.
+
+    :raises RunError: if the run cannot be done
+    """
+    robot, process = robot_of(subject, parameters), getattr(kept, 'process', None)
+    if process and process.robot == robot:
+        with contextlib.suppress(RunError):
+            return process.run(subject, parameters)
+    if process:
+        process.close()
+    kept.process = SessionProcess(robot)
+    return kept.process.run(subject, parameters)
+
+
+class SessionProcess:
+    """Starts a process with a Session, and does runs there."""
+
+    def __init__(self, robot):
+        """Start it with the simulator's parameters by name."""
+        self.robot = robot
+        self._connection, theirs = CONTEXT.Pipe()
+        self._process = CONTEXT.Process(target=_serve, args=[theirs, robot])
+        self._process.start()
+        theirs.close()
+        # multiprocessing waits for child processes when this one ends.
+        self.close = multiprocessing.util.Finalize(self, self._connection.close, exitpriority=0)
+
+    def run(self, subject, parameters):
+        """Do a run, as run_in_session() does."""
+        try:
+            self._connection.send((subject, parameters))
+            result = self._connection.recv()
+        except (OSError, EOFError):
+            raise RunError('the process that did the run has ended') from None
+        if isinstance(result, RunError):
+            raise result
+        return result
+
+
+def _serve(connection, robot):
+    """Do runs in a Session, and leave no file, until the connection is closed or a run fails."""
+    with tempfile.TemporaryDirectory() as logs, contextlib.redirect_stdout(io.StringIO()), \
+            contextlib.redirect_stderr(io.StringIO()), contextlib.suppress(EOFError, KeyboardInterrupt):
+        os.environ['ROS_LOG_DIR'] = logs  # else each run leaves a log
+        try:
+            _answer(connection, robot)
+        except (RunError, OSError) as error:
+            connection.send(RunError(str(error)))
+
+
+def _answer(connection, robot):
+    from odometry_tools.runs.session import Session
+    with Session(robot) as session:
+        while True:
+            subject, parameters = connection.recv()
+            with tempfile.TemporaryDirectory() as folder:
+                connection.send(run_nodes(session, subject, parameters, Path(folder))[0])
