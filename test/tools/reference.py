@@ -1,22 +1,29 @@
-"""Regenerate docs/reference.md: ./ws python3 test/tools/reference.py.
+"""Regenerate docs/reference.md and launch/sim.launch: ./ws python3 test/tools/reference.py.
 
-What stands under a heading that names a node, a launch file, the demo, the sweep or the check comes from there.
+What stands under a heading that names a node, a launch file, the demo, the sweep or the check comes from there;
+the arguments of sim.launch that are parameters come from the simulator's table.
 """
 
 import argparse
 import inspect
 import re
 from xml.etree import ElementTree
+from xml.sax.saxutils import quoteattr
 
 from odometry_common.parameters import Parameters
 from odometry_tests.scripts import ROOT, SCRIPTS, load_script
 from odometry_tools.check.options import make_parser as make_check_parser
 from odometry_tools.runs import options as demo_options
 from odometry_tools.sweep.options import make_parser as make_sweep_parser
+from sim_turtlebot.settings import PARAMETERS
 
 PAGE = ROOT / 'docs' / 'reference.md'
+SIM_LAUNCH = ROOT / 'launch' / 'sim.launch'
 GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep|\./ws check)\n.*?(?=^## |\Z)',
                        re.DOTALL | re.MULTILINE)
+# Those of sim.launch that the simulator's table gives.
+ARGUMENTS = re.compile(r'  <arg name="gui".*?(?=  <arg name="use_sim_time")', re.DOTALL)
+PASSED = re.compile(r'    <param name="gui".*?(?=  </node>)', re.DOTALL)
 KINDS = {'Subscribes': 'sub', 'Publishes': 'pub', 'Calls': 'calls', 'Services': 'srv'}
 SECTION = re.compile(rf'^({"|".join(KINDS)}):\n((?: +.*\n?)+)', re.MULTILINE)
 ENTRY = re.compile(r'^    (?=\S)', re.MULTILINE)
@@ -32,12 +39,27 @@ PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parse
 
 def main():
     argparse.ArgumentParser(description=__doc__.splitlines()[0], allow_abbrev=False).parse_args()
+    SIM_LAUNCH.write_text(updated_launch(SIM_LAUNCH.read_text()))
     PAGE.write_text(updated(PAGE.read_text()))
 
 
 def updated(page):
     """Return the page with every part that comes from elsewhere as it is there."""
     return GENERATED.sub(lambda found: f'## {found[1]}\n\n{_part(found[1])}\n\n', page).rstrip() + '\n'
+
+
+def updated_launch(text):
+    """Return the text of sim.launch with an argument for each parameter of the simulator."""
+    default = defaults('sim_turtlebot_node.py')
+    arguments, passed = '', ''
+    for row in PARAMETERS.rows:
+        name = row.name[1:]
+        unit = f' ({row.unit})' if row.unit else ''
+        # roslaunch takes an empty value for none, unless it is a string.
+        kind = ' type="str"' if row.type == 'str' else ''
+        arguments += f'  <arg name="{name}" default="{default[name]}" doc={quoteattr(row.meaning + unit)}/>\n'
+        passed += f'    <param name="{name}" value="$(arg {name})"{kind}/>\n'
+    return PASSED.sub(lambda _: passed, ARGUMENTS.sub(lambda _: arguments, text))
 
 
 def _part(heading):
