@@ -37,8 +37,8 @@ while [[ ${1:-} == -* ]]; do
     shift
 done
 $only_set_up || [ $# != 0 ] || { usage; exit 1; }
-# These start their own ROS master on this machine, and need no address.
-[[ ! ${1:-} =~ ^(demo|test|bench|sweep|check)$ ]] || unset ROS_HOSTNAME ROS_IP
+# These start their own ROS master on this machine, and need neither an address nor a namespace.
+[[ ! ${1:-} =~ ^(demo|test|bench|sweep|check)$ ]] || unset ROS_HOSTNAME ROS_IP ROS_NAMESPACE
 [ -z "$host" ] || { unset ROS_HOSTNAME; export ROS_IP=$host; }
 set_up "$@"
 ! $only_set_up || exit 0

@@ -1,11 +1,6 @@
 #!/usr/bin/env python3
 """Run a tutorial with a simulated TurtleBot 2 and show its progress."""
 
-import os
-
-# The demo has a master of its own, so a namespace makes no sense. rospy reads this on import.
-os.environ.pop('ROS_NAMESPACE', None)
-
 import logging
 import sys
 import threading
