@@ -1,11 +1,14 @@
 """Find the processes that serve the XML-RPC addresses of nodes."""
 
 import socket
+import time
 from urllib.parse import urlparse
 
 import psutil
 from rosgraph.network import is_local_address
 
+ENDING_TIME = 1.0  # s of wall time; a process that ends has closed its files, but not yet its sockets
+LOOK_PERIOD = 0.01  # s of wall time
 ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
 
 
@@ -15,14 +18,20 @@ def pids_at(addresses):
     None: this process cannot see it, since it is on another machine or belongs to another user. 0:
     nothing serves the address, as after a node was killed.
     """
-    listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
-                 if connection.status == psutil.CONN_LISTEN}
-    return {name: _pid_at(urlparse(address), listening) for name, address in addresses.items()}
+    is_local = {name: is_local_address(urlparse(address).hostname) for name, address in addresses.items()}
+    end = time.monotonic() + ENDING_TIME
+    while True:
+        listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
+                     if connection.status == psutil.CONN_LISTEN}
+        pids = {name: _pid_at(urlparse(address), listening) if is_local[name] else None
+                for name, address in addresses.items()}
+        is_hidden = any(pids[name] is None and is_local[name] for name in pids)
+        if not is_hidden or time.monotonic() > end:
+            return pids
+        time.sleep(LOOK_PERIOD)
 
 
 def _pid_at(address, listening):
-    if not is_local_address(address.hostname):
-        return None
     ips = {ip for *_, (ip, *_) in socket.getaddrinfo(address.hostname, None)}
     return next((listening[ip, address.port] for ip in (*ips, *ANY_IP)
                  if (ip, address.port) in listening), 0)

@@ -1,0 +1,33 @@
+"""Which process serves an address: one of this machine, of another user, of another machine, or none."""
+
+import types
+
+import psutil
+import pytest
+from sim_turtlebot.lockstep import listeners
+
+PORT = 4321
+
+
+@pytest.fixture
+def look(monkeypatch):
+    """Have each look at the connections find the next of these processes at PORT: an id, or None; () for none."""
+    def looks(*found):
+        rows = [[types.SimpleNamespace(laddr=('127.0.0.1', PORT), pid=pid, status=psutil.CONN_LISTEN)]
+                if pid != () else [] for pid in found]
+        monkeypatch.setattr(psutil, 'net_connections', lambda kind: rows.pop(0) if len(rows) > 1 else rows[0])
+        return listeners.pids_at({'/node': f'http://127.0.0.1:{PORT}/'})['/node']
+    return looks
+
+
+@pytest.mark.parametrize('found, pid', [([42], 42), ([()], 0), ([None, None, ()], 0), ([None, 42], 42)],
+                         ids=['served', 'dead', 'ending', 'starting'])
+def test_a_process_that_ends_or_starts_is_looked_at_again(look, found, pid):
+    """Its sockets are there for some time without its open files, by which it is found."""
+    assert look(*found) == pid
+
+
+def test_a_process_that_stays_hidden_or_is_elsewhere_cannot_be_seen(look, monkeypatch):
+    monkeypatch.setattr(listeners, 'ENDING_TIME', 0.0)
+    assert look(None) is None
+    assert listeners.pids_at({'/node': 'http://192.0.2.1:4321/'}) == {'/node': None}
