@@ -28,6 +28,7 @@ SCRIPTS = {'demo': 'tools/odometry_tools/src/odometry_tools/runs/following.py',
            'detector': 'odom_movement_detector/src/odom_movement_detector.py',
            'mover': 'test_movement/src/test_movement.py'}
 ROBOTS, DRIVES, PROCESSES = 50, 1000, 2
+MORE_RUNS = 10
 PACE_WINDOW = 5.0  # s after each; the machine is not as fast in each second
 SWEEP_TIMEOUT = 300.0  # s
 
@@ -72,12 +73,6 @@ def in_slices(options, measure, measure_limit):
 @figure('demo from call to prompt', 's', '<=', 1.1)
 def demo(options):
     """Compare with a bare roslaunch of as many nodes with the same imports."""
-    def run_demo():
-        begin = time.perf_counter()
-        with Process(ROOT / 'ws', 'demo', '--real-time-factor', '0') as process:
-            process.wait(TIMEOUT)
-        return time.perf_counter() - begin
-
     def run_bare():
         """Tell roslaunch to end once each node has seen a message."""
         scripts = [f'{name}:={ROOT / script}' for name, script in SCRIPTS.items()]
@@ -90,7 +85,7 @@ def demo(options):
                 process.end()
                 return time.perf_counter() - begin
 
-    return in_turns(options, run_demo, run_bare)
+    return in_turns(options, lambda: run_ws('demo', '--real-time-factor', '0'), run_bare)
 
 
 @figure('latency at 20 Hz, median', 'ms', '<=', 1.15)
@@ -141,16 +136,45 @@ def start(options):
                 seen.wait_for(timeout=TIMEOUT)
                 return time.perf_counter() - begin
 
-    def start_bare():
-        script = path_of('sim_turtlebot', 'sim_turtlebot_node.py')
-        begin = time.perf_counter()
-        with Process(sys.executable, FOLDER / 'bare_node.py', script) as process:
-            wait_until(lambda: 'seen' in process.stdout, TIMEOUT, 'a message', period=0.001)
-            duration = time.perf_counter() - begin
-            process.wait(TIMEOUT)  # it ends by itself, in which rospy must not be interrupted
-        return duration
+    return in_turns(options, start_simulator, partial(start_bare, path_of('sim_turtlebot', 'sim_turtlebot_node.py')))
 
-    return in_turns(options, start_simulator, start_bare)
+
+def start_bare(script):
+    """Start a bare node with a script's imports; return how long (s) it takes to its first message."""
+    begin = time.perf_counter()
+    with Process(sys.executable, FOLDER / 'bare_node.py', script) as process:
+        wait_until(lambda: 'seen' in process.stdout, TIMEOUT, 'a message', period=0.001)
+        duration = time.perf_counter() - begin
+        process.wait(TIMEOUT)  # it ends by itself, in which rospy must not be interrupted
+    return duration
+
+
+@figure('run of detector and mover in a sweep', 's', '<=', 2.5)
+def session(options):
+    """Compare 20 simulated seconds of ./ws sweep, on two processors, with the start of a bare node."""
+    def run_sweep(seeds):
+        return run_ws('sweep', 'odometry_launch', 'movers.launch', '--until', 20, '--seeds', seeds,
+                      '--jobs', PROCESSES)
+
+    def run():
+        return (run_sweep(PROCESSES + MORE_RUNS) - run_sweep(PROCESSES)) / MORE_RUNS
+
+    return in_turns(options, run, partial(start_bare, ROOT / SCRIPTS['mover']))
+
+
+@figure('./ws check heading', 's', '<=', 25)
+def check(options):
+    """Compare the check of rotate.py with the start of a bare node."""
+    return in_turns(options, lambda: run_ws('check', 'heading', 'rotate_robot', 'rotate.py'),
+                    partial(start_bare, path_of('rotate_robot', 'rotate.py')))
+
+
+def run_ws(*arguments):
+    """Run a command of ./ws; return how long (s) it takes."""
+    begin = time.perf_counter()
+    with Process(ROOT / 'ws', *arguments) as process:
+        assert process.wait(SWEEP_TIMEOUT) == 0, process.output
+    return time.perf_counter() - begin
 
 
 @figure(f'{DRIVES} drives on two processors', 's', '<=', 1.15)
@@ -158,15 +182,9 @@ def sweep(options):
     """Compare ./ws sweep with PyBullet stepping as many drives, in as many processes."""
     from odometry_tools.sweep.closed_loop import run  # the package may be left out
 
-    def run_sweep():
-        begin = time.perf_counter()
-        with Process(ROOT / 'ws', 'sweep', 'move', '--seeds', DRIVES, '--jobs', PROCESSES) as process:
-            assert process.wait(SWEEP_TIMEOUT) == 0, process.output
-        return time.perf_counter() - begin
-
     simulated = run('move', {})['time']
     with bare_worlds(PROCESSES) as speed:
-        return in_turns(options, run_sweep, lambda: DRIVES * simulated / speed(PACE_WINDOW))
+        return in_turns(options, lambda: run_ws('sweep', 'move', '--seeds', DRIVES, '--jobs', PROCESSES), lambda: DRIVES * simulated / speed(PACE_WINDOW))
 
 
 @figure('graph unpaced', 'simulated s/s', '>=', 0.6)
