@@ -4,11 +4,12 @@ import contextlib
 import os
 from functools import partial
 
+from odometry_common.native_output import suppressed_output
+
 from sim_turtlebot.kobuki import WHEEL_RADIUS, WHEEL_TORQUE
 from sim_turtlebot.physics.description import BASE_JOINT, URDF, WHEEL_JOINTS, without_frames
-from sim_turtlebot.physics.native_output import suppress_native_output
 
-with suppress_native_output():
+with suppressed_output():
     import pybullet
 
 LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more would throw it away
@@ -33,7 +34,7 @@ class TurtleBot:
     def load(self):
         """Load the robot at its start, into a world without it."""
         client = self._client
-        with _in_memory(without_frames(URDF.read_text())) as path, suppress_native_output():
+        with _in_memory(without_frames(URDF.read_text())) as path, suppressed_output():
             self._body = client.loadURDF(path, *self._start, flags=self._flags)
         # The footprint is PyBullet's base link: its pose is the robot's without conversion.
         client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,

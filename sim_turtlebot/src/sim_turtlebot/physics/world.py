@@ -15,11 +15,12 @@ directions the line is missed by up to 1.5 mm, without constraint force mixing b
 
 import os
 
-from sim_turtlebot.physics.native_output import suppress_native_output
+from odometry_common.native_output import suppressed_output
+
 from sim_turtlebot.physics.turtlebot import LARGEST_OVERLAP, TurtleBot
 from sim_turtlebot.physics.world_file import WorldFileError, check_world_file, load
 
-with suppress_native_output():
+with suppressed_output():
     import pybullet
     from pybullet_utils.bullet_client import BulletClient
 
@@ -56,7 +57,7 @@ class World:
         self._world_file = world_file
         if gui and not os.environ.get('DISPLAY'):
             raise NoScreenError('no display; set DISPLAY')
-        with suppress_native_output():
+        with suppressed_output():
             self.client = BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
         # Bound once, as those of a TurtleBot are.
         self._call = self.client.stepSimulation
@@ -117,7 +118,7 @@ class World:
             0, self.client.createCollisionShape(pybullet.GEOM_PLANE))
         self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
         if self._world_file:
-            with suppress_native_output():
+            with suppressed_output():
                 load(self.client, self._world_file)
 
     def _draw(self, whether):
@@ -130,7 +131,7 @@ class World:
         client.setGravity(0, 0, -GRAVITY)
         # The direct solver keeps the robot straighter than the iterative one in half the time.
         # Its cost grows with the cube of its task, so each robot is a separate task.
-        with suppress_native_output():
+        with suppressed_output():
             client.setPhysicsEngineParameter(
                 fixedTimeStep=1 / self._step_rate, numSubSteps=0,
                 constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,

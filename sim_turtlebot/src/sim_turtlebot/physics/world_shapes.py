@@ -2,10 +2,11 @@
 
 from typing import NamedTuple
 
-from sim_turtlebot.geometry import compose, inverse, rotate
-from sim_turtlebot.physics.native_output import suppress_native_output
+from odometry_common.native_output import suppressed_output
 
-with suppress_native_output():
+from sim_turtlebot.geometry import compose, inverse, rotate
+
+with suppressed_output():
     import pybullet
 
 FLOORS = 1  # the first body is the floor, the last ones are the robots

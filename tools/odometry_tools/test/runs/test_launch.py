@@ -19,7 +19,7 @@ from odometry_tools.runs.ports import HeldPort, next_port, usual_master_port
 @pytest.fixture
 def launch(monkeypatch):
     monkeypatch.setattr(Launch, 'check', lambda self: None)
-    return Launch('sim.launch', {})
+    return Launch('odometry_launch', 'sim.launch', {})
 
 
 def test_an_unexpected_error_ends_a_wait_at_once(launch):

@@ -1,10 +1,10 @@
 """The output of the nodes of a launch file."""
 
-import contextlib
 import os
 import re
 
-STANDARD_OUTPUTS = 1, 2
+from odometry_common.native_output import redirected_output
+
 LAST_LINES = 5
 EXCEPTION = re.compile(r'[\w.]*(Error|Exception)(: |$)')
 
@@ -15,18 +15,9 @@ class NodeOutput:
     def __init__(self):
         self._file = os.memfd_create('nodes', os.MFD_CLOEXEC)
 
-    @contextlib.contextmanager
     def capture(self):
-        """Capture the output of this process, and of those that it starts meanwhile."""
-        own = [os.dup(descriptor) for descriptor in STANDARD_OUTPUTS]
-        for descriptor in STANDARD_OUTPUTS:
-            os.dup2(self._file, descriptor)
-        try:
-            yield
-        finally:
-            for copy, descriptor in zip(own, STANDARD_OUTPUTS):
-                os.dup2(copy, descriptor)
-                os.close(copy)
+        """Return a context that captures the output of this process, and of those that it starts meanwhile."""
+        return redirected_output(self._file)
 
     def add(self, line):
         """Add a line of this process."""
