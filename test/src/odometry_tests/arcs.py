@@ -67,7 +67,7 @@ class Robot(SimulatedRobot):
 
     def start(self, motion, angles=(0.0, 0.0)):
         self.body.motion, self.body.angles = motion, angles
-        self.begin()
+        self.begin(seed=0)
         return self.odometry
 
     def move(self, motion, angles=(0.0, 0.0), duration=PERIOD):
