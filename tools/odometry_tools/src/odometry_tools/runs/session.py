@@ -80,7 +80,7 @@ class Session:
             incomplete
         """
         self._begin(seed)
-        lines_before = len(self._simulator.lines())
+        lines_before, nodes_before = len(self._simulator.lines()), registered()
         with self._restored_parameters():
             recording = Recording(folder)
             with Launch(*nodes, watched=None if are_watched else (), beside=self._simulator) as launch:
@@ -90,7 +90,7 @@ class Session:
                 _await_ends(launch, starting.nodes)
                 statuses, bag = launch.statuses(), recording.close()
                 crashes = [launch.end_of(name) for name, status in statuses.items() if status != 0]
-            self._forget(starting.nodes)
+            _forget(registered() - nodes_before)
         if not bag:
             raise RunError('the run is not recorded')
         found = filter(None, map(UNAWAITED.search, self._simulator.lines()[lines_before:]))
@@ -102,11 +102,7 @@ class Session:
     def _begin(self, seed):
         """Put the robot back to its start, as a new simulator with this seed would begin."""
         rospy.set_param(f'{SIMULATOR}/seed', seed)
-        try:
-            self._reset()
-        except rospy.ServiceException as error:
-            self._simulator.check()
-            raise RunError(f'the simulator does not answer: {error}') from None
+        self._simulator.wait_for(self._is_reset, 'the simulator does not answer')
 
     def _start(self, launch, recording):
         """Wait until all nodes have started, and the robot is recorded."""
@@ -132,6 +128,14 @@ class Session:
         rosgraph.Master(rospy.get_name()).lookupService(f'/{SIMULATOR}/step')
         return True
 
+    def _is_reset(self):
+        """Reset the simulator; return whether it answers in time, which on a busy machine it may not."""
+        try:
+            self._reset()
+        except rospy.ServiceException:
+            return False
+        return True
+
     def _is_paused(self):
         """Return whether the simulator answers, which it does after a step."""
         try:
@@ -150,13 +154,11 @@ class Session:
         finally:
             master.setParam('/', before)
 
-    def _forget(self, names):
-        """Have the master forget the nodes that were killed."""
-        left = names & registered()
-        if left:
-            with contextlib.redirect_stdout(None):
-                rosnode.cleanup_master_blacklist(rosgraph.Master(rospy.get_name()),
-                                                 [f'/{name}' for name in sorted(left)])
+
+def _forget(names):
+    """Have the master forget nodes that were killed."""
+    with contextlib.redirect_stdout(None):
+        rosnode.cleanup_master_blacklist(rosgraph.Master(rospy.get_name()), [f'/{name}' for name in sorted(names)])
 
 
 def _send_while_time_stands_still(recording):
