@@ -1,28 +1,27 @@
 """Start a node, set up its output, wait, and exit."""
 
-import logging
 import os
-import resource
 import signal
 import sys
-import tempfile
 import threading
 import time
 import traceback
 
 import rosgraph
-import rospkg
 import rospy
 
 from odometry_common import node_help
 from odometry_common.parameters import Parameters, StartError
+from odometry_common.process_setup import (
+    go_without_logs_if_necessary,
+    open_output,
+    raise_limit_on_files,
+)
 from odometry_common.rospy_fixes import fix_rospy
+from odometry_common.signals import LONGEST_WAIT, interrupt_waits_by_signals, on_signals
 
 EXIT_FAILURE = 1
 EXIT_BAD_PARAMETER = 2
-# s of the main thread: Python handles a signal that arrives just before a wait only after the wait
-LONGEST_WAIT = 0.5
-WAKE_UP = signal.SIGURG  # which a process without a handler ignores
 MASTER_RETRY_PERIOD = 0.5  # s
 UNREGISTER_TIMEOUT = 0.4  # s, for a master that does not answer
 NO_PARAMETERS = Parameters()
@@ -47,14 +46,14 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
-    _open_output()
+    open_output()
     rospy.core.add_preshutdown_hook(lambda _reason: _exit_soon(name))
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         node_help.show_help_if_asked(documentation, parameters)
         node_help.check_command_line()
-        _raise_limit_on_files()
-        _go_without_logs_if_necessary()
+        raise_limit_on_files()
+        go_without_logs_if_necessary()
         _start(name, init_node_options)
         node_help.warn_of_unknown(parameters)
         main()
@@ -116,20 +115,6 @@ def _report_thread(failure):
         _pythons_excepthook(failure)
 
 
-def _open_output():
-    """Print each line at once; without a terminal, Python buffers the output until the node exits."""
-    for name in 'stdout', 'stderr':
-        if getattr(sys, name) is None:  # closed by the parent process
-            setattr(sys, name, open(os.devnull, 'w', encoding='ascii'))  # noqa: SIM115
-        getattr(sys, name).reconfigure(line_buffering=True)
-
-
-def _raise_limit_on_files():
-    """Raise the soft limit on open files to the hard limit: rospy opens one for each connection."""
-    _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-    resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
-
-
 def _start(name, init_node_options):
     """Initialise rospy; a signal meanwhile raises KeyboardInterrupt.
 
@@ -142,13 +127,13 @@ def _start(name, init_node_options):
         interrupted.append(signum)
         raise KeyboardInterrupt
 
-    _interrupt_waits_by_signals()
-    _on_signals(interrupt)
+    interrupt_waits_by_signals()
+    on_signals(interrupt)
     _wait_for_master(interrupted)
     if not interrupted:
         fix_rospy()
         rospy.init_node(name, disable_signals=True, **init_node_options)
-    _on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
+    on_signals(lambda signum, _frame: _shut_down(signal.Signals(signum).name))
     if interrupted:
         raise KeyboardInterrupt
 
@@ -161,50 +146,6 @@ def _wait_for_master(interrupted):
           'not be running yet. Will keep trying.', file=sys.stderr)
     while not (interrupted or rosgraph.is_master_online()):
         time.sleep(MASTER_RETRY_PERIOD)
-
-
-def _go_without_logs_if_necessary():
-    """Run without logs where they cannot be written.
-
-    rospy exits with a traceback if it cannot open its log file, but only warns if the folder is
-    missing. On a full disk, logging would print tracebacks.
-    """
-    logging.raiseExceptions = False
-    folder = rospkg.get_log_dir()
-    try:
-        os.makedirs(folder, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            pass
-    except OSError:
-        os.environ['ROS_LOG_DIR'] = os.path.join(os.devnull, 'log')
-
-
-def _on_signals(handler):
-    """Handle Ctrl-C, SIGTERM and a closed terminal, unless nohup has the node outlive that."""
-    signal.signal(signal.SIGINT, handler)
-    signal.signal(signal.SIGTERM, handler)
-    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:
-        signal.signal(signal.SIGHUP, handler)
-
-
-def _interrupt_waits_by_signals():
-    """Have a signal interrupt what the main thread waits for, such as a master without an answer.
-
-    Python handles a signal that arrives just before recv() begins only when that has returned.
-    """
-    reader, writer = os.pipe()
-    os.set_blocking(writer, False)
-    signal.set_wakeup_fd(writer)
-    signal.signal(WAKE_UP, lambda *_: None)
-    threading.Thread(target=_interrupt_main_thread, args=[reader], daemon=True).start()
-
-
-def _interrupt_main_thread(signals):
-    """From the first signal on, interrupt the main thread again and again: this node is ending."""
-    os.read(signals, 1)
-    while True:
-        signal.pthread_kill(threading.main_thread().ident, WAKE_UP)
-        time.sleep(LONGEST_WAIT)
 
 
 def _shut_down(reason):

@@ -9,9 +9,9 @@ The main thread serves the requests of rospy's threads between two ticks.
 import math
 
 import rospy
-from odometry_common.node import LONGEST_WAIT
 from odometry_common.parameters import ParameterError, StartError
 from odometry_common.publisher_conflicts import warn_of_conflicts
+from odometry_common.signals import LONGEST_WAIT
 from std_srvs.srv import Trigger
 
 from sim_turtlebot.inputs import Inputs
