@@ -13,13 +13,10 @@ import rosgraph
 import roslaunch.core
 import roslaunch.launch
 import roslib
-from rosgraph.names import ns_join
-from roslaunch.config import load_config_default
-from roslaunch.core import RLException
 from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
-from roslaunch.rlutil import resolve_launch_arguments
 
+from odometry_tools.runs.launch_files import load, name_of
 from odometry_tools.runs.node_output import NodeOutput
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.ports import next_port, usual_master_port
@@ -164,25 +161,6 @@ class Launch(ProcessListener):
             return
         raise RunError(f'{complaint} within {START_TIMEOUT:g} s; the nodes said last: '
                        f'{self._output.last_lines()}')
-
-
-def load(package, name, arguments, port=None):
-    """Return roslaunch's configuration of a launch file in a package."""
-    source = path_of(package, name), [f'{key}:={value}' for key, value in arguments.items()]
-    return load_config_default([source], port, assign_machines=port is not None)
-
-
-def path_of(package, name):
-    """Return the path of a launch file; roslaunch.RLException: there is none."""
-    path, *others = resolve_launch_arguments([package, name])
-    if others:
-        raise RLException(f'there is no package {package}')
-    return path
-
-
-def name_of(node):
-    """Return the name of a node in a configuration, as roslaunch names its process."""
-    return ns_join(node.namespace, node.name).lstrip('/')
 
 
 def _wait(condition, outcome):

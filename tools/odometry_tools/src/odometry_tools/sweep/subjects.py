@@ -51,7 +51,7 @@ class Launched(NamedTuple):
         import roslaunch
         from roslaunch.arg_dump import get_args
 
-        from odometry_tools.runs.launch import load, path_of
+        from odometry_tools.runs.launch_files import load, path_of
         UNTIL.check(self.until)
         if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
             raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
