@@ -58,7 +58,6 @@ PLACEHOLDERS = {'REPOSITORY': shlex.quote(str(ROOT)), 'BAG': '~/run.bag',
                 'NODE': 'sim_turtlebot', 'NAME': 'test_endings', '192.168.1.10': '127.0.0.1'}
 # Of the figures of the bench, in its order.
 PRINTED = 'demo lockstep robot start unpaced'
-NOT_PRINTED = re.compile(r'latency at |(C\+\+|tf) client|1000 drives|cost per|ROS, 0\.[05] ')
 OUR_PACKAGES = shlex.quote(str(ROOT)) + '/.venv/lib/*/site-packages'
 # What takes too long here, or would be in the way of others: what is typed in its place.
 IN_PLACE = [
@@ -161,8 +160,7 @@ def follow(reader, command):
     if any(re.search(pattern, command.text) for pattern in NOT_HERE):
         return
     text = typed(command.text)
-    shown = [line for line in command.shown if not NOT_PRINTED.match(line)]
-    reader.follow(text, [] if '--help' in text else shown)
+    reader.follow(text, [] if '--help' in text else command.shown)
 
 
 def typed(text):

@@ -3,10 +3,9 @@
 import re
 
 import pytest
-from odometry_tests.scripts import DOCUMENTS, ROOT, SCRIPTS, TESTS, load_script
+from odometry_tests.scripts import DOCUMENTS, ROOT, SCRIPTS, load_script
 
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
-TEST = re.compile(r'`(test_\w+|\w+\.test)`')
 EXAMPLE = ROOT / 'docs' / 'example'
 reference = load_script('test/tools/reference.py')
 
@@ -28,11 +27,15 @@ def test_every_link_leads_somewhere(page):
         assert not anchor or anchor in anchors(file), f'{file.name} has no heading #{anchor}'
 
 
-def test_each_test_that_reliability_names_exists():
-    named = set(TEST.findall((ROOT / 'docs' / 'reliability.md').read_text()))
-    tests = [path for folder in TESTS for path in ROOT.glob(f'{folder}/**/*test*')]
-    there = {path.stem if path.suffix == '.py' else path.name for path in tests}
-    assert named and named <= there, sorted(named - there)
+def test_an_administrator_installs_what_the_set_up_would():
+    """docs/class.md: the line to paste, and the packages to append to it."""
+    setup = (ROOT / 'tools' / 'setup' / 'set_up.bash').read_text()
+    parts = {name: set(words.split()) for name, words in re.findall(r'^(\w+)_PARTS=\((.*?)\)', setup, re.DOTALL | re.MULTILINE)}
+    page = (ROOT / 'docs' / 'class.md').read_text()
+    line, = re.findall(r'apt-get install -y --no-install-recommends ([^\']*)', page)
+    assert set(line.split()) == parts['DEBIAN'] | {'ca-certificates', 'git'}
+    appended = re.findall(r'`([^`]*)`', re.search(r'^Append .*?\.', page, re.DOTALL | re.MULTILINE)[0])
+    assert {'rviz', *parts['WINDOW'], 'libtf-dev', 'tf-tools'} == set(' '.join(appended).split()) - {'rosrun', 'tf'}
 
 
 @pytest.mark.parametrize('page, number', [('ci.md', 1), ('scan.md', 1)])

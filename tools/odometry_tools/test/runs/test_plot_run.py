@@ -132,6 +132,19 @@ def test_the_summary_says_how_far_odometry_and_truth_end_apart(tmp_path):
     assert 'off truth   0.050 m, 1.15 degrees' in read_run(path, end=START + 5.0).summary()
 
 
+def test_a_drive_with_truth_shows_both_distances_and_how_far_they_are_apart(tmp_path):
+    """The wheels slip: the odometry counts 1 m, the robot moves 0.9. The truth is recorded for longer."""
+    path = record(tmp_path / 'both.bag', metre())
+    record(path, [odometry(x=5.0, y=0.009 * step, yaw=math.pi / 2, stamp=START + PERIOD * step)
+                  for step in range(150)], '/base_pose_ground_truth', 'a')
+    figure = make_figure(read_run(path), distance_target=1.0)
+    assert figure.get_suptitle() == '1.000 m by odometry, 0.900 m true, in 10.0 s, target 1 m'
+    assert [axes.get_ylabel() for axes in figure.axes] == [
+        'y (m)', 'distance (m)', 'off truth (m)', 'speed (m/s)']
+    error = figure.axes[2].lines[0].get_ydata()
+    assert error[[0, 50, 100]] == pytest.approx([0.0, 0.05, 0.1])
+
+
 def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
     """A robot that turned right by 90 degrees was told to turn to 270: its panels hold no path."""
     messages = [odometry(x=1e-4 * (step % 2), yaw=-step * math.pi / 200, stamp=START + PERIOD * step)

@@ -40,6 +40,16 @@ def test_the_picture_has_a_diagram_for_each_metric_that_varies_and_a_line_for_ea
     assert len(constant.axes) == 1, 'nothing varies; an empty picture would be no better'
 
 
+def test_the_picture_of_one_combination_is_a_histogram():
+    figure = make_figure(Tutorial('move'), [Combination('all runs', rows([0.1, 0.1, 0.1, 0.2]))])
+    heights = [bar.get_height() for bar in figure.axes[0].containers[0]]
+    assert (heights[0], heights[-1], sum(heights)) == (3, 1, 4)
+    assert figure.axes[0].get_ylabel() == 'runs'
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ['runs', '5 to 95 %', 'median']
+    constant = make_figure(Tutorial('move'), [Combination('all runs', rows([0.25, 0.25]))])
+    assert max(bar.get_height() for bar in constant.axes[0].containers[0]) == 2
+
+
 def test_a_full_disk_is_named_by_the_file_that_is_on_it(tmp_path):
     (tmp_path / 'runs.csv').symlink_to('/dev/full')
     with pytest.raises(OSError, match=f'No space left on device: .{tmp_path}/runs.csv'):

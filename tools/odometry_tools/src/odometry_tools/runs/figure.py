@@ -1,4 +1,4 @@
-"""The picture of a run: the path, distance and speed of a drive; the heading, error and turn rate of a turn."""
+"""The picture of a run: path, distance, error and speed of a drive; heading, error and turn rate of a turn."""
 
 import os
 
@@ -17,7 +17,7 @@ COMMANDED = {'color': PALE, 'linewidth': 5, 'label': 'commanded', 'where': 'post
 TARGET = {'color': DARK, 'linestyle': ':', 'label': 'target'}
 MIN_DISTANCE, MIN_TURN = 0.1, 10.0  # m, degrees; less is no drive, or no turn
 # By panel: its label, and its minimum span; on a shorter axis noise would look like motion.
-PANELS = {'distance': ('distance (m)', 0.1), 'speed': ('speed (m/s)', 0.05),
+PANELS = {'distance': ('distance (m)', 0.1), 'off truth': ('off truth (m)', 0.02), 'speed': ('speed (m/s)', 0.05),
           'heading': ('heading (degrees)', 2.0), 'error': ('error (degrees)', 2.0), 'turn rate': ('turn rate (rad/s)', 0.05)}
 PATH_SPAN = 0.6  # m
 
@@ -37,7 +37,7 @@ def make_figure(run, distance_target=None, heading_target=None):
     track = run.odometry
     turned = numpy.degrees(numpy.ptp(track.yaw))
     drives = bool(track.distance[-1] >= MIN_DISTANCE or turned < MIN_TURN)
-    panels = ['distance', 'speed'] * drives
+    panels = ['distance', *['off truth'] * bool(run.ground_truth), 'speed'] * drives
     if turned >= MIN_TURN or heading_target is not None:
         panels += ['heading', *['error'] * (heading_target is not None), 'turn rate']
     targets = {'distance': distance_target}
@@ -74,15 +74,23 @@ def tidy(*all_axes):
 
 def _write_title(figure, run, distance_target, heading_target):
     """Write the result in words, and below it, small, where it comes from."""
-    track = run.odometry
     if heading_target is None:
-        result, target = f'{track.distance[-1]:.3f} m', distance_target and f'{distance_target:g} m'
+        figures = [f'{distance:.3f} m' for distance in _growth(run, 'distance')]
+        target = distance_target and f'{distance_target:g} m'
     else:
-        turned = numpy.degrees(track.yaw[-1] - track.yaw[0])
-        result, target = f'turned {turned:.1f} degrees', f'{heading_target:g} degrees'
-    title = f'{result} in {track.time[-1] - track.time[0]:.1f} s' + (f', target {target}' if target else '')
+        figures = [f'{turned:.1f} degrees' for turned in numpy.degrees(_growth(run, 'yaw'))]
+        figures[0], target = f'turned {figures[0]}', f'{heading_target:g} degrees'
+    result = f'{figures[0]} by odometry, {figures[1]} true,' if run.ground_truth else figures[0]
+    time = run.odometry.time
+    title = f'{result} in {time[-1] - time[0]:.1f} s' + (f', target {target}' if target else '')
     figure.suptitle(title, x=0.07, ha='left', fontsize=14, color=DARK)
     figure.text(0.07, 0.9, run.name, fontsize=8, color='grey')
+
+
+def _growth(run, column):
+    """Return by how much a column of the odometry and, if it is known, of the truth has grown."""
+    columns = [getattr(run.odometry, column), *([run.truth(column)] if run.ground_truth else [])]
+    return [values[-1] - values[0] for values in columns]
 
 
 def _draw_path(axes, run):
@@ -99,6 +107,11 @@ def _draw_path(axes, run):
 
 def _draw_panel(axes, panel, run, targets):
     label, span = PANELS[panel]
+    axes.set_ylabel(label)
+    if panel == 'off truth':
+        axes.plot(run.odometry.time, run.off_truth, color=BLUE, linewidth=2)
+        _show_at_least(span, axes)
+        return
     if panel in ('speed', 'turn rate') and len(run.commands):
         time, linear, angular = run.commands.T
         axes.step(time, linear if panel == 'speed' else angular, **COMMANDED)
@@ -110,7 +123,6 @@ def _draw_panel(axes, panel, run, targets):
     if targets.get(panel) is not None:
         axes.axhline(targets[panel], **TARGET)
     _show_at_least(span, axes)
-    axes.set_ylabel(label)
 
 
 def _tracks(run):

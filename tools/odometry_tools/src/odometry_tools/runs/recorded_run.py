@@ -81,6 +81,15 @@ class Run(NamedTuple):
                           *(self._error() if self.ground_truth else []),
                           *([f'left out    {", ".join(left_out)}'] if left_out else [])])
 
+    def truth(self, column):
+        """Return a column of the ground truth (x, y, yaw or distance) at the time of each odometry message."""
+        return numpy.interp(self.odometry.time, self.ground_truth.time, getattr(self.ground_truth, column))
+
+    @property
+    def off_truth(self):
+        """How far each position of the odometry is from the true one (m)."""
+        return numpy.hypot(self.odometry.x - self.truth('x'), self.odometry.y - self.truth('y'))
+
     @property
     def error(self):
         """The PlanarPose of the odometry, relative to the true one, at the end."""

@@ -2,29 +2,34 @@
 
 import numpy
 
-from odometry_tools.runs.figure import BLUE, DARK, ORANGE, new_figure, tidy
+from odometry_tools.runs.figure import BLUE, DARK, ORANGE, PALE, new_figure, tidy
 from odometry_tools.sweep.results import METRICS, SHOWN, statistics
 
 FILE = 'distributions.png'
 WIDTH, ROW, FRAME, MARGIN = 2.2, 0.4, 1.5, 1.5  # inches: a diagram, a combination, titles and axes, labels
 MIN_SPANS = {'m': 0.01, 'degrees': 0.5, 's': 0.5}  # on a shorter axis noise looks large
 MAX_HEIGHT = 60.0  # inches
+HISTOGRAM, BARS = 2.2, 12  # inches: the height of a histogram; its number of bars
 
 
 def make_figure(subject, combinations):
-    """Return a figure with a diagram for each metric, and in it a line for each Combination."""
+    """Return a figure with a diagram for each metric.
+
+    It has a line for each Combination; of one alone it is a histogram of its runs.
+    """
     values = {metric: [combination.values(metric) for combination in combinations]
               for metric in SHOWN[subject.kind]}
     # A diagram of a constant, or of rounding, shows nothing.
     metrics = [metric for metric, rows in values.items()
                if numpy.ptp(numpy.concatenate(rows)).round(6)]
     metrics = metrics or SHOWN[subject.kind][:1]
-    figure = new_figure(MARGIN + WIDTH * len(metrics), min(MAX_HEIGHT, FRAME + ROW * len(combinations)),
-                        layout='constrained')
+    is_alone = len(combinations) == 1
+    height = HISTOGRAM if is_alone else ROW * len(combinations)
+    figure = new_figure(MARGIN + WIDTH * len(metrics), min(MAX_HEIGHT, FRAME + height), layout='constrained')
     diagrams, = figure.subplots(1, len(metrics), sharey=True, squeeze=False)
     for metric, axes in zip(metrics, diagrams):
         unit = METRICS[subject.kind][metric]
-        handles = _draw(axes, values[metric])
+        handles = _draw_histogram(axes, *values[metric], MIN_SPANS[unit]) if is_alone else _draw(axes, values[metric])
         low, high = axes.get_xlim()
         margin = max(0.0, MIN_SPANS[unit] - (high - low)) / 2
         axes.set_xlim(low - margin, high + margin)
@@ -32,11 +37,25 @@ def make_figure(subject, combinations):
         axes.locator_params(axis='x', nbins=3)
         axes.set_title(f'{metric.replace("_", " ")} ({unit})')
     tidy(*diagrams)
-    diagrams[0].set_yticks(range(len(combinations)), [combination.name for combination in combinations])
-    diagrams[0].set_ylim(len(combinations) - 0.5, -0.5)
+    if is_alone:
+        diagrams[0].set_ylabel('runs')
+        diagrams[0].yaxis.get_major_locator().set_params(integer=True)
+    else:
+        diagrams[0].set_yticks(range(len(combinations)), [combination.name for combination in combinations])
+        diagrams[0].set_ylim(len(combinations) - 0.5, -0.5)
     figure.legend(handles=handles, loc='outside lower center', ncols=len(handles), frameon=False)
     figure.suptitle(f'{subject.name}, {sum(len(combination.rows) for combination in combinations)} runs', color=DARK)
     return figure
+
+
+def _draw_histogram(axes, values, span):
+    """Draw how many runs have which value, over this span at least, and what the table says of them."""
+    margin = max(0.0, span - numpy.ptp(values)) / 2
+    *_, bars = axes.hist(values, BARS, range=(values.min() - margin, values.max() + margin), color=BLUE, label='runs')
+    median, low, high, _ = statistics(values).values()
+    most = axes.axvspan(low, high, color=PALE, alpha=0.4, zorder=0, label='5 to 95 %')
+    middle = axes.axvline(median, color=ORANGE, linewidth=2, label='median')
+    return bars[0], most, middle
 
 
 def _draw(axes, rows):

@@ -1,0 +1,132 @@
+"""Record docs/images/demo.gif from a run of ./ws demo --view: ./ws python3 test/tools/moving_picture.py.
+
+Needs what ./ws test installs: Chromium and selenium. The GIF shows the page above the terminal, faster than real time.
+"""
+
+import argparse
+import io
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from odometry_tests.forms import ESCAPE
+from odometry_tests.scripts import ROOT, load_script
+from odometry_tests.terminal import Terminal
+from odometry_tests.waiting import wait_until
+from PIL import Image, ImageDraw, ImageFont
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+
+browser = load_script('tools/robot_view/test/browser.py')
+FILE = ROOT / 'docs' / 'images' / 'demo.gif'
+MAX_SIZE = 1_000_000  # bytes
+COMMAND = './ws demo --view'
+STAYS = 'The page stays'  # what the demo prints last
+WIDTH, PAGE_HEIGHT = 880, 480  # pixels
+ROWS, ROW_HEIGHT, FONT_SIZE, MARGIN = 7, 18, 14, 8  # lines of the terminal; pixels
+BLACK, WHITE = '#1e1e1e', '#e8e8e8'
+# Such as that this browser has no graphics card.
+NO_NOTICES = ('addEventListener("DOMContentLoaded", () => document.head.appendChild(document.createElement("style"))'
+              '.textContent = "[class*=Notification] { display: none }");')
+PERIOD = 0.5  # s between two pictures
+SHOWN, LAST_SHOWN = 130, 4000  # ms for which the GIF shows a picture, and the last one
+
+
+class Window(browser.Page):
+    """A Chromium that is ready before there is a page, so that it shows the robot's first metres."""
+
+    def __init__(self):
+        options = webdriver.ChromeOptions()
+        options.binary_location = browser.CHROMIUM
+        for switch in browser.SWITCHES:
+            options.add_argument(switch)
+        self.driver = webdriver.Chrome(options=options, service=Service(browser.DRIVER))
+        self.driver.command_executor.client_config.timeout = browser.ANSWER_TIMEOUT
+        self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
+                                    {'source': browser.DRAW_SELDOM + NO_NOTICES})
+        self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
+            'width': WIDTH, 'height': PAGE_HEIGHT, 'deviceScaleFactor': 1, 'mobile': False})
+
+    def open(self, url):
+        self.driver.get(url)
+        self._wait_for_readings()
+
+    def show_all(self):
+        """Show the whole way of a robot that has begun to drive."""
+        self.wait_for_reading('moved_distance', lambda metres: 0.0 < metres < 1.0)
+        self.run('arguments[0].click()', self._button('show all'))  # which does not scroll to it
+
+    def picture(self):
+        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
+
+
+def main():
+    """Record the run, and write the GIF."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], allow_abbrev=False)
+    parser.add_argument('--file', type=Path, default=FILE, help='where to write (default: %(default)s)')
+    file = parser.parse_args().file
+    frames = record()
+    palette = frames[-1].quantize()
+    first, *others = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+    durations = [SHOWN] * len(others) + [LAST_SHOWN]
+    first.save(file, save_all=True, append_images=others, duration=durations, loop=0, optimize=True)
+    size = file.stat().st_size
+    print(f'{file}: {len(frames)} pictures, {size} bytes')
+    return int(size > MAX_SIZE)
+
+
+def record():
+    """Return a picture of the page and the terminal for each PERIOD of the run."""
+    font_file = subprocess.check_output(['fc-match', '--format', '%{file}', 'monospace'], text=True)
+    font = ImageFont.truetype(font_file, FONT_SIZE)
+    with Window() as window, Terminal(ROOT, dict(os.environ)) as terminal:
+        # A page that is open connects to the next demo at once; a new one takes half the run to draw.
+        window.open(start(terminal, f'{COMMAND} --real-time-factor 0'))
+        terminal.wait_for_output(STAYS, browser.ANSWER_TIMEOUT)
+        stop(terminal)
+        start(terminal, COMMAND)
+        window.show_all()
+        frames, due = [], time.monotonic()
+        while STAYS not in terminal.text:
+            assert terminal.status is None, terminal.output
+            frames.append(framed(printed(terminal), window.picture(), font))
+            due = max(due + PERIOD, time.monotonic())
+            time.sleep(max(0.0, due - time.monotonic()))
+        frames.append(framed(printed(terminal), window.picture(), font))
+        stop(terminal)
+    return frames
+
+
+def start(terminal, command):
+    """Start a demo, and return the address of its page."""
+    terminal.type(command)
+    return wait_until(lambda: re.search(r'^view +(\S+)', '\n'.join(printed(terminal)), re.MULTILINE),
+                      browser.ANSWER_TIMEOUT, 'the address of the page')[1]
+
+
+def stop(terminal):
+    terminal.press_ctrl_c()
+    terminal.wait_for_prompt()
+
+
+def printed(terminal):
+    """Return the lines that a reader sees, live lines as they are now."""
+    _, *lines = ESCAPE.sub('', terminal.text).replace('\r\n', '\n').split('\n')
+    return [f'$ {COMMAND}', *(re.split('\r', line.rstrip('\r'))[-1] for line in lines)]
+
+
+def framed(lines, page, font):
+    """Return a page with the last lines of the terminal below it."""
+    picture = Image.new('RGB', (WIDTH, PAGE_HEIGHT + ROWS * ROW_HEIGHT + 2 * MARGIN), BLACK)
+    picture.paste(page, (0, 0))
+    draw = ImageDraw.Draw(picture)
+    for row, line in enumerate([line for line in lines if line][-ROWS:]):
+        draw.text((MARGIN, PAGE_HEIGHT + MARGIN + row * ROW_HEIGHT), line, WHITE, font)
+    return picture
+
+
+if __name__ == '__main__':
+    sys.exit(main())
