@@ -16,7 +16,7 @@ class Plots:
 
     def __init__(self, gui, place):
         self._distance = _Plot(gui, place, 'distance (m)', (0.0, 1.0), [
-            _series('moved', BLUE), _series('true', ORANGE, DASHES),
+            _series('moved', BLUE), _series('true path', ORANGE, DASHES),
             _series('target', RED, DOTS)], order=1)
         self._heading = _Plot(gui, place, 'heading (degrees)', (-5.0, 5.0), [
             _series('heading', BLUE), _series('target', RED, DOTS)], order=2)
