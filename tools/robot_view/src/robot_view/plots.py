@@ -50,6 +50,8 @@ class _Plot:
         """Draw a column of values for each series; NaN where a value is unknown."""
         # uPlot draws nothing if there is a NaN.
         shown = [index for index, values in enumerate(columns) if not numpy.isnan(values).all()]
+        if not shown:  # as with odometry alone, of which viser makes no plot
+            return
         data = (time, *(_fill(time, columns[index]) for index in shown))
         if shown == self._shown:
             self._plot.data = data
