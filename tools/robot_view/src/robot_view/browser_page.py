@@ -85,14 +85,17 @@ class BrowserPage:
         return name and f'{name}/'
 
     def _move(self):
-        """Draw the robots at their current poses."""
+        """Draw the robots at their current poses, and let the views follow the chosen one."""
+        chosen = []
         with self._server.atomic():
             for namespace, monitor, model in self._known():
                 with monitor.lock:
                     model.move(monitor)
                     if namespace == self.chosen:
-                        for view in list(self._views.values()):
-                            view.follow(*monitor.pose[0][:2])
+                        chosen.append(monitor.pose[0][:2])
+            for x, y in chosen:
+                for view in list(self._views.values()):
+                    view.follow(x, y)
 
     def _draw(self):
         """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""

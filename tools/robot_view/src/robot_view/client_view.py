@@ -16,6 +16,7 @@ class ClientView:
             of all that there is to show
         """
         self._camera, self._find_places = client.camera, find_places
+        self._aspect = None  # of the picture for which all was shown
         self._world = client.scene.add_frame(WORLD, show_axes=False)
         self._follows = client.gui.add_checkbox('follow', True, hint='the chosen robot', order=order + 0.1)
         self._follows.on_update(self._on_follow)
@@ -25,13 +26,19 @@ class ClientView:
             self.show_all()
 
     def follow(self, x, y):
-        """Draw the world so that x, y (m) is in the middle of it, if this browser follows the robot."""
+        """Follow the robot at x, y (m), or show all again if the picture has another shape than then.
+
+        That of a new page changes once it has laid out its panel, that of a phone when you fold this.
+        """
         if self._follows.value:
             self._world.position = (-x, -y, 0.0)
+        elif self._aspect not in (None, self._camera.aspect):
+            self.show_all()
 
     def show_all(self):
         """Show paths, targets and robots, and follow none."""
         self._follows.value = False
+        self._aspect = self._camera.aspect
         x, y, _ = self._world.position
         places = [(x + place[0], y + place[1]) for place in self._find_places()]
         if places:
@@ -39,4 +46,5 @@ class ClientView:
 
     def _on_follow(self, _):
         if self._follows.value:
+            self._aspect = None
             look_at_robot(self._camera)
