@@ -87,12 +87,15 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     assert (after.linear, after.angular) == (STILL, STILL)
 
 
-@pytest.mark.parametrize('robot, variances', [
-    (Robot(), (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)),
-    (encoders(gyro=False), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2)),
-    (encoders(gyro=True), (0.1, 0.1, 1e10, 1e10, 1e10, 0.05))], ids=['world', 'wheels', 'gyro'])
-def test_the_covariance_is_that_of_the_tutorial_or_of_a_kobuki(robot, variances):
+@pytest.mark.parametrize('robot, variances, of_twist', [
+    (Robot(), (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001), (0.0,) * 6),
+    (encoders(gyro=False), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2), (0.001, 0.001, 1e10, 1e10, 1e10, 0.02)),
+    (encoders(gyro=True), (0.1, 0.1, 1e10, 1e10, 1e10, 0.05), (0.001, 0.001, 1e10, 1e10, 1e10, 0.005)),
+], ids=['world', 'wheels', 'gyro'])
+def test_the_covariance_is_that_of_the_tutorial_or_of_a_kobuki(robot, variances, of_twist):
+    """The tutorial's twist has none; that of a filter's input must not be zero."""
     assert robot.covariance == variances
+    assert robot.twist_covariance == of_twist
 
 
 @pytest.mark.parametrize('slip', [0.01, 0.1, 0.5])

@@ -109,6 +109,7 @@ def test_the_imu_has_the_heading_of_the_odometry(robots):
     assert (odometry.pose.pose.position.x, odometry.pose.pose.position.y) == (0, 0)
     for covariance in imu.orientation_covariance, imu.angular_velocity_covariance:
         assert covariance[::4] == (sys.float_info.max, sys.float_info.max, 0.005)
+    assert imu.linear_acceleration_covariance[0] == -1, 'the acceleration counts as measured'
 
 
 def test_what_goes_to_the_base_directly_is_obeyed_whatever_the_multiplexer_keeps_out(robots):

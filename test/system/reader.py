@@ -13,7 +13,7 @@ from odometry_tests.waiting import wait_until
 
 TIMEOUT = 45.0  # s; a demo takes 26
 LONG_TIMEOUT = 240.0  # s, for what keeps the processors busy until it ends
-LONG = ('./ws sweep', './ws bench', './ws check')
+LONG = ('./ws sweep', './ws bench', './ws check', 'rostopic echo -n1 /move_base/result')
 LOOKING_PERIOD = 0.2  # s; each look asks the master and goes through all that was printed
 ENDS_WELL = {0, 130}  # 130: whom Ctrl-C has ended
 PLAIN = ('./ws', 'git')  # what is typed before there is a shell in the workspace

@@ -44,6 +44,7 @@ GOES_ON = {
     'Two metres': CALIBRATION,
     'Ten turns': CALIBRATION,
     'Drive again': CALIBRATION,
+    'Drive to a goal': 'docs/navigation.md: Make a map',
     'Troubleshooting': LAUNCHES,
     'How to remove it': LAUNCHES,
     'Reference': LAUNCHES,
@@ -87,14 +88,17 @@ NOT_HERE = {
     r'^rosrun teleop_twist_keyboard ': 'its package is not here',
     r'^(sudo )?rosdep |^sudo apt update$': 'needs the network',
     r'^(docker|podman) ': 'test_container types them',
-    r'^\./ws sweep (one_metre |--campaign \.ws/)': 'is of a package that is not here; test_sweep_launch has it',
+    r'^\./ws sweep (one_metre |--campaign (\.ws|launch)/)': 'is of a package that is not here; test_sweep_launch has it',
     r'^\./ws sweep --replay ': 'is of a sweep that is not here; test_sweep_replay replays others',
     r'^\./ws check (?!heading rotate_robot)': 'is of a node that is not here',
+    r' https://github.com/|^mkdir -p \.ws/|^echo |^export |^\./ws true$': 'needs the network, and compiles for minutes',
     r'^\./ws (dask|sweep .*--cluster) ': 'needs more machines; test_sweep_cluster makes a cluster',
 }
 IS_CLONE = (ROOT / '.git').exists() and shutil.which('git')
 if not IS_CLONE:
     NOT_HERE['^git clone '] = 'this is no clone'
+if not (ROOT / '.ws' / 'devel' / 'lib' / 'move_base').exists():
+    NOT_HERE[r'map\.launch|navigate\.launch|move_base|map_server|tf_echo map'] = 'docs/navigation.md builds them'
 NEEDS_SCREEN = re.compile(r'--gui|gui:=|rviz:=')
 READERS = 4
 

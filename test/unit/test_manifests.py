@@ -17,7 +17,7 @@ MANIFESTS = [package / 'package.xml' for package in [*PACKAGES, ROOT / 'docs' / 
 FROM_PYPI = {'distributed', 'hypothesis', 'msgspec', 'pybullet', 'rich', 'selenium',
              'viser', 'websockets', 'zstandard'}
 UNDER_OTHER_NAMES = {'markdown_it', 'pybullet_utils', 'xdist'}  # of markdown-it-py, pybullet, pytest-xdist
-OPTIONAL = {'robot_view', 'rviz'}
+OPTIONAL = {'amcl', 'gmapping', 'map_server', 'move_base', 'robot_view', 'rviz', 'tf'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
 # Where Debian's name is not python3- and the key.

@@ -16,6 +16,7 @@ from sim_turtlebot.robot.scanner import is_scan_due
 # About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the largest
 # float where a Kobuki measures nothing: kobuki_node/src/library/slot_callbacks.cpp.
 IMU_VARIANCES = sys.float_info.max, sys.float_info.max, 0.005
+NOT_MEASURED = -1  # the first element of a covariance, as sensor_msgs/Imu defines it
 
 
 class Topic:
@@ -63,12 +64,14 @@ class RobotTopics:
         base = f'{namespace}base_footprint'
         self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom', child_frame_id=base)
         self._odometry.message.pose.covariance[::7] = robot.covariance
+        self._odometry.message.twist.covariance[::7] = robot.twist_covariance
         self._ground_truth = Topic(f'{namespace}base_pose_ground_truth', Odometry, 'world',
                                    child_frame_id=base)
         self._joints = Topic(f'{namespace}joint_states', JointState, '', name=WHEEL_JOINTS)
         self._imu = Topic(f'{namespace}mobile_base/sensors/imu_data', Imu, f'{namespace}gyro_link')
         self._imu.message.orientation_covariance[::4] = IMU_VARIANCES
         self._imu.message.angular_velocity_covariance[::4] = IMU_VARIANCES
+        self._imu.message.linear_acceleration_covariance[0] = NOT_MEASURED
         self._scan_rates = settings.scan_rate, settings.odom_rate
         if robot.scanner:
             self._scan = Topic(

@@ -11,6 +11,9 @@ Subscribes:
     moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
     sim_turtlebot/world_markers (visualization_msgs/MarkerArray): the world
+    map (nav_msgs/OccupancyGrid): its occupied cells, in the world
+    move_base/NavfnROS/plan (nav_msgs/Path): the way to move_base's goal
+    amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where amcl believes the robot to be
     sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
 
 Publishes:

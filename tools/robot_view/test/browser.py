@@ -66,6 +66,11 @@ class Page:
         yield
         self.driver.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
 
+    def prefer_colours(self, scheme):
+        """Have the browser ask for light or dark colours."""
+        self.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
+            'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
+
     def __enter__(self):
         return self
 

@@ -1,7 +1,5 @@
 """What the page shows and does in a real browser: robots, numbers, plots, the pad."""
 
-import contextlib
-
 import pytest
 import rospy
 from geometry_msgs.msg import Vector3
@@ -10,7 +8,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth, detector, simulator
 from odometry_tests.waiting import TIMEOUT, wait_until
 from std_msgs.msg import ColorRGBA
-from viewer import ROBOT_PIXELS, viewing, wait_for_robot
+from viewer import ROBOT_PIXELS, browsing, viewing, wait_for_robot
 from visualization_msgs.msg import Marker, MarkerArray
 
 SCAN_PIXELS = 100
@@ -23,11 +21,8 @@ BUTTONS = 'forward', 'left', 'stop', 'right', 'back'
 
 @pytest.fixture(scope='module')
 def open_page():
-    browser = pytest.importorskip('browser', reason='selenium is not installed')
-    if not (browser.CHROMIUM and browser.DRIVER):
-        pytest.skip('chromium and chromedriver are not installed')
-    with contextlib.ExitStack() as stack:
-        yield lambda url: stack.enter_context(browser.Page(url))
+    with browsing() as opened:
+        yield opened
 
 
 @pytest.fixture(scope='module')

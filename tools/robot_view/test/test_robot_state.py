@@ -14,6 +14,7 @@ from sim_turtlebot.kobuki import DEPTH_CAMERA
 
 PERIOD = 0.05  # s
 HERE = PlanarPose(1.0, 2.0, math.pi / 2)
+SPEED = 0.1  # m/s
 
 
 def follow(trace, poses, start=0.0, ground_truth=None):
@@ -46,7 +47,7 @@ def test_the_odometry_begins_where_the_robot_is_in_the_world():
     path = straight(1.0)
     follow(trace, path, ground_truth=[start.then(pose) for pose in path])
     assert trace.origin == pytest.approx(start)
-    assert trace.true_distance == pytest.approx(1.0)
+    assert trace.true_distance == trace.true_from_start == pytest.approx(1.0)
     assert trace.drift == pytest.approx(ORIGIN, abs=1e-9)
     assert trace.trail.array()[-1] == pytest.approx([5.0, -2.0])
 
@@ -56,7 +57,7 @@ def test_what_nobody_saw_is_not_counted():
     trace = PathTrace()
     follow(trace, [PlanarPose(3.0 + pose.x, 0.0, 0.0) for pose in straight(1.0)], start=7.0,
            ground_truth=straight(0.5))
-    assert trace.true_distance == pytest.approx(0.5)
+    assert trace.true_distance == trace.true_from_start == pytest.approx(0.5)
     assert trace.since == 7.0
 
 
@@ -148,29 +149,38 @@ def start(targets, node, **parameters):
 def test_the_goal_is_where_the_mover_stops(targets, parameters, y):
     """Half a metre has been driven; a negative speed drives backwards."""
     start(targets, 'test_movement', **parameters)
-    targets.aim(HERE, 0.5)
+    targets.aim(HERE, 0.5, SPEED)
     assert targets.distance == parameters.get('distance', 2.0)
     assert targets.goal[:2] == pytest.approx((1.0, y))
 
 
 def test_a_goal_stays_until_another_mover_starts(targets):
     start(targets, 'test_movement', distance=3.0)
-    targets.aim(HERE, 0.5)
+    targets.aim(HERE, 0.5, SPEED)
     first = targets.goal
-    targets.aim(PlanarPose(0.0, 0.0, 0.0), 1.0)
+    targets.aim(ORIGIN, 1.0, SPEED)
     targets.find(set())
     assert targets.goal == first and targets.distance == 3.0
     start(targets, 'test_movement', distance=1.0)
-    targets.aim(PlanarPose(0.0, 0.0, 0.0), 0.0)
+    targets.aim(ORIGIN, 0.0, SPEED)
     assert targets.goal == pytest.approx((1.0, 0.0, 0.0))
+
+
+def test_a_relative_mover_counts_from_where_the_robot_was_at_rest(targets):
+    """The page finds the mover when the robot drives already."""
+    targets.aim(HERE, 0.5, 0.0)
+    start(targets, 'test_movement', distance=3.0, relative=True)
+    targets.aim(HERE.then(PlanarPose(0.1, 0.0, 0.0)), 0.6, SPEED)
+    assert targets.distance == 3.5
+    assert targets.goal[:2] == pytest.approx((1.0, 5.0))
 
 
 @pytest.mark.parametrize('nodes, moved', [({'/aim/test_movement'}, 0.5), ({'/other'}, 0.5), ({'/aim/test_movement'}, None)])
 def test_nobody_guesses_a_goal(targets, nodes, moved):
-    """Neither of a relative mover, nor without a mover or a moved distance."""
+    """Neither of a relative mover whose start nobody saw, nor without a mover or a moved distance."""
     rospy.set_param('/aim/test_movement', {'relative': moved is not None})
     targets.find(nodes)
-    targets.aim(HERE, moved)
+    targets.aim(HERE, moved, SPEED)
     assert targets.goal is None
 
 

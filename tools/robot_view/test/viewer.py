@@ -39,6 +39,16 @@ def viewing(*arguments, patient=False):
         yield view
 
 
+@contextlib.contextmanager
+def browsing():
+    """Yield a function that opens a browser.Page by its address; the pages close at the end."""
+    browser = pytest.importorskip('browser', reason='selenium is not installed')
+    if not (browser.CHROMIUM and browser.DRIVER):
+        pytest.skip('chromium and chromedriver are not installed')
+    with contextlib.ExitStack() as stack:
+        yield lambda url: stack.enter_context(browser.Page(url))
+
+
 def wait_for_robot(window, accepts=lambda rows, columns: True):
     """Return rows and columns of its dark pixels once the page has drawn it and they are accepted."""
     seen = []

@@ -36,6 +36,7 @@ class WorldOdometry:
 
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
+    twist_covariance = (0.0,) * 6
 
     def reset(self, ground_truth):
         """Set the odom frame to this pose; return the Motion in it."""
@@ -80,6 +81,8 @@ class EncoderOdometry:
         self._use_gyro = use_gyro
         # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if use_gyro else 0.2)
+        # kobuki_node has zeros, which no filter can use: (3 cm/s)^2, and for yaw as for the pose's sources.
+        self.twist_covariance = (0.001, 0.001, 1e10, 1e10, 1e10, 0.005 if use_gyro else 0.02)
 
     def reset(self, _ground_truth):
         """Set pose and velocity to zero."""

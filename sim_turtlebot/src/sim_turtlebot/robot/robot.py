@@ -49,6 +49,7 @@ class Robot:
             self._estimator = EncoderOdometry(self._encoders, self.gyro, self._geometry,
                                               settings.gyro)
         self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
+        self.twist_covariance = self._estimator.twist_covariance  # of the same, per second
         self.scanner = Scanner(body, settings, index) if settings.scan else None
         self.begin(settings.seed)
 

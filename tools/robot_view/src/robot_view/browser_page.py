@@ -8,7 +8,9 @@ from pathlib import Path
 import rospy
 from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
-from robot_view.camera import FIELD_OF_VIEW, look_at_all, look_at_robot
+from robot_view.camera import FIELD_OF_VIEW, look_at_robot
+from robot_view.client_view import ClientView
+from robot_view.navigation import NavigationModel
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import Readings, SimulationButtons, add_placing
 from robot_view.plots import Plots
@@ -30,10 +32,12 @@ class BrowserPage:
         """Show Robots."""
         self._robots = robots
         self._models = {}  # RobotModel by namespace
+        self._views = {}  # ClientView by the client's id
         self._server = start_server(address)
         scene = self._server.scene
-        self._world = add_world(scene)
+        add_world(scene)
         self._shapes = WorldModel(scene, WORLD)
+        self._navigation = NavigationModel(scene, WORLD)
         self._build()
         self._server.on_client_connect(self._on_connect)
         self._server.on_client_disconnect(self._on_disconnect)
@@ -45,15 +49,12 @@ class BrowserPage:
         self._readings = Readings(gui)
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
         self._simulation = SimulationButtons(gui, self._robots)
-        with gui.add_folder('drive: hold a button or an arrow key'):
+        with gui.add_folder('drive: hold a button or an arrow key') as self._drive:
             self._pad = Pad(lambda: self.chosen if self._models else None, self._speeds)
             add_pad(gui, self._pad)
             self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
             self._angular = gui.add_slider(
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
-        self._follow = gui.add_checkbox('follow', True, hint='the chosen robot')
-        self._follow.on_update(self._on_follow)
-        gui.add_button('show all', color='gray').on_click(self._on_show_all)
         self._plots = Plots(gui, gui.add_folder('plots'))
         self._placing = add_placing(gui, self._put)
         gui.main_panel.dock_right()
@@ -84,14 +85,17 @@ class BrowserPage:
         return name and f'{name}/'
 
     def _move(self):
-        """Draw the robots at their current poses."""
+        """Draw the robots at their current poses, and let the views follow the chosen one."""
+        chosen = []
         with self._server.atomic():
             for namespace, monitor, model in self._known():
                 with monitor.lock:
                     model.move(monitor)
-                    if namespace == self.chosen and self._follow.value:
-                        (x, y, _), _ = monitor.pose
-                        self._world.position = (-x, -y, 0.0)
+                    if namespace == self.chosen:
+                        chosen.append(monitor.pose[0][:2])
+            for x, y in chosen:
+                for view in list(self._views.values()):
+                    view.follow(x, y)
 
     def _draw(self):
         """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""
@@ -99,6 +103,7 @@ class BrowserPage:
         self._simulation.update()
         self._placing.visible = self._robots.is_simulated
         self._shapes.draw(self._robots.world)
+        self._navigation.draw()
         for namespace, monitor, model in self._known():
             with monitor.lock:
                 model.draw_path(monitor)
@@ -133,30 +138,22 @@ class BrowserPage:
     def _speeds(self):
         return _clamped(self._linear), math.radians(_clamped(self._angular))
 
-    def _on_follow(self, _):
-        if self._follow.value:
-            for client in self._server.get_clients().values():
-                look_at_robot(client.camera)
-
-    def _on_show_all(self, event):
-        """Show start, target and place of every robot to the browser that asks."""
-        self._follow.value = False
-        self._show_all(event.client)
-
-    def _show_all(self, client):
-        x, y, _ = self._world.position
-        places = [(x + place[0], y + place[1])
-                  for _, monitor, _ in self._known() for place in monitor.places()]
-        if places:
-            look_at_all(client.camera, places)
+    def _find_places(self):
+        """Return x, y (m) in the world of the chosen robot, of its start, and of what else robots have shown."""
+        places = []
+        for namespace, monitor in self._robots.monitors.items():
+            with monitor.lock:
+                found = monitor.places() if monitor.is_known else []
+            places = [*found, *places] if namespace == self.chosen else [*places, *found]
+        return places
 
     def _on_connect(self, client):
-        if not self._follow.value:
-            self._show_all(client)
+        self._views[client.client_id] = ClientView(client, self._drive.order, self._find_places)
 
     async def _on_disconnect(self, client):
         # Not on a thread, or the last hold of the same browser could come later.
         self._pad.release(client.client_id)
+        self._views.pop(client.client_id, None)
 
 
 def _clamped(slider):

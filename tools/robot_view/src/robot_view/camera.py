@@ -5,28 +5,49 @@ To follow a robot, the page moves the world, not the cameras: viser would interr
 
 import math
 
+import numpy
+
 FIELD_OF_VIEW = math.radians(45)  # vertical
-DIRECTION = 0.0, -0.83, 0.56  # from what the camera looks at to the camera; of length 1
+TANGENT = math.tan(FIELD_OF_VIEW / 2)
+DIRECTION = numpy.array([0.0, -0.83, 0.56])  # from what the camera looks at to the camera; of length 1
+AXES = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.56, 0.83], -DIRECTION])  # right, up and forward, in the scene
 DISTANCE = 4.0  # m, from the robot
-MARGIN = 0.6  # m around the places that are shown
+MARGIN = 0.5  # m around the places that are shown
+TOP = 0.45  # m, above each place; higher than a robot
 HEIGHT = 0.15  # m, at which it looks
 
 
 def look_at_robot(camera):
     """Point a camera at the robot that the world follows."""
-    _look(camera, (0.0, 0.0), DISTANCE)
+    _place(camera, _from_robot())
+
+
+def shows(camera, place):
+    """Return whether a camera that looks at the robot shows a place, x, y (m) from there."""
+    right, up, forward = AXES @ ([*place, 0.0] - _from_robot())
+    return abs(right) < TANGENT * camera.aspect * forward and abs(up) < TANGENT * forward
 
 
 def look_at_all(camera, places):
-    """Point a client's camera so that it sees all places, a list of x, y (m) in the scene."""
-    (left, right), (near, far) = ((min(values), max(values)) for values in zip(*places))
-    tangent = math.tan(FIELD_OF_VIEW / 2)
-    distance = max(((right - left) / 2 + MARGIN) / (tangent * camera.aspect),
-                   ((far - near) / 2 + MARGIN) / tangent)
-    _look(camera, ((left + right) / 2, (near + far) / 2), distance)
+    """Move a client's camera as close as it can be with all places, rows of x, y (m) in the scene, in view."""
+    corners = numpy.array([(x, y, z) for x in (-MARGIN, MARGIN) for y in (-MARGIN, MARGIN) for z in (0.0, TOP)])
+    places = numpy.column_stack([places, numpy.zeros(len(places))])
+    right, up, forward = AXES @ (places[:, None] + corners).reshape(-1, 3).T
+    across, back = _fit(right, forward, TANGENT * camera.aspect)
+    above, farther_back = _fit(up, forward, TANGENT)
+    _place(camera, AXES.T @ [across, above, min(back, farther_back)])
 
 
-def _look(camera, place, distance):
-    target = (*place, HEIGHT)
-    camera.position = tuple(at + distance * along for at, along in zip(target, DIRECTION))
-    camera.look_at = target
+def _fit(sideways, forward, tangent):
+    """Return the two coordinates of the foremost camera that sees these points between its edges."""
+    one, other = (sideways - tangent * forward).max(), (-sideways - tangent * forward).max()
+    return (one - other) / 2, -(one + other) / (2 * tangent)
+
+
+def _from_robot():
+    return numpy.array([0.0, 0.0, HEIGHT]) + DISTANCE * DIRECTION
+
+
+def _place(camera, position):
+    camera.position = tuple(position)
+    camera.look_at = tuple(position - (position[2] - HEIGHT) / DIRECTION[2] * DIRECTION)

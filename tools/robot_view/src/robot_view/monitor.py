@@ -87,15 +87,16 @@ class RobotMonitor:
         return self._odometry.header.stamp.to_sec()
 
     def places(self):
-        """Return x, y (m) of the start, of the goal if there is one, and of the robot."""
+        """Return x, y (m) of the robot, of its start, of the goal if there is one, and along the path."""
         start, goal = self.trace.origin, self.targets.goal
-        return [start[:2], self.pose[0][:2], *([start.then(goal)[:2]] if goal else [])]
+        return [self.pose[0][:2], start[:2], *([start.then(goal)[:2]] if goal else []), *self.trace.trail.array()]
 
     def readings(self):
         """Return the current values for panel.Readings by name; None if unknown."""
         heading = self.trace.heading
         return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
-                'true_since': self.trace.since, 'speed': self._odometry.twist.twist.linear.x,
+                'true_from_start': self.trace.true_from_start, 'true_since': self.trace.since,
+                'speed': self._odometry.twist.twist.linear.x,
                 'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
                 'simulated_time': self.stamp if self.stamp < EPOCH else None,
                 'real_time_factor': self._real_time_factor()}
@@ -116,7 +117,7 @@ class RobotMonitor:
             if self._first_stamp is None:
                 self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
             self.trace.add_odometry(self.stamp, pose)
-            self.targets.aim(pose, self._moved)
+            self.targets.aim(pose, self._moved, message.twist.twist.linear.x)
             self.trace.add_history(self.stamp - self._first_stamp, self._moved, self.targets.heading)
 
     def _on_ground_truth(self, message):

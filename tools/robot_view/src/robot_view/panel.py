@@ -9,7 +9,8 @@ from robot_view.robots import SERVICES
 
 NOTICE_SECONDS = 10
 ROWS = [  # name, label, decimals, unit
-    ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true distance', 3, ' m'),
+    ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true path', 3, ' m'),
+    ('true_from_start', 'true distance from the start', 3, ' m'),
     ('speed', 'speed', 2, ' m/s'), ('heading', 'heading', 1, '°'),
     ('simulated_time', 'simulated time', 1, ' s'), ('real_time_factor', 'real-time factor', 2, '')]
 

@@ -47,7 +47,8 @@ class PathTrace:
 
     def _restart(self):
         self.origin = ORIGIN  # of the odometry, in the frame of the path
-        self.true_distance = None  # m
+        self.true_distance = None  # m, along the path
+        self._true_start = None  # true pose from which that counts
         self.since = None  # the time (s) from which it counts, if that is not the odometry's start
         self.drift = ORIGIN  # from the odometry's pose to the true one
         self.heading = None  # rad, of the odometry, continuous
@@ -56,6 +57,11 @@ class PathTrace:
         self._travelled = 0.0
         self._last_traced = None
         self._odometry = self._ground_truth = None  # stamp and pose
+
+    @property
+    def true_from_start(self):
+        """The true distance (m) straight from the start, or from where counting began; None if unknown."""
+        return self._true_start and _distance(self._true_start, self._ground_truth[1])
 
     def add_odometry(self, stamp, pose):
         """Add the odometry's PlanarPose at `stamp` (s)."""
@@ -113,6 +119,7 @@ class PathTrace:
             self.true_distance = _distance(ORIGIN, odometry)
             if self.true_distance > START_RADIUS:
                 self.true_distance, self.since = 0.0, stamp
+            self._true_start = self.origin if self.since is None else ground_truth
         self.drift = self.origin.then(odometry).inverse().then(ground_truth)
 
 

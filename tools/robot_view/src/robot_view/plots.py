@@ -16,7 +16,7 @@ class Plots:
 
     def __init__(self, gui, place):
         self._distance = _Plot(gui, place, 'distance (m)', (0.0, 1.0), [
-            _series('moved', BLUE), _series('true', ORANGE, DASHES),
+            _series('moved', BLUE), _series('true path', ORANGE, DASHES),
             _series('target', RED, DOTS)], order=1)
         self._heading = _Plot(gui, place, 'heading (degrees)', (-5.0, 5.0), [
             _series('heading', BLUE), _series('target', RED, DOTS)], order=2)
@@ -50,6 +50,8 @@ class _Plot:
         """Draw a column of values for each series; NaN where a value is unknown."""
         # uPlot draws nothing if there is a NaN.
         shown = [index for index, values in enumerate(columns) if not numpy.isnan(values).all()]
+        if not shown:  # as with odometry alone, of which viser makes no plot
+            return
         data = (time, *(_fill(time, columns[index]) for index in shown))
         if shown == self._shown:
             self._plot.data = data

@@ -1,14 +1,16 @@
-"""The page's web server: viser's, made to refuse connections from other pages.
+"""The page's web server: viser's, made to refuse connections from other pages, and to send our head.html.
 
-viser has no option for that. It calls websockets.asyncio.server.serve(), so start_server() adds
+viser has no option for these. It calls websockets.asyncio.server.serve(), so start_server() adds
 serve()'s documented parameters to that call.
 """
 
 import atexit
 import functools
+import gzip
 import http
 import re
 import warnings
+from pathlib import Path
 
 import rich
 import rospy
@@ -18,6 +20,7 @@ from websockets.asyncio import server
 
 LOG_PERIOD = 10.0  # s, between two lines
 LOG_LENGTH = 100  # characters of a header
+HEAD = Path(__file__).with_name('head.html')
 
 
 def start_server(address):
@@ -54,11 +57,24 @@ def _admit(address, process_request, connection, request):
     # A header that occurs twice is joined, and then matches nothing.
     host, origin = (', '.join(request.headers.get_all(name)) for name in ('Host', 'Origin'))
     if is_own({*address.names, connection.local_address[0]}, host, origin, address.origins):
-        return process_request(connection, request)
+        return _with_head(process_request(connection, request))
     rospy.logwarn_throttle(LOG_PERIOD, (
         f'refused a connection with the Host header {host!a:.{LOG_LENGTH}} and the Origin header '
         f'{origin!a:.{LOG_LENGTH}}; ~allowed_hosts adds names of this page'))
     return connection.respond(http.HTTPStatus.FORBIDDEN, 'This is not an address of the page.\n')
+
+
+def _with_head(response):
+    """Add HEAD to the head of viser's page; other responses, or None, stay as they are."""
+    if not response or not response.headers.get('Content-Type', '').startswith('text/html'):
+        return response
+    is_zipped = response.headers['Content-Encoding'] == 'gzip'
+    page = gzip.decompress(response.body) if is_zipped else response.body
+    page = page.replace(b'<head>', b'<head>' + HEAD.read_bytes(), 1)
+    response.body = gzip.compress(page) if is_zipped else page
+    del response.headers['Content-Length']
+    response.headers['Content-Length'] = str(len(response.body))
+    return response
 
 
 def is_own(names, host, origin, origins=()):

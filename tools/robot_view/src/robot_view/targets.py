@@ -19,6 +19,8 @@ class Targets:
         self.goal = None  # where that is: a PlanarPose in the odometry's frame
         self._namespace = namespace
         self._sign = None  # of the speed of a running mover
+        self._is_relative = False  # whether that counts from its start
+        self._rest = None  # pose and moved distance when the robot was last at rest
 
     def find(self, nodes):
         """Read the targets of the nodes that have started.
@@ -34,14 +36,24 @@ class Targets:
             self._sign = None
         elif self._sign is None:
             self.distance = self._read(MOVER, 'distance', DISTANCE)
-            if rospy.get_param(self._name(MOVER, 'relative'), False):
-                self.distance = None  # only the mover knows where it began to count
+            self._is_relative = bool(rospy.get_param(self._name(MOVER, 'relative'), False))
             self.goal, self._sign = None, math.copysign(1.0, self._read(MOVER, 'speed', SPEED))
 
-    def aim(self, pose, moved):
-        """Find the goal once: ahead of a robot at a PlanarPose that has moved this far (m)."""
-        if self.goal is None and None not in (self._sign, self.distance, moved):
-            self.goal = pose.then(PlanarPose(self._sign * (self.distance - moved), 0.0, 0.0))
+    def aim(self, pose, moved, speed):
+        """Find the goal once: ahead of a robot at a PlanarPose that has moved this far (m), at a speed (m/s).
+
+        A mover that counts from its start begins where the robot was last at rest.
+        """
+        if speed == 0:
+            self._rest = pose, moved
+        if self.goal is not None or None in (self._sign, self.distance, moved):
+            return
+        if self._is_relative:
+            pose, moved = self._rest or (None, None)
+            if moved is None:
+                return
+            self.distance += moved
+        self.goal = pose.then(PlanarPose(self._sign * (self.distance - moved), 0.0, 0.0))
 
     def _runs(self, node, nodes):
         return rospy.resolve_name(self._namespace + node) in nodes
