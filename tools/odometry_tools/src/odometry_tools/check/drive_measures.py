@@ -6,17 +6,19 @@ import statistics
 import numpy
 from odometry_common.angles import wrap_to_pi
 
+from odometry_tools.check.run import ZERO
 from odometry_tools.check.scenarios import GOAL, PERIOD
 
 CLOSE = 0.05  # m, of rest from the goal
 AT_TARGET = 3.0  # degrees
+DETOUR = 60.0  # degrees, of overshooting
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
 REST = 2e-3  # m/s and rad/s
 SWING = 0.02  # rad/s; a smaller command is no swing
 RINGING, STILL = 5.0, 2.0  # s at the end of a run, in which a controller has settled, a heading stays
 CEASED = 0.55  # s
 FITS = 0.04  # m
-FEWEST, RESIDUAL = 8, 0.02  # commands that show a gain, and the share of them that it may leave
+FEWEST, RESIDUAL = 8, 0.003  # commands that show a gain, and the share of them that it may leave
 
 
 def measure_drive(m, run):
@@ -29,14 +31,13 @@ def measure_drive(m, run):
     m.useless = ', '.join(sorted({name for command in m.commands for name in command.useless}))
     m.mux = ', '.join(sorted({command.topic for command in m.commands if command.topic != 'cmd_vel'}))
     m.moves = [command for command in m.commands if command.moves]
-    m.drives = any(abs(command.linear) > SWING for command in m.moves)
-    m.turns = any(abs(command.angular) > SWING for command in m.moves)
+    m.drives, m.turns = (any(abs(command[axis]) > ZERO for command in m.moves) for axis in (1, 2))
     m.seconds = m.driven = 0.0
     m.is_moving_at_end = m.has_ceased = False
     m.stop = None
     if m.moves:
         last = m.commands[-1]
-        m.last_word = f'{last.angular:.2f} rad/s' if abs(last.angular) > abs(last.linear) else f'{last.linear:.2f} m/s'
+        m.last_word = f'{last.angular:.2g} rad/s' if abs(last.angular) > abs(last.linear) else f'{last.linear:.2g} m/s'
         m.is_moving_at_end = last.moves
         m.has_ceased = last.moves and run.now - last.time > CEASED
         m.stop = None if last.moves else m.commands[m.commands.index(m.moves[-1]) + 1]
@@ -69,9 +70,7 @@ def measure_distance(m, run):
     x, y = m.at_stop.x, m.at_stop.y
     m.moved_x, m.moved_y = abs(x - m.start.x), abs(y - m.start.y)
     wrong_distances = {'one_axis': min(abs(m.moved_x - GOAL), abs(m.moved_y - GOAL)),
-                       'sum_of_axes': abs(m.moved_x + m.moved_y - GOAL), 'place': math.hypot(x - GOAL, y),
-                       'coordinate': min(abs(abs(x) - GOAL), abs(abs(y) - GOAL)),
-                       'from_origin': abs(math.hypot(x, y) - GOAL)}
+                       'sum_of_axes': abs(m.moved_x + m.moved_y - GOAL), 'place': math.hypot(x - GOAL, y)}
     m.fits = {name for name, distance in wrong_distances.items() if distance < FITS}
 
 
@@ -84,6 +83,7 @@ def measure_heading(m, run):
     m.net = math.degrees(m.end.turn - m.start.turn)
     m.share = m.net / (errors[0] or 1.0)
     swings = [command for command in m.moves if abs(command.angular) > SWING]
+    m.turns_away = bool(swings) and m.start.yaw == 0.0 and swings[0].angular < 0
     flips = [after.time for before, after in zip(swings, swings[1:]) if before.angular * after.angular < 0]
     m.flips, m.rings = len(flips), sum(time > run.now - RINGING for time in flips) > 4
     speed = statistics.median([abs(command.angular) for command in m.moves] or [0.0])
@@ -92,18 +92,18 @@ def measure_heading(m, run):
     m.arrival = arrival - m.moves[0].time if m.moves else 0.0
     still = [error for pose, error in zip(after_reset, errors) if pose.time > run.now - STILL]
     m.is_settled = max(still) - min(still) < 1.0
-    m.passed = (max(map(abs, still)) <= AT_TARGET and m.turned <= m.shortest + 90 and not m.rings
+    m.passed = (max(map(abs, still)) <= AT_TARGET and m.turned <= m.shortest + DETOUR and not m.rings
                 and not m.has_ceased)
-    m.follows, m.gain, m.zero = _controller(run, swings)
+    m.follows, m.gain, m.zero = _controller(run, m.moves)
 
 
-def _controller(run, swings):
+def _controller(run, moves):
     """Return which angle the commands are proportional to, by what gain (1/s), and where they are zero (degrees).
 
     The angle is '' if none fits, or more than one does.
     """
     time, yaw = numpy.array([(pose.time, pose.yaw) for pose in run.odometry]).T
-    sent, speed = numpy.array([(command.time, command.angular) for command in swings] or [(0.0, 0.0)]).T
+    sent, speed = numpy.array([(command.time, command.angular) for command in moves] or [(0.0, 0.0)]).T
     is_free = abs(speed) < 0.99 * abs(speed).max()  # of the node's own limit
     found = {}
     for delay in (0, PERIOD, 1 / run.scenario.odom_rate):

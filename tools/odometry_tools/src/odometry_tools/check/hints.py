@@ -7,6 +7,7 @@ from odometry_tools.check.rule import Rule
 from odometry_tools.check.scenarios import SLOW, TARGET
 
 UNKNOWN = 'We do not know why: print the {quantity} in your loop, and look at the picture'
+YAW = 'yaw', 'yaw_to_360'
 NOT_BEGUN = 'no_node', 'crash', 'silent', 'all_zero'
 DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578  # degrees, if the target is mistaken for radians, or the yaw
 
@@ -72,27 +73,23 @@ PLACES = (
     Rule('sum_of_axes', _is_nearest('sum_of_axes'),
          '{moved_x:.2f} m are along x and {moved_y:.2f} along y, 2 in sum: take math.hypot(dx, dy)'),
     Rule('place', _is_nearest('place'),
-         'That is at the point (2, 0) of odometry: store where you start, and count from there'),
-    Rule('coordinate', _is_nearest('coordinate'),
-         'You stopped at ({at_stop.x:.2f}, {at_stop.y:.2f}): store where you start, and count from there'),
-    Rule('from_origin', _is_nearest('from_origin'),
-         'You stopped 2 m from the point (0, 0): store where you start, and count from there'))
+         'That is at the point (2, 0) of odometry: store where you start, and count from there'))
 ANGLES = (
     Rule('degrees', lambda m: _follows('yaw')(m) and abs(m.zero - DEGREES) < TARGET,
          'Your commands are 90 minus the yaw in radians: take math.radians(90)'),
     Rule('radians', lambda m: _follows('yaw')(m) and abs(m.zero - RADIANS) < 0.5,
          'Your commands are zero at {zero:.1f} degrees: the yaw in degrees was compared with 90 degrees in radians'),
-    Rule('sign', lambda m: m.rule != 'ceased' and _follows('yaw')(m) and m.gain < 0,
-         'Your commands turn away from 90: ROS turns left for positive, so error = target - yaw'),
+    Rule('sign', lambda m: m.rule in ('rings', 'long_way', 'unfinished') and (m.plain or m).turns_away,
+         'From heading 0 your first command turns right, away from 90: ROS turns left for positive, so error = target - yaw'),
     Rule('quaternion', _follows('quaternion'),
          'Your commands follow orientation.z, which is sin(yaw / 2) and no angle: use euler_from_quaternion'),
     Rule('half_circle', _follows('half_circle'),
          'Your commands follow a yaw of half a circle, as from asin: use euler_from_quaternion'),
-    Rule('not_wrapped', lambda m: m.rule == 'long_way' and m.follows in ('yaw', 'yaw_to_360'),
+    Rule('not_wrapped', lambda m: m.rule == 'long_way' and m.follows in YAW,
          'Your commands follow target - yaw, which has to be wrapped, for example by atan2(sin(e), cos(e))'),
-    Rule('gain_low', lambda m: m.rule == 'unfinished' and _follows('yaw')(m) and 0 < m.gain < 0.2,
+    Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
          'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),
-    Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and _follows('yaw')(m) and m.gain > 2,
+    Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and m.follows in YAW and m.gain > 2,
          'Your gain is {gain:.1f}: lower it towards 0.5'),
     Rule('turns_by', lambda m: m.turns_by, 'You turn by 90 degrees wherever you start; the exercise asks for heading '
          '90 in the odom frame'))

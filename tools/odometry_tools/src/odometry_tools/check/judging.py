@@ -61,8 +61,8 @@ def _verdict_on(m, held, name):
     if held is PASSED:
         kind = 'interrupt' if m.run.interrupted is not None else 'paced' if m.run.unawaited else name
         return Verdict(m.scenario.name, held.name, '', rules.PRAISE[kind].format(**vars(m)), notes)
-    hint = first(HINTS[name], m)
+    hint = None if held.explains else first(HINTS[name], m)
     words = [held.say(m)]
-    if hint or not held.explains:
+    if not held.explains:
         words.append(hint.say(m) if hint else UNKNOWN.format(**vars(m)))
     return Verdict(m.scenario.name, held.name, hint.name if hint else '', '. '.join(words), notes)

@@ -1,5 +1,6 @@
 """What is not right in a run, as it was measured. The first rule that holds is the verdict; why is in hints.py."""
 
+from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
 START = (
@@ -23,7 +24,7 @@ DRIVE = (
     Rule('interrupt', lambda m: m.run.interrupted is not None,
          "after Ctrl-C your last command was {last_word}, and only the base's watchdog stopped the robot"))
 DISTANCE = (
-    Rule('only_turned', lambda m: not m.drives, 'you only turned the robot; this exercise drives it', explains=True),
+    Rule('only_turned', lambda m: m.turns and not m.drives, 'you only turned the robot; this exercise drives it', explains=True),
     Rule('ceased', lambda m: m.has_ceased,
          "your last command, {last_word}, came at {at_last.way:.2f} m, and only the base's watchdog stopped the robot, "
          'at {end.way:.2f} m'),
@@ -36,13 +37,13 @@ DISTANCE = (
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, where two periods are {bound:.1f} s; '
          'the robot rests at {end.way:.2f} m'))
 HEADING = (
-    Rule('only_drove', lambda m: not m.turns, 'you only drove the robot; this exercise turns it', explains=True),
+    Rule('only_drove', lambda m: m.drives and not m.turns, 'you only drove the robot; this exercise turns it', explains=True),
     Rule('ceased', lambda m: m.has_ceased,
          'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
          "base's watchdog stopped the robot, at heading {heading:.1f}"),
     Rule('rings', lambda m: m.rings,
          'your command changed its sign {flips} times, and the robot did not come to rest at 90 degrees'),
-    Rule('long_way', lambda m: m.turned > m.shortest + 90,
+    Rule('long_way', lambda m: m.turned > m.shortest + DETOUR,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
     Rule('unfinished', lambda m: not m.is_settled or m.is_moving_at_end,
          'after {seconds:.0f} s you are {heading_error:.0f} degrees off, and your last command was {last_word}'),

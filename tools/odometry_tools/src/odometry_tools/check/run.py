@@ -118,8 +118,11 @@ class Run:
         if topic != 'odom':
             return
         pose, twist = message.pose.pose, message.twist.twist
-        pose = Pose(message.header.stamp.to_sec(), pose.position.x, pose.position.y,
-                    yaw_from_orientation(pose.orientation), twist.linear.x, twist.angular.z)
+        self.take(Pose(message.header.stamp.to_sec(), pose.position.x, pose.position.y,
+                       yaw_from_orientation(pose.orientation), twist.linear.x, twist.angular.z))
+
+    def take(self, pose):
+        """Take a Pose that odometry tells, and look whether the scenario is over."""
         if self.odometry:
             before = self.odometry[-1]
             if pose.has_jumped(before):
