@@ -11,7 +11,7 @@ START = (
          "two runs of this scenario differ: your node follows the wall's clock, as time.time() does, or chance. "
          'rospy.get_time() follows the robot', explains=True),
     Rule('silent', lambda m: m.is_silent,
-         'your node published 0 messages on {topic}, while odometry came {rate:g} times a second'),
+         'your node published 0 messages on {topic}, where odometry comes {rate:g} times a second'),
     Rule('not_finite', lambda m: not m.is_finite, 'you published what is not a number (nan or inf) on {topic}'))
 DRIVE = (
     Rule('wrong_field', lambda m: m.useless and m.is_still,
