@@ -112,7 +112,7 @@ def _controller(run, moves):
             if is_free.sum() >= FEWEST and name not in found:
                 slope, offset = numpy.polyfit(angle[is_free], speed[is_free], 1)
                 residual = abs(slope * angle + offset - speed)[is_free].max()
-                if residual < RESIDUAL * numpy.ptp(speed[is_free]):
+                if slope < 0 and residual < RESIDUAL * numpy.ptp(speed[is_free]):
                     found[name] = -slope, math.degrees(-offset / slope)
     if len(found) != 1:
         return '', 0.0, 0.0
