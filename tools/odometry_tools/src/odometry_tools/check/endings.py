@@ -28,6 +28,8 @@ class Drive:
         """Look at the latest odometry of a Run."""
         if run.first_move is None:
             return run.now > PATIENCE and (run.status is not None or run.wall_time() > WALL_PATIENCE)
+        if not math.isfinite(run.commands[-1].linear + run.commands[-1].angular):
+            return True
         pose = run.odometry[-1]
         if run.scenario.interrupt and max(pose.way, abs(pose.turn)) > INTERRUPT_AFTER:
             return True

@@ -36,13 +36,12 @@ def _is_only_here(m):
 
 ALL = (
     Rule('keyboard', lambda m: m.run.has_read_keyboard and m.rule in NOT_BEGUN,
-         'Your node reads the keyboard, which a launch file cannot offer: read the value with '
-         'rospy.get_param("~name", 90)'),
+         'Your node reads the keyboard, which a launch file cannot offer: make the value a parameter'),
     Rule('error', lambda m: m.error and (m.rule in ('no_node', 'crash') or m.callback_error and m.keeps_failing
                                          or m.is_silent), '{error}'),
     Rule('not_there', lambda m: m.lost_node and m.rule in NOT_BEGUN, 'roslaunch says: {lost_node}'),
     Rule('last_words', lambda m: m.status and m.said and m.rule in ('no_node', 'crash'), 'It said last: {said}'),
-    Rule('main', lambda m: m.rule == 'no_node' and m.status == 0, 'There was no rospy.init_node: is main() called?'),
+    Rule('main', lambda m: m.rule == 'no_node' and m.status == 0, 'It never called rospy.init_node or ros::init: is main() called?'),
     Rule('output_type', lambda m: m.is_silent and m.output_type != m.type,
          'You publish {topic} as {output_type}, so nothing receives it: the exercise needs {type}'),
     Rule('queue_size', lambda m: m.is_silent and m.run.refuses,
@@ -51,17 +50,17 @@ ALL = (
     Rule('output', lambda m: m.is_silent and m.outputs and m.topic not in m.run.publishes,
          'You publish {type} on {outputs}; the exercise names {topic}'),
     Rule('ended', lambda m: m.is_silent and m.status == 0,
-         'It ended by itself: rospy.spin() keeps a node with callbacks alive, and what you publish before anybody is '
-         'connected is lost'),
+         'It ended by itself: rospy.spin() or ros::spin() keeps a node with callbacks alive, and what you publish '
+         'before anybody is connected is lost'),
     Rule('input_type', lambda m: m.wrong_inputs and m.rule in NOT_BEGUN,
          'You subscribe to {wrong_inputs}, which is not the type that the robot sends, so nothing arrives'),
     Rule('input', lambda m: m.status is None and not m.hears_robot and m.rule in NOT_BEGUN,
          'You listen to {inputs}; the robot sends, for example, /odom'),
-    Rule('on_shutdown', lambda m: m.rule == 'interrupt' and m.run.is_python,
+    Rule('on_shutdown', lambda m: m.rule == 'interrupt' and not m.run.is_cpp,
          'Publish a zero Twist in rospy.on_shutdown; after the loop it is too late'),
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',
          'Publish a zero Twist before ros::shutdown(): take ros::init_options::NoSigintHandler and a handler of SIGINT'),
-    Rule('is_shutdown', lambda m: m.rule == 'interrupt_ignored' and m.run.is_python,
+    Rule('is_shutdown', lambda m: m.rule == 'interrupt_ignored' and not m.run.is_cpp,
          'Write while not rospy.is_shutdown()'),
     Rule('ok', _is_one_of('interrupt_ignored'), 'Write while (ros::ok())'),
     Rule('one_command', lambda m: m.rule == 'ceased' and len(m.moves) <= 5,

@@ -73,7 +73,7 @@ def _judge(options, program):
             m, held = look(runner, scenario, exercise, options.exercise)
             judged.append((m, held))
             if not m.passed:
-                name = '-'.join(['check', options.exercise, *map(os.path.basename, options.node), scenario.name])
+                name = '-'.join(['check', options.exercise, *_names(options.node), scenario.name])
                 folders[scenario.name] = report.keep(m.run, exercise, name)
             if not m.run.nodes:  # it would start in no other scenario
                 break
@@ -85,6 +85,10 @@ def _judge(options, program):
                if failed and m.run.nodes and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
+
+
+def _names(words):
+    return [os.path.basename(word.rstrip('/')) for word in words if ':=' not in word]
 
 
 def _await_spectator(bench, port):

@@ -28,7 +28,7 @@ def measure(run, exercise):
     m.lost_node = next((line for line in output.split('\n') if 'cannot launch node of type' in line), '')
     published = [value for _, value in run.moved] if exercise.route else [
         speed for command in run.commands for speed in (command.linear, command.angular)]
-    m.is_silent = not published
+    m.is_silent = not published or bool(exercise.route and not run.legs)
     m.is_finite = all(map(math.isfinite, published))
     m.keeps_failing = output.count('bad callback') > len(published)
     m.floods = run.sent > FLOOD * max(run.now, 1.0)

@@ -70,13 +70,10 @@ class Started:
             process = psutil.Process(self._process.pid)
             return sum(sum(one.cpu_times()[:2]) for one in (process, *process.children(recursive=True)))
 
-    def is_python(self):
-        """Return whether all that runs is Python."""
-        names = []
-        for process in self.family():
-            with contextlib.suppress(psutil.Error):
-                names.append(os.path.basename(process.exe()))
-        return all(name.startswith('python') for name in names)
+    def is_cpp(self):
+        """Return whether any of them is a node in C++."""
+        with contextlib.suppress(psutil.Error):
+            return any('libroscpp' in region.path for process in self.family() for region in process.memory_maps())
 
     def interrupt(self):
         """Press Ctrl-C."""

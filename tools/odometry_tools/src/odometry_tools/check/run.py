@@ -76,7 +76,7 @@ class Run:
         self.nodes = set()  # names of the nodes that the learner's process contains
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
         self.refuses = False  # whether the node that is to publish is there, and sends nothing
-        self.is_python = True
+        self.is_cpp = False
         self.has_read_keyboard = False
         self.follows_wall = False  # whether a second run was another
         self.looks = 1  # how often it ran before it was judged

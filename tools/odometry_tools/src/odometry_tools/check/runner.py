@@ -44,6 +44,8 @@ class Runner:
         """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
         run = self._run(scenario)
         if run.unawaited and self.pace.lockstep:
+            run = self._run(scenario)  # beside other work a node may seem busy once
+        if run.unawaited and self.pace.lockstep:
             naps = [run.walls[i + 1] - run.walls[i] for i in range(len(run.walls) - 1)] or [0.0]
             fastest = self.pace.real_time_factor or FASTEST
             factor = NAP_SHARE / max(statistics.median(naps), NAP_SHARE / fastest)
@@ -67,12 +69,13 @@ class Runner:
         node = Started(*self._program)
         try:
             self._await_ready(node, run)
+            run.is_cpp = node.is_cpp()
             self._ask_for_types(run)
             if run.nodes:
                 self._begin(run, node)
             self._look_at_graph(run)
             self._ask_for_types(run)
-            run.finish(status=None if node.family() else node.status, output=node.output, is_python=node.is_python(),
+            run.finish(status=None if node.family() else node.status, output=node.output,
                        has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self._exercise.topic))
         finally:
             run.ends = self._press_ctrl_c(node) and run.ends
