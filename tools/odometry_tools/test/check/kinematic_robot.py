@@ -58,7 +58,6 @@ def drive(scenario, node, target):
                 run.commands.append(Command(robot.time, *answer, (), 'cmd_vel'))
                 robot.command(*answer)
         robot.advance()
-    run.sent = len(run.commands)
     if scenario.interrupt:
         run.interrupted = len(run.commands)
         run.commands.append(Command(robot.time, 0.0, 0.0, (), 'cmd_vel'))

@@ -111,11 +111,6 @@ class Bench:
         """Return once a condition holds, which is looked at again and again."""
         self._launch.wait_for(condition, complaint)
 
-    def received(self, *topics):
-        """Return how many bytes have come on these topics, from publishers that are still there."""
-        return sum(connection.stat_bytes for topic in topics
-                   for connection in self._subscribers[topic].impl.connections)
-
     def has_spectator(self):
         """Return whether a browser shows the page."""
         _, subscribers, _ = self.master.getSystemState()

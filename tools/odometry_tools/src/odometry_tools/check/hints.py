@@ -61,10 +61,10 @@ ALL = (
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',
          'Publish a zero Twist before ros::shutdown(): take ros::init_options::NoSigintHandler and a handler of SIGINT'),
     Rule('is_shutdown', lambda m: m.rule == 'interrupt_ignored' and not m.run.is_cpp,
-         'Write while not rospy.is_shutdown()'),
-    Rule('ok', _is_one_of('interrupt_ignored'), 'Write while (ros::ok())'),
+         'Each loop, in each thread, needs while not rospy.is_shutdown()'),
+    Rule('ok', _is_one_of('interrupt_ignored'), 'Each loop, in each thread, needs while (ros::ok())'),
     Rule('one_command', lambda m: m.rule == 'ceased' and len(m.moves) <= 5,
-         'It stops 0.6 s after the last command, and you sent {run.sent}: repeat it in your loop'),
+         'It stops 0.6 s after the last command, and you sent no more: repeat it in your loop'),
     Rule('no_zero', _is_one_of('ceased'), 'Publish a zero Twist when you are there, and before your node ends'))
 PLACES = (
     Rule('one_axis', _is_nearest('one_axis'),

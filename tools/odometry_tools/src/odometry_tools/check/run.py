@@ -69,7 +69,6 @@ class Run:
         self.odometry, self.commands, self.moved, self.messages = [], [], [], []
         self.start = 0  # index of the first odometry after the last reset of it
         self.legs = []  # of the route: name, begin and end (s)
-        self.sent = 0  # commands; of a flood, `commands` has the latest
         self.unawaited = None  # why lockstep does not wait for the node
         self.interrupted = None  # index of the command after Ctrl-C
         self.ends = True  # whether Ctrl-C ends the node

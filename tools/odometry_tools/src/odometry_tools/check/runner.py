@@ -12,9 +12,7 @@ from odometry_tools.check.bench import OURS, Pace
 from odometry_tools.check.endings import Drive, Route
 from odometry_tools.check.processes import Started
 from odometry_tools.check.run import Run
-from odometry_tools.runs.recording import COMMANDS
 
-TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 STANDSTILL = 60.0  # s of wall time without odometry
 LOOK_PERIOD = 0.03  # s of wall time, while time stands still
@@ -87,7 +85,6 @@ class Runner:
     def _begin(self, run, node):
         """Let time go on until the run is over; then press Ctrl-C, if the scenario says so."""
         run.begin = time.monotonic()
-        before = self._bench.received(*COMMANDS)
         self._bench.call('unpause_physics')
         seen, since = 0, run.begin
         with run.changed:
@@ -100,7 +97,6 @@ class Runner:
                 elif time.monotonic() - since > STANDSTILL:
                     run.finish(unawaited='does not let simulated time go on: give its loop a rospy.sleep()')
         self._bench.call('pause_physics')
-        run.sent = (self._bench.received(*COMMANDS) - before) // TWIST_SIZE
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
             run.finish(interrupted=len(run.commands), over=False)
             run.ends = self._press_ctrl_c(node)
