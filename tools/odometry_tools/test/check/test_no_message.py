@@ -1,4 +1,4 @@
-"""What the check says of a node that published nothing: only what it saw in the graph, the output and the exit status."""
+"""What the check says of a node that published nothing: what the graph, the output and the exit status show."""
 
 import signal
 
@@ -29,7 +29,7 @@ def verdict_on(exercise='two_meters', **facts):
     ({}, 'silent'),
     ({'nodes': (), 'status': 0}, 'no_node main'),
     ({'nodes': ()}, 'no_node'),
-    ({'nodes': (), 'status': 1, 'output': ERROR}, 'no_node error'),
+    ({'nodes': (), 'status': 1, 'output': ERROR}, 'crash error'),
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
     ({'has_read_keyboard': True}, 'silent keyboard'),
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),

@@ -26,8 +26,8 @@ def measure_drive(m, run):
     m.start, m.end = run.odometry[run.start], run.odometry[-1]
     m.start_heading, m.heading = (math.degrees(wrap_to_pi(pose.yaw)) for pose in (m.start, m.end))
     m.turned = math.degrees(m.end.turned)
-    m.at = f' after {m.end.way:.2f} m and {m.turned:.0f} degrees'
     m.is_still = m.end.way < 0.03 and m.turned < 3
+    m.at = '' if m.is_still else f' after {m.end.way:.2f} m and {m.turned:.0f} degrees'
     m.useless = ', '.join(sorted({name for command in m.commands for name in command.useless}))
     m.mux = ', '.join(sorted({command.topic for command in m.commands if command.topic != 'cmd_vel'}))
     m.moves = [command for command in m.commands if command.moves]

@@ -2,8 +2,6 @@
 
 import math
 
-from odometry_common.angles import wrap_to_pi
-
 from odometry_tools.check.scenarios import ROUTE
 
 PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node that does not begin
@@ -11,7 +9,6 @@ REST, REST_TIME = 2e-3, 7.0  # m/s and rad/s; s, so that a node may rest five se
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m; who goes on at two metres is far beyond
 MOST_TURNS = 3 * 2 * math.pi  # rad
-AT_TARGET, TARGET_TIME = math.radians(3), 20.0  # rad; s at the target within which a controller settles
 INTERRUPT_AFTER = 0.5  # m or rad
 LEG_REST = 1.6  # s; who publishes once a second does so while the robot rests
 
@@ -22,7 +19,7 @@ class Drive:
     def __init__(self, target=None):
         """Take a heading to turn to (degrees), or None."""
         self._target = target
-        self._active = self._arrived = None  # s
+        self._active = None  # s
 
     def is_over(self, run):
         """Look at the latest odometry of a Run."""
@@ -36,11 +33,7 @@ class Drive:
         if max(abs(pose.linear), abs(pose.angular)) > REST or run.commands[-1].moves and (
                 pose.time - run.commands[-1].time < REST_TIME):
             self._active = pose.time
-        if self._target is not None and self._arrived is None and abs(
-                wrap_to_pi(math.radians(self._target) - pose.yaw)) < AT_TARGET:
-            self._arrived = pose.time
         return (pose.time - max(self._active or 0.0, run.first_move) > REST_TIME
-                or self._arrived is not None and pose.time - self._arrived > TARGET_TIME
                 or pose.time - run.first_move > LIMIT
                 or pose.way > FARTHEST or self._target is not None and abs(pose.turn) > MOST_TURNS)
 

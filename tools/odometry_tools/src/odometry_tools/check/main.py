@@ -75,14 +75,14 @@ def _judge(options, program):
             if not m.passed:
                 name = '-'.join(['check', options.exercise, *_names(options.node), scenario.name])
                 folders[scenario.name] = report.keep(m.run, exercise, name)
-            if not m.run.nodes:  # it would start in no other scenario
+            if not m.run.odometry:  # it would begin in no other scenario
                 break
     verdicts = verdicts_on(judged, options.exercise)
     verdicts += [verdicts[-1]._replace(scenario=other.name) for other in options.scenarios[len(verdicts):]]
     report.show(verdicts, {name: folder for name, folder in folders.items() if folder})
     failed = [verdict.scenario for verdict in verdicts if not verdict.has_passed]
     example = (f' See one: ./ws check {options.exercise} {words} --scenario {failed[0]} --view'
-               if failed and m.run.nodes and not options.view else '')
+               if failed and m.run.odometry and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
 

@@ -1,7 +1,6 @@
 """The check's command line."""
 
 import argparse
-import contextlib
 import os
 import sys
 from pathlib import Path
@@ -53,19 +52,12 @@ def parse(arguments):
     options.is_class = len(options.node) == 1 and folder.is_dir() and not is_package(folder)
     if options.view and options.is_class:
         parser.error('--view shows one node, not a folder')
-    if options.view and not _is_installed('robot_view'):
-        parser.error('--view needs the package robot_view')
     return options
 
 
 def is_package(path):
     """Return whether a Path is the folder of a package."""
     return (path / 'package.xml').is_file()
-
-
-def _is_installed(name):
-    with contextlib.suppress(rospkg.ResourceNotFound):
-        return bool(rospkg.RosPack().get_path(name))
 
 
 def program_of(words):

@@ -4,9 +4,9 @@ from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
 START = (
+    Rule('crash', lambda m: m.status and m.run.interrupted is None, 'your node ended {how}{at}'),
     Rule('no_node', lambda m: not m.run.nodes and m.status is None, 'your process registered no node within 20 s'),
     Rule('no_node', lambda m: not m.run.nodes, 'your process ended {how} without having become a node'),
-    Rule('crash', lambda m: m.status and m.run.interrupted is None, 'your node ended {how}{at}'),
     Rule('wall_clock', lambda m: m.run.follows_wall,
          "two runs of this scenario differ: your node follows the wall's clock, as time.time() does, or chance. "
          'rospy.get_time() follows the robot', explains=True),
@@ -24,7 +24,8 @@ DRIVE = (
     Rule('interrupt', lambda m: m.run.interrupted is not None,
          "after Ctrl-C your last command was {last_word}, and only the base's watchdog stopped the robot"))
 DISTANCE = (
-    Rule('only_turned', lambda m: m.turns and not m.drives, 'you only turned the robot; this exercise drives it', explains=True),
+    Rule('only_turned', lambda m: m.turns and not m.drives, 'you only turned the robot; this exercise drives it',
+         explains=True),
     Rule('ceased', lambda m: m.has_ceased,
          "your last command, {last_word}, came at {at_last.way:.2f} m, and only the base's watchdog stopped the robot, "
          'at {end.way:.2f} m'),
@@ -37,7 +38,8 @@ DISTANCE = (
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, where two periods are {bound:.1f} s; '
          'the robot rests at {end.way:.2f} m'))
 HEADING = (
-    Rule('only_drove', lambda m: m.drives and not m.turns, 'you only drove the robot; this exercise turns it', explains=True),
+    Rule('only_drove', lambda m: m.drives and not m.turns, 'you only drove the robot; this exercise turns it',
+         explains=True),
     Rule('ceased', lambda m: m.has_ceased,
          'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
          "base's watchdog stopped the robot, at heading {heading:.1f}"),
@@ -71,7 +73,8 @@ NOTES = (
          'cannot wait for it'),
     Rule('callback', lambda m: m.callback_error and not (m.is_silent or m.keeps_failing),
          'a callback failed, and the node went on: {callback_error}'),
-    Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None, 'your node ended {how} after it had done all: {said}'),
+    Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
+         'your node ended {how} after it had done all: {said}'),
     Rule('ctrl_c', lambda m: not m.run.ends and m.run.interrupted is None, 'Ctrl-C did not end your node within 20 s'),
     Rule('luck', lambda m: m.passed and m.run.looks > 1 and not m.run.unawaited,
          'it passed only when it was looked at again. What a program publishes as it ends can be lost: '

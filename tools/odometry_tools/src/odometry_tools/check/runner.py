@@ -69,14 +69,15 @@ class Runner:
             self._await_ready(node, run)
             run.is_cpp = node.is_cpp()
             self._ask_for_types(run)
-            if run.nodes:
+            if run.nodes and (node.status is None or node.family()):
                 self._begin(run, node)
             self._look_at_graph(run)
             self._ask_for_types(run)
             run.finish(status=None if node.family() else node.status, output=node.output,
                        has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self._exercise.topic))
         finally:
-            run.ends = self._press_ctrl_c(node) and run.ends
+            if run.interrupted is None:
+                run.ends = self._press_ctrl_c(node)
             self._is_stubborn = not run.ends
             node.end()
             self._forget(run.nodes)
