@@ -13,7 +13,7 @@ def look(runner, scenario, exercise, name):
         looks, run = looks + 1, runner.run_again(scenario)
         m, held = judge(run, exercise, name)
     run.looks = looks
-    if not m.passed and looks == 1 and run.interrupted is None and not m.is_silent:
+    if not m.passed and looks == 1 and run.interrupted is None and not m.is_silent and m.is_finite:
         if runner.follows_wall is None:
             runner.follows_wall = not run.is_like(runner.run_again(scenario))
         run.follows_wall = runner.follows_wall
