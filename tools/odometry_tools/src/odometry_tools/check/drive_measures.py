@@ -83,7 +83,7 @@ def measure_heading(m, run):
     m.net = math.degrees(m.end.turn - m.start.turn)
     m.share = m.net / (errors[0] or 1.0)
     swings = [command for command in m.moves if abs(command.angular) > SWING]
-    m.turns_away = bool(swings) and m.start.yaw == 0.0 and swings[0].angular < 0
+    m.turns_away = bool(swings) and m.scenario.yaw == 0.0 and swings[0].angular < 0
     flips = [after.time for before, after in zip(swings, swings[1:]) if before.angular * after.angular < 0]
     m.flips, m.rings = len(flips), sum(time > run.now - RINGING for time in flips) > 4
     speed = statistics.median([abs(command.angular) for command in m.moves] or [0.0])

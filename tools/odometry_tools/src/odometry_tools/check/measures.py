@@ -30,7 +30,7 @@ def measure(run, exercise):
         speed for command in run.commands for speed in (command.linear, command.angular)]
     m.is_silent = not published or bool(exercise.route and not run.legs)
     m.is_finite = all(map(math.isfinite, published))
-    m.keeps_failing = output.count('bad callback') > len(published)
+    m.keeps_failing = output.count('bad callback') > len(run.moved or run.commands)
     m.floods = len(run.commands) > FLOOD * max(run.now, 1.0)
     m.at = ''
     m.outputs = _words(topic for topic, kind in run.publishes.items() if kind == m.type and topic != m.topic)
