@@ -80,7 +80,6 @@ class Run:
         self.has_read_keyboard = False
         self.follows_wall = False  # whether a second run was another
         self.looks = 1  # how often it ran before it was judged
-        self.walls = []  # s of wall time of the commands
         self.status, self.output = None, ''  # exit status, if it has ended by itself
 
     @property
@@ -138,7 +137,6 @@ class Run:
         now = round(now / PERIOD) * PERIOD
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
-        self.walls.append(time.monotonic())
         self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic))
 
     def _on_float64(self, _topic, message, _now):

@@ -2,7 +2,6 @@
 
 import contextlib
 import io
-import statistics
 import time
 
 import rosnode
@@ -22,9 +21,8 @@ REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0  # s of wall time
 HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
 INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
-NAP_SHARE = 0.25  # s of simulated time that may go by while a node sleeps by wall time
-FASTEST = 5.0  # times real time at which a loop without a sleep copes
-SLOWER = 2.0  # by which a pace is slower the next time
+FASTEST = 5.0  # times real time, to begin with
+SLOWER = 3.0  # by which a pace is slower the next time
 
 
 class Runner:
@@ -44,10 +42,7 @@ class Runner:
         if run.unawaited and self.pace.lockstep:
             run = self._run(scenario)  # beside other work a node may seem busy once
         if run.unawaited and self.pace.lockstep:
-            naps = [run.walls[i + 1] - run.walls[i] for i in range(len(run.walls) - 1)] or [0.0]
-            fastest = self.pace.real_time_factor or FASTEST
-            factor = NAP_SHARE / max(statistics.median(naps), NAP_SHARE / fastest)
-            self.pace = Pace(False, max(1.0, round(factor, 1)))
+            self.pace = Pace(False, self.pace.real_time_factor or FASTEST)
             self._unawaited = run.unawaited
             run = self._run(scenario)
         run.unawaited = self._unawaited
@@ -57,7 +52,7 @@ class Runner:
         """Return another Run of a Scenario; slower, if the last was paced."""
         self._is_stubborn = False
         if not self.pace.lockstep:
-            self.pace = Pace(False, min(1.0, self.pace.real_time_factor) / SLOWER)
+            self.pace = Pace(False, self.pace.real_time_factor / SLOWER)
         return self.run(scenario)
 
     def _run(self, scenario):
