@@ -64,7 +64,7 @@ def program_of(words):
     """Return the Program that starts a node; raise StartError if there is no such node."""
     first, *others = words
     path = Path(first).resolve()
-    if path.is_dir() and is_package(path):
+    if is_package(path) and all(':=' in word for word in others):
         paths = filter(None, [str(path / 'src'), os.environ.get('PYTHONPATH')])
         return Program(_command_of(_node_of(path), others), (('PYTHONPATH', os.pathsep.join(paths)),))
     if path.is_file():
