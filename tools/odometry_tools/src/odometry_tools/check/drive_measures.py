@@ -33,12 +33,11 @@ def measure_drive(m, run):
     m.moves = [command for command in m.commands if command.moves]
     m.drives, m.turns = (any(abs(command[axis]) > ZERO for command in m.moves) for axis in (1, 2))
     m.seconds = m.driven = 0.0
-    m.is_moving_at_end = m.has_ceased = False
+    m.has_ceased = False
     m.stop = None
     if m.moves:
         last = m.commands[-1]
         m.last_word = f'{last.angular:.2g} rad/s' if abs(last.angular) > abs(last.linear) else f'{last.linear:.2g} m/s'
-        m.is_moving_at_end = last.moves
         m.has_ceased = last.moves and run.now - last.time > CEASED
         m.stop = None if last.moves else m.commands[m.commands.index(m.moves[-1]) + 1]
         m.at_last = _pose_at(run, last.time)

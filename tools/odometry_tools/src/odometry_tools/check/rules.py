@@ -47,7 +47,7 @@ HEADING = (
          'your command changed its sign {flips} times, and the robot did not come to rest at 90 degrees'),
     Rule('long_way', lambda m: m.turned > m.shortest + DETOUR,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
-    Rule('unfinished', lambda m: not m.is_settled or m.is_moving_at_end,
+    Rule('unfinished', lambda m: not (m.is_settled and m.stop),
          'after {seconds:.0f} s you are {heading_error:.0f} degrees off, and your last command was {last_word}'),
     Rule('elsewhere', lambda m: True,
          'you rest at {heading:.1f} degrees where 90 were asked, after turning {turned:.0f}'))
