@@ -183,8 +183,8 @@ def test_a_behaviour_gets_its_rule_and_no_hint_that_is_not_proven(exercise, case
 
 
 def test_a_fit_needs_a_second_rate():
-    """At 20 Hz alone twice the way is speed times a fixed time, too."""
-    found = verdicts('moved_distance', counting(lambda last, pose: 2 * way(last, pose)), ['route', 'moved_start'])
+    """At one rate alone many a mistake looks like another."""
+    found = verdicts('moved_distance', counting(lambda last, pose: abs(pose.x - last.x)), ['route', 'moved_start'])
     assert [verdict.hint for verdict in found.values()] == ['', '']
 
 

@@ -6,8 +6,6 @@ import numpy
 FITS = 2e-3, 1e-3  # what fits
 ROUGH = 0.03, 0.02  # what fits by speed, which odometry gives for the moment only
 TOLERANCE = 0.05, 0.01  # what is right; a detector may leave out small steps
-SLOWEST = 1.5  # s between two messages of a detector; after more it has stopped
-DELAYS = 2  # messages of odometry that may come before a detector has added one up
 
 
 def measure_detector(m, run):
@@ -18,18 +16,12 @@ def measure_detector(m, run):
     odometry = numpy.array([pose[:6] for pose in run.odometry[run.start:]])
     counted_at, published = numpy.array(run.moved).T
     ends = numpy.array([run.legs[0][1], *(end for *_, end in run.legs)])
-    last = numpy.searchsorted(counted_at, ends - 1e-6) - 1  # the last message before each of the ends
-    counted = published[last.clip(0)]
-    # A slow publisher is right if it was so when it published.
-    moments = numpy.where(ends - counted_at[last.clip(0)] < SLOWEST, counted_at[last.clip(0)], ends)
-    at = (numpy.searchsorted(odometry[:, 0], moments + 1e-6) - 1).clip(0)
-    sums = {name: numpy.append(0.0, numpy.cumsum(steps)) for name, steps in _steps(odometry.T).items()}
-    sum_before = sums['right'][(at - DELAYS).clip(0)]
-    sums = {name: values[at] for name, values in sums.items()}
+    # A leg ends at rest: the last message before has all of it, also of who publishes once a second.
+    counted = published[(numpy.searchsorted(counted_at, ends - 1e-6) - 1).clip(0)]
+    at = (numpy.searchsorted(odometry[:, 0], ends - 1e-6) - 1).clip(0)
+    sums = {name: numpy.append(0.0, numpy.cumsum(steps))[at] for name, steps in _steps(odometry.T).items()}
     right = sums.pop('right')
-    metres, share = TOLERANCE
-    m.passed = bool(numpy.all(counted <= right + metres + share * right)
-                    and numpy.all(counted >= sum_before - metres - share * right))
+    m.passed = _agree(counted, right, *TOLERANCE)
     m.fits = {*_fits(m, counted, right, sums, odometry, at)}
     m.offset, m.total, m.right, m.largest = counted[0], counted[-1], right[-1], published.max()
     m.share = m.right / (m.total or 1.0)
