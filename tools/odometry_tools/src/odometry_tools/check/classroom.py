@@ -5,12 +5,13 @@ import csv
 import os
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import is_package
-from odometry_tools.check.processes import Started
+from odometry_tools.check.processes import LOOK_PERIOD, Started
 from odometry_tools.check.quoting import how_ended, last_line, plain
 from odometry_tools.check.report import COLUMNS
 
@@ -49,9 +50,11 @@ def _judge(options, path, running):
         check = Started([sys.executable, sys.argv[0], options.exercise, str(path), '--csv', str(file),
                          *(['--scenario', options.scenario] if options.scenario else [])], [('TMPDIR', folder)])
         running.append(check)
-        has_ended = check.wait(TIME_LIMIT)
+        end = time.monotonic() + TIME_LIMIT
+        while check.status is None and time.monotonic() < end:
+            time.sleep(LOOK_PERIOD)
         status = check.status
-        check.end()
+        check.end()  # and all that it has left
         running.remove(check)
         rows = []
         if file.exists():
@@ -60,7 +63,7 @@ def _judge(options, path, running):
     if rows:
         return rows
     reason = f'not done within {TIME_LIMIT:g} s'
-    if has_ended:
+    if status is not None:
         reason = f'the check ended {how_ended(status)}' if status < 0 else last_line(plain(check.output))
     return [{**dict.fromkeys(COLUMNS, ''), 'submission': plain(path.name), 'exercise': options.exercise,
              'verdict': 'not judged', 'rule': 'not_judged', 'sentence': reason}]
