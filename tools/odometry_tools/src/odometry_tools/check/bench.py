@@ -1,6 +1,8 @@
 """A master, the simulator and this process as a node, in which scenarios can be repeated."""
 
+import contextlib
 import math
+import sys
 from functools import partial
 from typing import NamedTuple
 
@@ -9,16 +11,16 @@ import rospy
 from geometry_msgs.msg import PoseStamped, Twist
 from moved_distance.distance_counter import DistanceCounter
 from nav_msgs.msg import Odometry
-from odometry_common.connections import is_connected
+from odometry_common.connections import ask, is_connected
 from odometry_common.publishing import advertise
 from rosgraph_msgs.msg import Log
 from roslib.packages import find_node
 from sim_turtlebot.geometry import about_z
 from std_msgs.msg import Float64
-from std_srvs.srv import Empty
 
 from odometry_tools.check.processes import Started
-from odometry_tools.runs.following import join
+from odometry_tools.check.quoting import last_line
+from odometry_tools.runs.following import is_answered, join
 from odometry_tools.runs.launch import Launch
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.recording import COMMANDS
@@ -29,7 +31,7 @@ OURS = {'/sim_turtlebot', '/check_view', '/rosout'}  # roslaunch starts the last
 FLOOD = 20  # commands that arrive together; of more, the latest
 NEAR = 0.01  # m
 CPU_BUDGET = 2.0  # s; a tutorial's node computes for milliseconds
-SERVICES = 'pause_physics', 'unpause_physics', 'reset_simulation'
+SIMULATOR = 'sim_turtlebot'
 
 
 class Pace(NamedTuple):
@@ -51,7 +53,8 @@ class Bench:
 
     def __enter__(self):
         """Start the master, and become a node."""
-        self._launch.__enter__()
+        with contextlib.redirect_stdout(sys.stderr):  # the master's port is no part of the report
+            self._launch.__enter__()
         try:
             join(self._launch, 'check')
         except BaseException:
@@ -83,12 +86,9 @@ class Bench:
         self._counter = DistanceCounter()
 
     def call(self, service):
-        """Have the simulator pause, unpause or reset."""
-        try:
-            self._services[service]()
-        except rospy.ServiceException as error:
-            self.check()
-            raise RunError(f'the simulator does not answer: {error}') from None
+        """Have the simulator pause, unpause or reset; beside other work it may miss a call."""
+        self.wait_for(lambda: self._is_alive() and is_answered(f'{SIMULATOR}/{service}'),
+                      'the simulator does not answer')
 
     def drive(self, linear, angular):
         """Command a velocity (m/s, rad/s)."""
@@ -99,18 +99,17 @@ class Bench:
     def check(self):
         """Raise RunError if the simulator has ended, KeyboardInterrupt after a signal."""
         self._launch.check()
+        self._is_alive()
+
+    def _is_alive(self):
+        """Return True, or raise RunError: on a thread of wait_for() a signal is not looked at."""
         if self._simulator and self._simulator.status is not None:
-            last = self._simulator.output.strip().splitlines()[-1:] or ['without a word']
-            raise RunError(f'the simulator has ended: {last[0]}')
+            raise RunError(f'the simulator has ended: {last_line(self._simulator.output) or "without a word"}')
+        return True
 
     def wait_for(self, condition, complaint):
         """Return once a condition holds, which is looked at again and again."""
         self._launch.wait_for(condition, complaint)
-
-    def received(self, *topics):
-        """Return how many bytes have come on these topics, from publishers that are still there."""
-        return sum(connection.stat_bytes for topic in topics
-                   for connection in self._subscribers[topic].impl.connections)
 
     def has_spectator(self):
         """Return whether a browser shows the page."""
@@ -118,29 +117,36 @@ class Bench:
         return any(topic == '/odom' and '/check_view' in names for topic, names in subscribers)
 
     def is_refused(self, topic):
-        """Return whether nobody sends on a topic that this subscribes to."""
-        subscriber = self._subscribers.get(topic.lstrip('/'))
-        return subscriber is not None and not is_connected(subscriber)
+        """Return whether a node that answers publishes a topic that this subscribes to, and nothing connects."""
+        publishers, _, _ = self.master.getSystemState()
+        names = {name for known, names in publishers if known == topic for name in names} - {rospy.get_name()}
+        return any(map(self.ask, names)) and not is_connected(self._subscribers[topic.lstrip('/')])
+
+    def ask(self, name, call='getPid'):
+        """Return what a node answers to a call; None if it does not."""
+        with contextlib.suppress(rosgraph.MasterException):
+            return ask(self.master.lookupNode(name), call)
+
+    def has_left(self):
+        """Return whether no other node is connected to what drives the robot."""
+        return not any(self._subscribers[topic].impl.connections for topic in COMMANDS)
 
     def _simulate(self, settings):
         """Start a simulator, and its time, which then stands still."""
         if self._simulator:
             self._simulator.end()
-        path = find_node('sim_turtlebot', 'sim_turtlebot_node.py')[0]
+        path = find_node(SIMULATOR, 'sim_turtlebot_node.py')[0]
         self._settings, self._position = settings, None
         self._simulator = Started([path, '_paused:=true', f'_cpu_budget:={CPU_BUDGET}', *(
             f'_{name}:={str(value).lower()}' for name, value in settings.items())])
         self.wait_for(self._is_ready, 'the simulator does not start')
-        self._services = {name: rospy.ServiceProxy(f'sim_turtlebot/{name}', Empty, persistent=True)
-                          for name in SERVICES}
         self.call('unpause_physics')
         self.wait_for(lambda: self._position, 'no odometry comes from the simulator')
         self.call('pause_physics')
 
     def _is_ready(self):
-        self.check()
-        for name in SERVICES:
-            self.master.lookupService(f'/sim_turtlebot/{name}')
+        self._is_alive()
+        self.master.lookupService(f'/{SIMULATOR}/pause_physics')
         return (self._placing.get_num_connections() and is_connected(self._subscribers['odom'])
                 and (not self._drives or self._publisher.get_num_connections()))
 

@@ -1,25 +1,25 @@
-"""The verdict on a Run: the first rule that holds, and its sentence with the numbers."""
+"""The verdict on each run: the first rule that holds, and a hint where something proves one."""
 
-from pathlib import Path
 from typing import NamedTuple
 
-import rospkg
-import yaml
-
 from odometry_tools.check import rules
+from odometry_tools.check.hints import HINTS, UNKNOWN
 from odometry_tools.check.measures import measure
+from odometry_tools.check.rule import Rule, first
 
-PASSED = 'passed'
-WORDS = {PASSED: PASSED, 'displacement': 'DIFFERS'}  # what stands beside the scenario; of others FAILED
-GROUPS = {'moved_distance': ('start', 'detector'), 'two_meters': ('start', 'drive', 'distance'),
-          'heading': ('start', 'drive', 'heading')}
+PASSED = Rule('passed', None, '')
+WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}  # what stands beside the scenario; of others FAILED
+RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
+         'heading': (*rules.DRIVE, *rules.HEADING)}
+SAME_ANGLE = 8.0  # degrees
 
 
 class Verdict(NamedTuple):
     """On one scenario."""
 
     scenario: str
-    rule: str  # PASSED or the name of the rule that holds
+    rule: str  # 'passed' or the name of the rule that holds
+    hint: str  # the name of the hint, or ''
     sentence: str
     notes: dict  # sentences by the names of their rules
 
@@ -28,33 +28,41 @@ class Verdict(NamedTuple):
         """What stands beside the scenario."""
         return WORDS.get(self.rule, 'FAILED')
 
+    @property
+    def has_passed(self):
+        """Whether the node is right in this scenario."""
+        return self.rule == PASSED.name
 
-class Judge:
-    """Knows the sentences."""
 
-    def __init__(self, name, exercise):
-        """Judge an Exercise, which has a name."""
-        self._name, self._exercise = name, exercise
-        self._seen = set()  # rules that held in earlier scenarios
-        path = Path(rospkg.RosPack().get_path('odometry_tools'), 'sentences.yaml')
-        self._sentences = yaml.safe_load(path.read_text(encoding='utf-8'))
+def judge(run, exercise, name):
+    """Return the measures of a Run of an Exercise, which has a name, and the Rule that holds."""
+    m = measure(run, exercise)
+    held = PASSED if m.passed else first((*rules.START, *RULES[name]), m)
+    m.rule = held.name
+    return m, held
 
-    def judge(self, run):
-        """Return the Verdict on a Run."""
-        m = measure(run, self._exercise)
-        m.seen = self._seen
-        is_drive = run.odometry and not self._exercise.route
-        notes = dict(self._held(m, 'notes', *(['drive_notes'] if is_drive else [])))
-        if m.passed:
-            praise = self._sentences['praise'][self._name if run.interrupted is None else 'interrupt']
-            return Verdict(m.name, PASSED, praise.format(**vars(m)), notes)
-        rule, sentence = next(self._held(m, *GROUPS[self._name]))
-        self._seen.add(rule)
-        return Verdict(m.name, rule, sentence, notes)
 
-    def _held(self, m, *groups):
-        """Yield names and sentences of the rules that hold."""
-        for group in groups:
-            for name, holds in getattr(rules, group.upper()).items():
-                if holds(m):
-                    yield name, self._sentences[group][name].format(**vars(m))
+def verdicts_on(judged, name):
+    """Return the Verdicts on what judge() returned for the scenarios of an exercise."""
+    all_measures = [m for m, _ in judged]
+    fits = [m.fits for m in all_measures if name == 'moved_distance' and hasattr(m, 'fits')]
+    common_fits = set.intersection(*fits) if any(m.rate < 20 for m in all_measures) and fits else set()
+    nets = [m.net for m in all_measures if hasattr(m, 'net') and m.run.interrupted is None]
+    for m in all_measures:
+        m.plain = all_measures[0] if len(all_measures) > 1 else None
+        m.common_fits = common_fits
+        m.factor = next((factor for _, factor in common_fits), None)
+        m.turns_by = len(nets) > 1 and all(abs(net - m.target) < SAME_ANGLE for net in nets)
+    return [_verdict_on(m, held, name) for m, held in judged]
+
+
+def _verdict_on(m, held, name):
+    notes = {rule.name: rule.say(m) for rule in rules.NOTES if rule.test(m)}
+    if held is PASSED:
+        kind = 'interrupt' if m.run.interrupted is not None else 'paced' if m.run.unawaited else name
+        return Verdict(m.scenario.name, held.name, '', rules.PRAISE[kind].format(**vars(m)), notes)
+    hint = None if held.explains else first(HINTS[name], m)
+    words = [held.say(m)]
+    if not held.explains:
+        words.append(hint.say(m) if hint else UNKNOWN.format(**vars(m)))
+    return Verdict(m.scenario.name, held.name, hint.name if hint else '', '. '.join(words), notes)

@@ -1,13 +1,14 @@
 """Judge a node, or each of a folder, and report."""
 
 import contextlib
+import os
 import socket
 import sys
 import time
 
 from odometry_common.parameters import StartError
 
-from odometry_tools.check.options import command_of, parse
+from odometry_tools.check.options import parse, program_of
 from odometry_tools.check.scenarios import EXERCISES
 from odometry_tools.runs.folders import use_writable_logs
 from odometry_tools.runs.output import RunError, run_command
@@ -18,62 +19,76 @@ PAGE_PORT = 8080
 PAGE_PATIENCE = 60.0  # s of wall time, for a browser
 
 
-def main():
+def main(arguments):
     """Exit 0 if all passed, 1 if some failed, 2 if the check could not run."""
-    run_command(PROGRAM, _run, (StartError, RunError, OSError))
+    for stream in sys.stdout, sys.stderr:
+        stream.reconfigure(errors='replace')  # names and errors in letters that this terminal does not know
+    run_command(PROGRAM, lambda: _run(arguments), (StartError, RunError, OSError))
 
 
-def _run():
+def _run(arguments):
     """Judge what the options name; return the exit status."""
-    options = parse(sys.argv[1:])
+    options = parse(arguments)
     from odometry_tools.check import report
+    table = report.Table(options.csv or os.devnull)
+    rows = []
+    if options.junit:
+        report.write_junit(options.junit, rows)  # now, and not after all, it says that it cannot be written
+    for new in _judge_all(options):
+        table.add(new)
+        rows += new
+    if options.junit:
+        report.write_junit(options.junit, rows)
+    return int(any(row['verdict'] != 'passed' for row in rows))
+
+
+def _judge_all(options):
+    """Yield rows, those of each submission together."""
     if options.is_class:
         from odometry_tools.check.classroom import judge_all
-        rows = judge_all(options)
-    else:
-        verdicts = _judge(options, command_of(options.node))
-        rows = report.rows_of(' '.join(options.node), options.exercise, verdicts)
-    for path, write in (options.csv, report.write_csv), (options.junit, report.write_junit):
-        if path:
-            write(path, rows)
-    return int(any(row['verdict'] != report.PASSED for row in rows))
+        yield from judge_all(options)
+        return
+    from odometry_tools.check.report import rows_of
+    yield rows_of(' '.join(options.node), options.exercise, _judge(options, program_of(options.node)))
 
 
-def _judge(options, command):
+def _judge(options, program):
     """Run a node in its scenarios; print and return the Verdicts."""
     from odometry_tools.check import report
     from odometry_tools.check.bench import Bench, Pace
-    from odometry_tools.check.judging import PASSED, Judge
+    from odometry_tools.check.judging import verdicts_on
+    from odometry_tools.check.looking import look
     from odometry_tools.check.runner import Runner
     use_writable_logs()
-    exercise, verdicts = EXERCISES[options.exercise], []
-    print(f'{options.exercise}  {" ".join(options.node)}', flush=True)
+    exercise, words = EXERCISES[options.exercise], report.plain(' '.join(options.node))
+    print(f'{options.exercise}  {words}', flush=True)
+    judged, folders = [], {}
     with contextlib.closing(next_port(PAGE_PORT)) as port, Bench(
             exercise, options.view and port.number) as bench:
         if options.view:
             bench.prepare(options.scenarios[0], Pace(True, 1.0))
             _await_spectator(bench, port.number)
-        judge = Judge(options.exercise, exercise)
-        runner = Runner(bench, exercise, command, float(options.view))
-        for number, scenario in enumerate(options.scenarios):
-            run = runner.run(scenario)
-            verdict = judge.judge(run)
-            if verdict.rule != PASSED and not run.pace.lockstep and run.pace.real_time_factor > 1:
-                run = runner.run_in_real_time(scenario)
-                verdict = judge.judge(run)
-            folder = None if verdict.rule == PASSED else report.keep(run, exercise.target)
-            report.show(verdict, folder, verdicts)
-            verdicts.append(verdict)
-            if not run.nodes:  # it would start in no other scenario
-                verdicts += [verdict._replace(scenario=other.name)
-                             for other in options.scenarios[number + 1:]]
+        runner = Runner(bench, exercise, program, float(options.view))
+        for scenario in options.scenarios:
+            m, held = look(runner, scenario, exercise, options.exercise)
+            judged.append((m, held))
+            if not m.passed:
+                name = '-'.join(['check', options.exercise, *_names(options.node), scenario.name])
+                folders[scenario.name] = report.keep(m.run, exercise, name)
+            if not m.run.odometry:  # it would begin in no other scenario
                 break
-    report.show_notes(verdicts)
-    failed = [verdict.scenario for verdict in verdicts if verdict.rule != PASSED]
-    example = (f' See one: ./ws check {options.exercise} {" ".join(options.node)} '
-               f'--scenario {failed[0]} --view' if failed and run.nodes and not options.view else '')
+    verdicts = verdicts_on(judged, options.exercise)
+    verdicts += [verdicts[-1]._replace(scenario=other.name) for other in options.scenarios[len(verdicts):]]
+    report.show(verdicts, {name: folder for name, folder in folders.items() if folder})
+    failed = [verdict.scenario for verdict in verdicts if not verdict.has_passed]
+    example = (f' See one: ./ws check {options.exercise} {words} --scenario {failed[0]} --view'
+               if failed and m.run.odometry and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
+
+
+def _names(words):
+    return [os.path.basename(word.rstrip('/')) for word in words if ':=' not in word]
 
 
 def _await_spectator(bench, port):

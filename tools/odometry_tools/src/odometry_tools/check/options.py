@@ -1,16 +1,23 @@
 """The check's command line."""
 
 import argparse
-import contextlib
 import os
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import rospkg
 from odometry_common.parameters import StartError
 from roslib.packages import find_node, find_resource
 
 from odometry_tools.check.scenarios import EXERCISES
+
+
+class Program(NamedTuple):
+    """What starts a node."""
+
+    command: list
+    environment: tuple = ()  # additional variables: pairs of name and value
 
 
 def make_parser():
@@ -22,8 +29,8 @@ def make_parser():
     parser.add_argument('exercise', choices=EXERCISES, help='; '.join(
         f'{name}: it {exercise.task}' for name, exercise in EXERCISES.items()))
     parser.add_argument('node', nargs='+', metavar='NODE',
-                        help='PACKAGE NODE, as for rosrun, or PACKAGE and a launch file; a FILE; or '
-                             'a FOLDER of files and packages, each judged; then _parameter:=value')
+                        help='PACKAGE NODE, as for rosrun, or PACKAGE and a launch file; a FILE or the folder of a '
+                             'package; or a FOLDER of files and packages, each judged; then _parameter:=value')
     parser.add_argument('--scenario', metavar='NAME', help='run only this one')
     parser.add_argument('--view', action='store_true',
                         help='show it in a browser, in real time; begins once the page is open')
@@ -41,35 +48,64 @@ def parse(arguments):
     if not options.scenarios:
         parser.error(f'{options.exercise} has no scenario {options.scenario}, but '
                      f'{", ".join(scenario.name for scenario in scenarios)}')
-    options.is_class = len(options.node) == 1 and os.path.isdir(options.node[0])
+    folder = Path(options.node[0])
+    options.is_class = len(options.node) == 1 and folder.is_dir() and not is_package(folder)
     if options.view and options.is_class:
         parser.error('--view shows one node, not a folder')
-    if options.view and not _is_package('robot_view'):
-        parser.error('--view needs the package robot_view')
     return options
 
 
-def _is_package(name):
-    with contextlib.suppress(rospkg.ResourceNotFound):
-        return bool(rospkg.RosPack().get_path(name))
+def is_package(path):
+    """Return whether a Path is the folder of a package."""
+    return (path / 'package.xml').is_file()
 
 
-def command_of(words):
-    """Return the command (a list) that starts a node; raise StartError if there is no such node."""
+def program_of(words):
+    """Return the Program that starts a node; raise StartError if there is no such node."""
     first, *others = words
-    if os.path.isfile(first):
-        path = str(Path(first).resolve())
-        return [*([sys.executable] if path.endswith('.py') else []), path, *others]
+    path = Path(first).resolve()
+    if is_package(path) and all(':=' in word for word in others):
+        paths = filter(None, [str(path / 'src'), os.environ.get('PYTHONPATH')])
+        return Program(_command_of(_node_of(path), others), (('PYTHONPATH', os.pathsep.join(paths)),))
+    if path.is_file():
+        return Program(_command_of(path, others))
     if not others:
         raise StartError(f'there is no file or folder {first}; name a file, or PACKAGE NODE')
     node, *others = others
     try:
-        nodes = find_node(first, node)
-        files = [] if nodes else find_resource(first, node)
+        found = find_node(first, node) or node.endswith('.launch') and find_resource(first, node)
     except rospkg.ResourceNotFound:
         raise StartError(f'there is no package {first} in this workspace: is it in .ws/src?') from None
-    if nodes:
-        return [nodes[0], *others]
-    if files and node.endswith('.launch'):
-        return ['roslaunch', files[0], *others]
-    raise StartError(f'the package {first} has no executable file and no launch file {node}')
+    if not found:
+        raise StartError(f'the package {first} has no executable file and no launch file {node}')
+    return Program(_command_of(Path(found[0]), others))
+
+
+def _command_of(path, arguments):
+    """Return the command (a list) that starts a file."""
+    if path.suffix == '.launch':
+        _check_launch_file(path, arguments)
+        return ['roslaunch', str(path), *arguments]
+    is_script = path.suffix == '.py' and not os.access(path, os.X_OK)
+    return [*([sys.executable] if is_script else []), str(path), *arguments]
+
+
+def _check_launch_file(path, arguments):
+    """Raise StartError if roslaunch cannot read a file, or it starts a robot."""
+    from roslaunch.config import load_config_default
+    from roslaunch.core import RLException
+    try:
+        nodes = load_config_default([(str(path), arguments)], None, assign_machines=False).nodes
+    except RLException as error:
+        raise StartError(f'{path.name}: {" ".join(str(error).split())}') from None
+    if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
+        raise StartError(f'{path.name} starts a robot, but the check does that: leave out sim.launch')
+
+
+def _node_of(package):
+    """Return the node of a package: its only executable Python file, or its only one."""
+    files = [path for path in sorted(package.rglob('*.py')) if path.name not in ('setup.py', '__init__.py')]
+    files = [path for path in files if os.access(path, os.X_OK)] or files
+    if len(files) != 1:
+        raise StartError(f'{len(files)} files could be the node of {package.name}: say PACKAGE NODE')
+    return files[0]

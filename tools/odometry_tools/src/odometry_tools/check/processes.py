@@ -5,27 +5,41 @@ import os
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 import uuid
 
 import psutil
 
-MARK = 'ODOMETRY_CHECK'  # in the environment of a process and its descendants, wherever they hide
+MARK = 'ODOMETRY_CHECK_'  # in the environment of a process and its descendants, wherever they hide
 ENDING = (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)  # and how long it then may take (s of wall time)
-LAST = 2**20  # bytes
+LAST = 2**20  # bytes of output
+CHUNK = 2**16
+READ_PATIENCE = 1.0  # s of wall time, for the output of a process that has ended
 LOOK_PERIOD = 0.05  # s
 
 
 class Started:
-    """A process in a session of its own, without a keyboard; it ends with all that it has started."""
+    """A process in a session of its own; it ends with all that it has started.
 
-    def __init__(self, command):
-        """Start a command (a list)."""
-        self._mark = str(uuid.uuid4())
-        self._output = tempfile.TemporaryFile()  # noqa: SIM115
+    Its keyboard is a file with an empty line, so that one sees whether it was read.
+    """
+
+    def __init__(self, command, environment=()):
+        """Start a command (a list), with additional variables."""
+        self._mark = f'{MARK}{uuid.uuid4().hex}'
+        self._keyboard = tempfile.TemporaryFile()  # noqa: SIM115
+        os.pwrite(self._keyboard.fileno(), b'\n', 0)
         self._process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=self._output, stderr=subprocess.STDOUT,
-            start_new_session=True, env={**os.environ, MARK: self._mark, 'PYTHONUNBUFFERED': '1'})
+            command, stdin=self._keyboard, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True,
+            env={**os.environ, 'PYTHONUNBUFFERED': '1', **dict(environment), self._mark: ''})
+        self._output = b''
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self):
+        while chunk := self._process.stdout.read1(CHUNK):
+            self._output = (self._output + chunk)[-LAST:]
 
     @property
     def status(self):
@@ -35,19 +49,31 @@ class Started:
     @property
     def output(self):
         """What it has printed last."""
-        size = os.fstat(self._output.fileno()).st_size
-        return os.pread(self._output.fileno(), LAST, max(0, size - LAST)).decode(errors='replace')
+        if self.status is not None:
+            self._reader.join(READ_PATIENCE)
+        return self._output.decode(errors='replace')
+
+    @property
+    def has_read_keyboard(self):
+        """Whether it has read from its standard input."""
+        return os.lseek(self._keyboard.fileno(), 0, os.SEEK_CUR) > 0
 
     def family(self):
         """Return this process and all descendants that still run."""
         return [process for process in psutil.process_iter(['environ', 'status'])
-                if (process.info['environ'] or {}).get(MARK) == self._mark
+                if self._mark in (process.info['environ'] or ())
                 and process.info['status'] != psutil.STATUS_ZOMBIE]
 
     def cpu_time(self):
-        """Return the processor time (s) of this process; None if it has ended."""
+        """Return the processor time (s) of this process and its children; None if it has ended."""
         with contextlib.suppress(psutil.NoSuchProcess):
-            return sum(psutil.Process(self._process.pid).cpu_times()[:2])
+            process = psutil.Process(self._process.pid)
+            return sum(sum(one.cpu_times()[:2]) for one in (process, *process.children(recursive=True)))
+
+    def is_cpp(self):
+        """Return whether any of them is a node in C++."""
+        with contextlib.suppress(psutil.Error):
+            return any('libroscpp' in region.path for process in self.family() for region in process.memory_maps())
 
     def interrupt(self):
         """Press Ctrl-C."""

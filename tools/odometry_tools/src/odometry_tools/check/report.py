@@ -2,37 +2,36 @@
 
 import csv
 import os
+import re
 import textwrap
 
 import rosbag
 
-from odometry_tools.check.judging import PASSED
+from odometry_tools.check.quoting import plain
 from odometry_tools.check.scenarios import GOAL
 from odometry_tools.runs import junit
 from odometry_tools.runs.figure import make_figure
-from odometry_tools.runs.folders import new_folder
+from odometry_tools.runs.folders import RUNS
+from odometry_tools.runs.output import complain
 from odometry_tools.runs.recorded_run import BagError, read_run
 
 WIDTH = 100
-COLUMNS = 'submission', 'exercise', 'scenario', 'verdict', 'rule', 'sentence', 'notes'
+COLUMNS = 'submission', 'exercise', 'scenario', 'verdict', 'rule', 'hint', 'sentence', 'notes'
 
 
-def show(verdict, folder, earlier):
-    """Print a Verdict, after earlier ones, and where its recording is, if there is one."""
-    begin = f'  {verdict.scenario:<12} {verdict.word:<8} '
-    same = [other.scenario for other in earlier if folder and other.sentence == verdict.sentence]
-    print(_filled(begin, f'as in {same[0]}' if same else verdict.sentence))
-    if folder:
-        print(f'{"":{len(begin)}}{os.path.relpath(folder)}', flush=True)
-
-
-def show_notes(verdicts):
-    """Print each note once."""
-    notes = {}
+def show(verdicts, folders):
+    """Print Verdicts, and where their recordings are, by scenario; each sentence and note once."""
+    scenarios, notes = {}, {}
     for verdict in verdicts:
+        begin = f'  {verdict.scenario:<12} {verdict.word:<8} '
+        earlier = None if verdict.has_passed else scenarios.get(verdict.sentence)
+        print(_filled(begin, f'as in {earlier}' if earlier else verdict.sentence))
+        scenarios.setdefault(verdict.sentence, verdict.scenario)
         notes = {**verdict.notes, **notes}
+        if verdict.scenario in folders:
+            print(f'{"":{len(begin)}}{os.path.relpath(folders[verdict.scenario])}')
     for sentence in notes.values():
-        print(_filled('  note  ', sentence), flush=True)
+        print(_filled('  note  ', sentence))
 
 
 def _filled(begin, sentence):
@@ -42,36 +41,48 @@ def _filled(begin, sentence):
 
 def rows_of(submission, exercise, verdicts):
     """Return the verdicts as rows of COLUMNS."""
-    return [dict(zip(COLUMNS, (submission, exercise, verdict.scenario, verdict.word, verdict.rule,
-                               verdict.sentence, ' | '.join(verdict.notes.values()))))
+    return [dict(zip(COLUMNS, (plain(submission), exercise, verdict.scenario, verdict.word, verdict.rule,
+                               verdict.hint, verdict.sentence, ' | '.join(verdict.notes.values()))))
             for verdict in verdicts]
 
 
-def write_csv(path, rows):
-    """Write rows for a spreadsheet."""
-    with open(path, 'w', newline='', encoding='utf-8') as file:
-        writer = csv.DictWriter(file, COLUMNS)
-        writer.writeheader()
-        writer.writerows(rows)
+class Table:
+    """A file for a spreadsheet, to which rows are written as they come; OSError: it cannot be written."""
+
+    def __init__(self, path):
+        """Begin a new file."""
+        self._file = open(path, 'w', newline='', encoding='utf-8')  # noqa: SIM115
+        self._writer = csv.DictWriter(self._file, COLUMNS)
+        self._writer.writeheader()
+        self.add([])
+
+    def add(self, rows):
+        """Write rows."""
+        self._writer.writerows(rows)
+        self._file.flush()
 
 
 def write_junit(path, rows):
     """Write rows as CI reads them."""
     junit.write(path, 'odometry_check', [junit.Case(
         f'{row["exercise"]}.{row["submission"]}', row['scenario'],
-        '' if row['verdict'] == PASSED else row['sentence'], row['rule'], row['notes']) for row in rows])
+        '' if row['verdict'] == 'passed' else row['sentence'], row['rule'], row['notes']) for row in rows])
 
 
-def keep(run, target):
-    """Write bag, picture and output of a Run to a new folder, and return that."""
-    folder = new_folder(f'check-{run.scenario.name}-')
-    (folder / 'output.txt').write_text(run.output)
-    with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
-        for topic, message, time in run.messages:
-            bag.write(f'/{topic}', message, time)
-    targets = {'distance_target': GOAL} if target is None else {'heading_target': target}
+def keep(run, exercise, name):
+    """Write bag, picture and output of a Run to the folder of this name, and return that; None if it cannot be."""
+    folder = RUNS / re.sub(r'[^\w.-]+', '_', name)
     try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / 'output.txt').write_text(run.output, encoding='utf-8')
+        with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
+            for topic, message, time in run.messages:
+                bag.write(f'/{topic}', message, time)
+        targets = {'distance_target': GOAL} if exercise.target is None else {'heading_target': exercise.target}
         make_figure(read_run(folder / 'run.bag'), **targets).savefig(str(folder / 'run.png'))
     except BagError:
         pass  # the robot's time has not begun
+    except OSError as error:
+        complain(f'no recording: {error}', 'check')
+        return None
     return folder

@@ -1,83 +1,85 @@
-"""The rules: what shows in a run that is not right. The first that holds is the verdict.
+"""What is not right in a run, as it was measured. The first rule that holds is the verdict; why is in hints.py."""
 
-Their sentences, with the measures in braces, are in sentences.yaml.
-"""
+from odometry_tools.check.drive_measures import DETOUR
+from odometry_tools.check.rule import Rule
 
-
-def _starts(text, *words):
-    return (text or '').startswith(words)
-
-
-# Functions of the namespace of odometry_tools.check.measures.measure(), by name.
-START = {
-    'keyboard': lambda m: _starts(m.error, 'EOFError'),
-    'syntax': lambda m: not m.run.nodes and _starts(m.error, 'SyntaxError', 'IndentationError', 'TabError'),
-    'unregistered': lambda m: not m.run.nodes and not m.ended,
-    'crash': lambda m: m.crashed,
-    'callback': lambda m: m.bad_callback,
-    'type': lambda m: m.type not in (None, m.wanted),
-    'elsewhere': lambda m: m.silent and m.elsewhere,
-    'unheard': lambda m: m.silent and m.unheard,
-    'queue_size': lambda m: m.silent and m.refused,
-    'lost_command': lambda m: m.silent and m.ended,
-    'silent': lambda m: m.silent}
-DRIVE = {
-    'wrong_field': lambda m: m.useless and m.stays,
-    'never_began': lambda m: not m.moves,
-    'one_command': lambda m: m.ceased and m.run.interrupted is None and m.sent <= 5,
-    'interrupt_ignored': lambda m: m.run.interrupted is not None and not m.run.ends,
-    'interrupt': lambda m: m.run.interrupted is not None}
-DISTANCE = {
-    'no_zero': lambda m: m.ceased and 1.9 < m.gone < 2.2,
-    'ceased': lambda m: m.ceased,
-    'position': lambda m: m.name == 'moved_start' and m.gone < 0.3,
-    'one_axis': lambda m: m.name == 'moved_start' and m.stop and min(
-        abs(m.moved_x - 2), abs(m.moved_y - 2)) < 0.06,
-    'sum_of_axes': lambda m: m.name == 'moved_start' and m.stop and abs(m.moved_x + m.moved_y - 2) < 0.06,
-    'elapsed_time': lambda m: m.stop and m.early and abs(m.commanded - 2) < 0.12 and m.gone < 1.8,
-    'early': lambda m: m.stop and m.early,
-    'too_slow': lambda m: m.early,
-    'passed_by': lambda m: not m.stop and (m.name in ('plain', 'slow_base') or 'passed_by' in m.seen),
-    'window': lambda m: not m.stop and m.name == 'odom_5hz',
-    'goal_point': lambda m: not m.stop,
-    'late': lambda m: True}
-HEADING = {
-    'ceased': lambda m: m.ceased,
-    'window': lambda m: m.name == 'odom_5hz' and m.turned > m.shortest + 180 and m.is_constant and (
-        m.flips < 5 and 'equality' not in m.seen),
-    'degrees': lambda m: m.spins and m.typical > 3.1,
-    'equality': lambda m: m.spins and m.is_constant,
-    'quaternion': lambda m: m.spins,
-    'sign': lambda m: m.first * m.error_at_start < 0 and (
-        'sign' in m.seen or m.name == 'plain' and not (m.settled and m.off < 25)),
-    'chatter': lambda m: m.rings and m.is_constant and m.off < 25,
-    'gain_high': lambda m: m.rings or m.turned - abs(m.net) > 60,
-    'wrap': lambda m: m.turned > m.shortest + 90 and m.off < 25,
-    'jump': lambda m: m.name == 'moved_start' and m.settled and abs(m.yaw) > 174,
-    'turns_by': lambda m: m.name == 'moved_start' and m.settled and m.off > 25 and abs(m.net - 90) < 8,
-    'gain_low': lambda m: not m.settled or m.moves_at_end,
-    'short': lambda m: m.off < 25,
-    'other_goal': lambda m: True}
-DETECTOR = {
-    'displacement': lambda m: m.fits == 'displacement',
-    'from_origin': lambda m: m.fits in ('origin', 'first_step'),
-    'one_axis': lambda m: m.fits in ('x_only', 'y_only', 'signed_x'),
-    'sum_of_axes': lambda m: m.fits in ('axes', 'signed_axes'),
-    'rounded': lambda m: _starts(m.fits, 'rounded'),
-    'signed_speed': lambda m: m.fits == 'times_signed_speed' and abs(m.factor - 1) < 0.05,
-    'last_step': lambda m: m.largest < 0.3,
-    'squares': lambda m: m.fits == 'squares',
-    'fixed_dt': lambda m: m.fits in ('times_signed_speed', 'times_speed'),
-    'times': lambda m: m.fits == 'times_total',
-    'miscounted': lambda m: True}
+START = (
+    Rule('crash', lambda m: m.status and m.run.interrupted is None, 'your node ended {how}{at}'),
+    Rule('no_node', lambda m: not m.run.nodes and m.status is None, 'your process registered no node within 20 s'),
+    Rule('no_node', lambda m: not m.run.nodes, 'your process ended {how} without having become a node'),
+    Rule('wall_clock', lambda m: m.run.follows_wall,
+         "two runs of this scenario differ: your node follows the wall's clock, as time.time() does, or chance. "
+         'rospy.get_time() follows the robot', explains=True),
+    Rule('silent', lambda m: m.is_silent,
+         'your node published 0 messages on {topic}, where odometry comes {rate:g} times a second'),
+    Rule('not_finite', lambda m: not m.is_finite, 'you published what is not a number (nan or inf) on {topic}'))
+DRIVE = (
+    Rule('wrong_field', lambda m: m.useless and m.is_still,
+         'you set {useless}, and the robot did not move: a wheeled robot drives by linear.x and turns by angular.z',
+         explains=True),
+    Rule('all_zero', lambda m: not m.moves,
+         'from ({start.x:.1f}, {start.y:.1f}), heading {start_heading:.0f} degrees, all of your commands were zero'),
+    Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
+         '20 s after Ctrl-C your node still ran'),
+    Rule('interrupt', lambda m: m.run.interrupted is not None,
+         "after Ctrl-C your last command was {last_word}, and only the base's watchdog stopped the robot"))
+DISTANCE = (
+    Rule('only_turned', lambda m: m.turns and not m.drives, 'you only turned the robot; this exercise drives it',
+         explains=True),
+    Rule('ceased', lambda m: m.has_ceased,
+         "your last command, {last_word}, came at {at_last.way:.2f} m, and only the base's watchdog stopped the robot, "
+         'at {end.way:.2f} m'),
+    Rule('early', lambda m: m.stop and m.is_early,
+         'you stopped at {at_stop.way:.2f} m, and rest at {end.way:.2f} of 2.00 m'),
+    Rule('unfinished', lambda m: m.is_early, 'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m'),
+    Rule('passed_by', lambda m: not m.stop,
+         'you passed 2.00 m and were at {end.way:.2f} m when this was ended, still with {last_word}'),
+    Rule('late', lambda m: True,
+         'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, where two periods are {bound:.1f} s; '
+         'the robot rests at {end.way:.2f} m'))
+HEADING = (
+    Rule('only_drove', lambda m: m.drives and not m.turns, 'you only drove the robot; this exercise turns it',
+         explains=True),
+    Rule('ceased', lambda m: m.has_ceased,
+         'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
+         "base's watchdog stopped the robot, at heading {heading:.1f}"),
+    Rule('rings', lambda m: m.rings,
+         'your command changed its sign {flips} times, and the robot did not come to rest at 90 degrees'),
+    Rule('long_way', lambda m: m.turned > m.shortest + DETOUR,
+         'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
+    Rule('unfinished', lambda m: not (m.is_settled and m.stop),
+         'after {seconds:.0f} s you are {heading_error:.0f} degrees off, and your last command was {last_word}'),
+    Rule('elsewhere', lambda m: True,
+         'you rest at {heading:.1f} degrees where 90 were asked, after turning {turned:.0f}'))
+DETECTOR = (
+    Rule('displacement', lambda m: ('displacement', None) in m.fits,
+         'out and back is {out_and_back:.2f} m, and you published {counted_back:.2f}: that is the distance from the '
+         'start, a possible reading of "moved". For the way driven add up the steps', explains=True),
+    Rule('miscounted', lambda m: True,
+         '{leg} you counted {leg_counted:.2f} of {leg_right:.2f} m, and {total:.2f} of {right:.2f} in all'))
+PRAISE = {
+    'moved_distance': 'counted {total:.2f} of {right:.2f} m',
+    'two_meters': 'at {end.way:.2f} m after {driven:.1f} s',
+    'heading': 'at {heading:.2f} degrees after {arrival:.1f} s',
+    'interrupt': 'stopped the robot after Ctrl-C',
+    'paced': 'as far as can be said of a node that lockstep does not wait for'}
 # These hold or not, whatever the verdict.
-NOTES = {
-    'no_sleep': lambda m: m.run.unawaited and m.sent / m.duration > 200,
-    'wall_time': lambda m: m.run.unawaited and m.sent / m.duration <= 200,
-    'hidden_error': lambda m: m.bad_callback and m.passed,
-    'forked': lambda m: m.run.forked,
-    'ctrl_c': lambda m: not m.run.ends and m.run.interrupted is None}
-DRIVE_NOTES = {
-    'mux': lambda m: m.mux,
-    'too_fast': lambda m: m.top_speed > 0.71,
-    'stops_early': lambda m: m.short_by > 0.01 and m.passed}
+NOTES = (
+    Rule('no_sleep', lambda m: m.run.unawaited and m.floods,
+         'your loop sends more than 200 commands a second, where 10 do: add rospy.Rate(10) and rate.sleep(). It is '
+         'judged at a pace, since lockstep cannot wait for it'),
+    Rule('wall_time', lambda m: m.run.unawaited and not m.floods,
+         'your node acts by wall time, as after time.sleep(), or never rests. It is judged at a pace, since lockstep '
+         'cannot wait for it'),
+    Rule('callback', lambda m: m.callback_error and not (m.is_silent or m.keeps_failing),
+         'a callback failed, and the node went on: {callback_error}'),
+    Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
+         'your node ended {how} after it had done all: {said}'),
+    Rule('ctrl_c', lambda m: not m.run.ends and m.run.interrupted is None, 'Ctrl-C did not end your node within 20 s'),
+    Rule('luck', lambda m: m.passed and m.run.looks > 1 and not m.run.unawaited,
+         'it passed only when it was looked at again. What a program publishes as it ends can be lost: '
+         'rospy.sleep(0.5) after it gives it time to arrive'),
+    Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
+         'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),
+    Rule('mux', lambda m: getattr(m, 'mux', ''),
+         'your commands go to {mux}; the exercise names cmd_vel. This robot obeys both'))

@@ -1,5 +1,6 @@
 """What happens in one scenario, in memory."""
 
+import math
 import threading
 import time
 from typing import NamedTuple
@@ -12,6 +13,8 @@ from odometry_tools.check.scenarios import PERIOD
 from odometry_tools.runs.session import UNAWAITED
 
 ZERO = 1e-3  # m/s, rad/s; a slower command is none
+ALIKE = 0.03  # share, m and rad, by which two runs of one node differ at most
+JUMP = 0.4, 0.8  # m, rad; no robot here moves as far between two messages: odometry was reset
 
 
 class Pose(NamedTuple):
@@ -20,9 +23,24 @@ class Pose(NamedTuple):
     time: float  # s
     x: float  # m
     y: float  # m
-    yaw: float  # rad, without jumps
+    yaw: float  # rad
     linear: float  # m/s
     angular: float  # rad/s
+    way: float = 0.0  # m driven so far
+    turned: float = 0.0  # rad so far, either way
+    turn: float = 0.0  # rad so far, to the left
+
+    def after(self, before):
+        """Return this with the way from the Pose before it, which a reset of odometry does not lengthen."""
+        step, turn = math.hypot(self.x - before.x, self.y - before.y), wrap_to_pi(self.yaw - before.yaw)
+        if self.has_jumped(before):
+            step = turn = 0.0
+        return self._replace(way=before.way + step, turned=before.turned + abs(turn), turn=before.turn + turn)
+
+    def has_jumped(self, before):
+        """Return whether odometry was reset since the Pose before it."""
+        return (math.hypot(self.x - before.x, self.y - before.y) > JUMP[0]
+                or abs(wrap_to_pi(self.yaw - before.yaw)) > JUMP[1])
 
 
 class Command(NamedTuple):
@@ -37,7 +55,7 @@ class Command(NamedTuple):
     @property
     def moves(self):
         """Whether the robot should move."""
-        return abs(self.linear) > ZERO or abs(self.angular) > ZERO
+        return not (abs(self.linear) <= ZERO and abs(self.angular) <= ZERO)  # NaN is not zero
 
 
 class Run:
@@ -50,17 +68,18 @@ class Run:
         self.begin = time.monotonic()  # when time began (s of wall time)
         self.over = False
         self.odometry, self.commands, self.moved, self.messages = [], [], [], []
+        self.start = 0  # index of the first odometry after the last reset of it
         self.legs = []  # of the route: name, begin and end (s)
-        self.sent = 0  # commands; of a flood, `commands` has the latest
         self.unawaited = None  # why lockstep does not wait for the node
         self.interrupted = None  # index of the command after Ctrl-C
         self.ends = True  # whether Ctrl-C ends the node
-        # What the nodes that the learner's process contains have announced to the master.
-        self.nodes, self.publishes, self.subscribes = set(), set(), set()
-        self.types, self.published = {}, set()  # of all topics; topics that anybody publishes
-        self.forked = False  # whether its process has ended, and another that it started goes on
-        self.refused = set()  # topics whose publisher takes no connection
-        self.walls = []  # s of wall time of the commands
+        self.nodes = set()  # names of the nodes that the learner's process contains
+        self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
+        self.refuses = False  # whether the node that is to publish is there, and sends nothing
+        self.is_cpp = False
+        self.has_read_keyboard = False
+        self.follows_wall = False  # whether a second run was another
+        self.looks = 1  # how often it ran before it was judged
         self.status, self.output = None, ''  # exit status, if it has ended by itself
 
     @property
@@ -98,11 +117,17 @@ class Run:
         if topic != 'odom':
             return
         pose, twist = message.pose.pose, message.twist.twist
-        yaw = yaw_from_orientation(pose.orientation)
+        self.take(Pose(message.header.stamp.to_sec(), pose.position.x, pose.position.y,
+                       yaw_from_orientation(pose.orientation), twist.linear.x, twist.angular.z))
+
+    def take(self, pose):
+        """Take a Pose that odometry tells, and look whether the scenario is over."""
         if self.odometry:
-            yaw = self.odometry[-1].yaw + wrap_to_pi(yaw - self.odometry[-1].yaw)
-        self.odometry.append(Pose(message.header.stamp.to_sec(), pose.position.x, pose.position.y, yaw,
-                                  twist.linear.x, twist.angular.z))
+            before = self.odometry[-1]
+            if pose.has_jumped(before):
+                self.start = len(self.odometry)
+            pose = pose.after(before)
+        self.odometry.append(pose)
         if self.interrupted is None and self._is_over(self):
             self.over = True
             self.changed.notify_all()
@@ -111,8 +136,7 @@ class Run:
         # Messages of one tick arrive in any order: to the millisecond, the tick before may be meant.
         now = round(now / PERIOD) * PERIOD
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
-                        for axis in axes if abs(getattr(getattr(message, part), axis)) > ZERO)
-        self.walls.append(time.monotonic())
+                        for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
         self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic))
 
     def _on_float64(self, _topic, message, _now):
@@ -127,3 +151,11 @@ class Run:
     def wall_time(self):
         """Return the seconds of wall time since time began."""
         return time.monotonic() - self.begin
+
+    def is_like(self, other):
+        """Return whether the robot came as far in another Run, and the detector, but for what threads may do first."""
+        return all(math.isclose(mine, others, rel_tol=ALIKE, abs_tol=ALIKE)
+                   for mine, others in zip(self._outcome(), other._outcome()))
+
+    def _outcome(self):
+        return self.odometry[-1].way, self.odometry[-1].turned, self.moved[-1][1] if self.moved else 0.0

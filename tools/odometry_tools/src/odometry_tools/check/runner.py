@@ -2,7 +2,6 @@
 
 import contextlib
 import io
-import statistics
 import time
 
 import rosnode
@@ -12,27 +11,28 @@ from odometry_tools.check.bench import OURS, Pace
 from odometry_tools.check.endings import Drive, Route
 from odometry_tools.check.processes import Started
 from odometry_tools.check.run import Run
-from odometry_tools.runs.recording import COMMANDS
 
-TWIST_SIZE = 52  # bytes on the wire
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 STANDSTILL = 60.0  # s of wall time without odometry
-LOOK_PERIOD = 0.05  # s of wall time, while time stands still
-REGISTRATION_TIMEOUT, QUIET, BUSY = 20.0, 0.3, 2.0  # s of wall time
+LOOK_PERIOD = 0.03  # s of wall time, while time stands still
+QUIET, BUSY = 0.3, 2.0  # s of wall time
+# A node that has not registered after so long, without computing at the end or after so much computing, will not.
+REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0  # s of wall time, and of processor time
 HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
 INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
-ARRIVAL = 0.1  # s of wall time, for the last commands of a node that has ended
-NAP_SHARE = 0.25  # s of simulated time that may go by while a node sleeps by wall time
-FASTEST = 5.0  # times real time at which a loop without a sleep copes
+LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
+FASTEST = 5.0  # times real time, to begin with
+SLOWER = 3.0  # by which a pace is slower the next time
 
 
 class Runner:
     """Runs a node on a Bench."""
 
-    def __init__(self, bench, exercise, command, real_time_factor=0.0):
-        """Take an Exercise, the command (a list) of the node, and a factor for spectators."""
-        self._bench, self._exercise, self._command = bench, exercise, command
+    def __init__(self, bench, exercise, program, real_time_factor=0.0):
+        """Take an Exercise, the Program of the node, and a factor for spectators."""
+        self._bench, self._exercise, self._program = bench, exercise, program
         self.pace = Pace(True, real_time_factor)
+        self.follows_wall = None  # whether two runs in lockstep differ, once that is known
         self._unawaited = None
         self._is_stubborn = False
 
@@ -40,35 +40,39 @@ class Runner:
         """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
         run = self._run(scenario)
         if run.unawaited and self.pace.lockstep:
-            naps = [run.walls[i + 1] - run.walls[i] for i in range(len(run.walls) - 1)] or [0.0]
-            fastest = self.pace.real_time_factor or FASTEST
-            factor = NAP_SHARE / max(statistics.median(naps), NAP_SHARE / fastest)
-            self.pace = Pace(False, max(1.0, round(factor, 1)))
+            run = self._run(scenario)  # beside other work a node may seem busy once
+        if run.unawaited and self.pace.lockstep:
+            self.pace = Pace(False, self.pace.real_time_factor or FASTEST)
             self._unawaited = run.unawaited
             run = self._run(scenario)
         run.unawaited = self._unawaited
         return run
 
-    def run_in_real_time(self, scenario):
-        """Return the Run of a Scenario, at a pace at which no machine is too slow for a node."""
-        self.pace = Pace(False, 1.0)
+    def run_again(self, scenario):
+        """Return another Run of a Scenario; slower, if the last was paced."""
+        self._is_stubborn = False
+        if not self.pace.lockstep:
+            self.pace = Pace(False, self.pace.real_time_factor / SLOWER)
         return self.run(scenario)
 
     def _run(self, scenario):
         self._bench.prepare(scenario, self.pace)
         ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
         self._bench.run = run = Run(scenario, self.pace, ending.is_over)
-        node = Started(self._command)
+        node = Started(*self._program)
         try:
             self._await_ready(node, run)
-            if run.nodes:
+            run.is_cpp = node.is_cpp()
+            self._ask_for_types(run)
+            if run.nodes and (node.status is None or node.family()):
                 self._begin(run, node)
-            run.finish(status=node.status, output=node.output,
-                       forked=node.status is not None and bool(node.family()))
             self._look_at_graph(run)
-            run.refused = {topic for topic in run.publishes if self._bench.is_refused(topic)}
+            self._ask_for_types(run)
+            run.finish(status=None if node.family() else node.status, output=node.output,
+                       has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self._exercise.topic))
         finally:
-            run.ends = self._press_ctrl_c(node) and run.ends
+            if run.interrupted is None:
+                run.ends = self._press_ctrl_c(node)
             self._is_stubborn = not run.ends
             node.end()
             self._forget(run.nodes)
@@ -77,7 +81,6 @@ class Runner:
     def _begin(self, run, node):
         """Let time go on until the run is over; then press Ctrl-C, if the scenario says so."""
         run.begin = time.monotonic()
-        before = self._bench.received(*COMMANDS)
         self._bench.call('unpause_physics')
         seen, since = 0, run.begin
         with run.changed:
@@ -90,11 +93,16 @@ class Runner:
                 elif time.monotonic() - since > STANDSTILL:
                     run.finish(unawaited='does not let simulated time go on: give its loop a rospy.sleep()')
         self._bench.call('pause_physics')
-        run.sent = (self._bench.received(*COMMANDS) - before) // TWIST_SIZE
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
             run.finish(interrupted=len(run.commands), over=False)
             run.ends = self._press_ctrl_c(node)
-            time.sleep(ARRIVAL)
+            self._await_last_commands()
+
+    def _await_last_commands(self):
+        """Return once what was sent has arrived: a connection is closed after all of it."""
+        end = time.monotonic() + LEAVE_PATIENCE
+        while not self._bench.has_left() and time.monotonic() < end:
+            time.sleep(LOOK_PERIOD)
 
     def _press_ctrl_c(self, node):
         """Return whether Ctrl-C ends a node, which may sleep by simulated time before it ends."""
@@ -115,13 +123,15 @@ class Runner:
             self._bench.check()
             self._look_at_graph(run)
             now, before = time.monotonic(), state
-            state = node.cpu_time(), len(run.nodes), len(run.publishes), len(run.subscribes)
+            cpu_time = node.cpu_time()
+            state = cpu_time, len(run.nodes), len(run.publishes), len(run.subscribes)
             if state != before:
                 changed = now
             if run.nodes and registered is None:
                 registered = now
-            if registered and (now - changed > QUIET or now - registered > BUSY) or (
-                    now - begin > REGISTRATION_TIMEOUT):
+            if registered and (now - changed > QUIET or now - registered > BUSY):
+                return
+            if now - begin > REGISTRATION_TIMEOUT and now - changed > IDLE or (cpu_time or 0.0) > REGISTRATION_CPU:
                 return
             time.sleep(LOOK_PERIOD)
 
@@ -129,13 +139,17 @@ class Runner:
         """Add what the node has announced to the Run."""
         others = OURS | {rospy.get_name()}
         publishers, subscribers, services = self._bench.master.getSystemState()
-        for topics, found in (publishers, run.publishes), (subscribers, run.subscribes), (services, set()):
+        for topics, found in (publishers, run.publishes), (subscribers, run.subscribes), (services, {}):
             for topic, names in topics:
                 if {*names} - others:
-                    found.add(topic)
+                    found.setdefault(topic, '')
                     run.nodes |= {*names} - others
-        run.types.update(self._bench.master.getTopicTypes())
-        run.published |= {topic for topic, names in publishers if names}
+
+    def _ask_for_types(self, run):
+        """Add the types that the nodes themselves name: the master knows one for each topic."""
+        for name in run.nodes:
+            run.publishes.update(self._bench.ask(name, 'getPublications') or ())
+            run.subscribes.update(self._bench.ask(name, 'getSubscriptions') or ())
 
     def _forget(self, names):
         """Have the master forget nodes that were killed."""

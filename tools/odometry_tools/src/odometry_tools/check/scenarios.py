@@ -31,23 +31,30 @@ class Exercise(NamedTuple):
     """What a learner's node is to do."""
 
     task: str
+    topic: str  # of what the node is to publish, and
+    type: str
     scenarios: tuple
     route: tuple = ()
     target: float = None  # degrees
 
 
-ROUTE = (Leg('out', 0.5, 0.0, 4.0), Leg('back', -0.5, 0.0, 4.0), Leg('on the circle', 0.2, 0.6283, 10.0),
-         Leg('spinning', 0.0, 1.5708, 4.0), Leg('standing', 0.0, 0.0, 2.0))
+ROUTE = (Leg('out', 0.5, 0.0, 4.0), Leg('back', -0.5, 0.0, 4.0),
+         Leg('on an arc', 0.2, 0.6283, 2.5), Leg('on the rest of its circle', 0.2, 0.6283, 7.5),
+         Leg('spinning', 0.0, 1.5708, 2.0), Leg('standing', 0.0, 0.0, 1.4))
+SLOW = 0.7
 PLAIN, INTERRUPT = Scenario('plain'), Scenario('interrupt', interrupt=True)
 SLOW_ODOMETRY = Scenario('odom_5hz', odom_rate=5.0)
-# Oblique, so that no axis alone has the distance.
-OBLIQUE = Scenario('moved_start', 50.0, (3.0, 1.0))
+SLOW_BASE = Scenario('slow_base', speed_ratio=SLOW)
+# From there the usual mistakes end in places of their own: one axis, the sum of both, the point (2, 0).
+ELSEWHERE = 3.0, -1.2
+COMMANDS = '/cmd_vel', 'geometry_msgs/Twist'
+OBLIQUE = Scenario('moved_start', 130.0, ELSEWHERE)
 EXERCISES = {
-    'moved_distance': Exercise('publishes the distance moved', (
-        Scenario('route'), OBLIQUE, SLOW_ODOMETRY), route=ROUTE),
-    'two_meters': Exercise('drives two metres and stops', (
-        PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, Scenario('slow_base', speed_ratio=0.7))),
-    # The shorter way from there leads over 180 degrees.
-    'heading': Exercise('turns to 90 degrees', (
-        PLAIN, Scenario('moved_start', TARGET + 100, (3.0, 1.0)), INTERRUPT, SLOW_ODOMETRY),
-        target=TARGET)}
+    'moved_distance': Exercise('publishes the distance moved', '/moved_distance', 'std_msgs/Float64', (
+        Scenario('route'), OBLIQUE, SLOW_ODOMETRY, SLOW_BASE), route=ROUTE),
+    'two_meters': Exercise('drives two metres and stops', *COMMANDS, (
+        PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, SLOW_BASE)),
+    # The shorter way leads over 180 degrees from the first of these starts, and over 0 from the second.
+    'heading': Exercise('turns to 90 degrees', *COMMANDS, (
+        PLAIN, Scenario('moved_start', TARGET + 100, ELSEWHERE), INTERRUPT, SLOW_ODOMETRY,
+        SLOW_BASE._replace(yaw=-45.0)), target=TARGET)}

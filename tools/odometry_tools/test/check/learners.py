@@ -1,0 +1,33 @@
+"""Nodes as learners write them: whole ones, and others that differ from one of these by a few words."""
+
+from pathlib import Path
+
+import yaml
+
+NODES = Path(__file__).with_name('nodes')
+# By exercise and node: `base`, what to `replace`, and the `expected` rule and hint by scenario, or of `all`.
+VARIANTS = yaml.safe_load((NODES / 'variants.yaml').read_text())
+
+
+def source_of(exercise, node):
+    """Return the program of a node."""
+    variant = VARIANTS[exercise][node]
+    text = (NODES / exercise / f'{variant.get("base", node)}.py').read_text()
+    for old, new in variant.get('replace', {}).items():
+        assert old in text, f'{node}: its base has no {old!r}'
+        text = text.replace(old, new)
+    return text
+
+
+def write(folder, exercise, *nodes):
+    """Write nodes to a folder, and return their files."""
+    files = [folder / f'{node}.py' for node in nodes]
+    for file in files:
+        file.write_text(source_of(exercise, file.stem))
+    return files
+
+
+def expected(exercise, node, scenario):
+    """Return the rule and, if there is one, the hint that a node gets."""
+    found = VARIANTS[exercise][node].get('expected', {})
+    return found.get(scenario, found.get('all', 'passed'))

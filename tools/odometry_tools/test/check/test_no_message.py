@@ -1,0 +1,64 @@
+"""What the check says of a node that published nothing: what the graph, the output and the exit status show."""
+
+import signal
+
+import pytest
+from odometry_tools.check.bench import Pace
+from odometry_tools.check.judging import judge, verdicts_on
+from odometry_tools.check.run import Pose, Run
+from odometry_tools.check.scenarios import EXERCISES
+
+ERROR = 'Traceback (most recent call last):\n  File "/home/me/a.py", line 7, in go\n    x\nNameError: no x\n'
+BAD_CALLBACK = f'[ERROR] [1.5, 0.2]: bad callback: <function cb at 0x7f00>\n{ERROR}'
+HEARS = {'/odom': 'nav_msgs/Odometry'}
+TWIST, FLOAT = 'geometry_msgs/Twist', 'std_msgs/Float64'
+DIED = '[mine-2] process has died [pid 17, exit code 1, cmd /x].\n'
+
+
+def verdict_on(exercise='two_meters', **facts):
+    """Return the Verdict on a Run of which these facts are known, and that is otherwise empty."""
+    run = Run(EXERCISES[exercise].scenarios[0], Pace(), None)
+    run.odometry.append(Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    run.nodes = {'/mine'}
+    run.subscribes = HEARS
+    vars(run).update(facts)
+    return verdicts_on([judge(run, EXERCISES[exercise], exercise)], exercise)[0]
+
+
+@pytest.mark.parametrize('facts, expected', [
+    ({}, 'silent'),
+    ({'nodes': (), 'status': 0}, 'no_node main'),
+    ({'nodes': ()}, 'no_node'),
+    ({'nodes': (), 'status': 1, 'output': ERROR}, 'crash error'),
+    ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
+    ({'has_read_keyboard': True}, 'silent keyboard'),
+    ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),
+    ({'status': 1, 'output': ERROR}, 'crash error'),
+    ({'status': 2, 'output': 'Error: 1.57\nno gyro\n'}, 'crash last_words'),
+    ({'status': -signal.SIGSEGV}, 'crash'),
+    ({'output': ERROR + DIED}, 'crash error'),
+    ({'output': BAD_CALLBACK}, 'silent error'),
+    ({'output': 'Error: 1.57\n'}, 'silent'),
+    ({'status': 0}, 'silent ended'),
+    ({'publishes': {'/cmd_vel': TWIST}, 'refuses': True}, 'silent queue_size'),
+    ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),
+    ({'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
+    ({'exercise': 'moved_distance', 'publishes': {'/moved_distanse': FLOAT}}, 'silent output'),
+    ({'exercise': 'moved_distance', 'publishes': {'/moved_distance': 'std_msgs/Float32'}}, 'silent output_type'),
+    ({'subscribes': {'/odom': 'geometry_msgs/PoseStamped'}}, 'silent input_type'),
+    ({'subscribes': {'/odometry': ''}}, 'silent input'),
+    ({'subscribes': {}}, 'silent input'),
+    ({'subscribes': {'/moved_distance/reset': 'std_msgs/Empty', **HEARS}}, 'silent')])
+def test_a_cause_has_a_witness(facts, expected):
+    verdict = verdict_on(**facts)
+    assert f'{verdict.rule} {verdict.hint}'.strip() == expected
+
+
+@pytest.mark.parametrize('facts, words', [
+    ({'status': -signal.SIGSEGV}, 'by a signal (Segmentation fault)'),
+    ({'output': BAD_CALLBACK}, 'NameError: no x, line 7'),
+    ({'status': 2, 'output': '\x1b[31mno gyro\x1b[0m\n'}, 'It said last: no gyro'),
+    ({}, 'We do not know why: print the distance in your loop, and look at the picture'),
+    ({'subscribes': {'/odom': 'geometry_msgs/PoseStamped'}}, 'You subscribe to /odom as geometry_msgs/PoseStamped')])
+def test_the_sentence_has_what_was_seen(facts, words):
+    assert words in verdict_on(**facts).sentence

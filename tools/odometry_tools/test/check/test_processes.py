@@ -1,0 +1,50 @@
+"""A process that a check starts can harm neither the check nor the machine."""
+
+import signal
+import sys
+from pathlib import Path
+
+import pytest
+from odometry_tools.check import report
+from odometry_tools.check.bench import Pace
+from odometry_tools.check.processes import LAST, Started
+from odometry_tools.check.run import Run
+from odometry_tools.check.scenarios import EXERCISES
+
+PATIENCE = 60.0  # s
+
+
+def ended(program):
+    """Return a Python program, started and ended."""
+    process = Started([sys.executable, '-c', program])
+    assert process.wait(PATIENCE)
+    return process
+
+
+def test_of_a_flood_of_output_the_last_is_kept():
+    output = ended(f'print("x" * {3 * LAST} + "end")').output
+    assert output.endswith('xend\n')
+    assert len(output) == LAST
+
+
+@pytest.mark.parametrize('program, has_read', [('input()', True), ('import sys; sys.stdin.fileno()', False)])
+def test_one_sees_whether_the_keyboard_was_read(program, has_read):
+    assert ended(program).has_read_keyboard == has_read
+
+
+def test_who_ends_its_process_group_ends_itself():
+    assert ended('import os; os.killpg(0, 9)').status == -signal.SIGKILL
+
+
+def test_what_hides_in_another_session_is_found_and_ended():
+    process = Started(['bash', '-c', 'setsid sleep 1000 & exit 3'])
+    assert not process.wait(0.0)
+    process.end()
+    assert (process.status, process.family()) == (3, [])
+
+
+def test_a_folder_that_cannot_be_written_leaves_the_verdict(monkeypatch, capsys):
+    monkeypatch.setattr(report, 'RUNS', Path('/dev/null/runs'))
+    exercise = EXERCISES['heading']
+    assert report.keep(Run(exercise.scenarios[0], Pace(), None), exercise, 'check-x') is None
+    assert 'no recording: ' in capsys.readouterr().err
