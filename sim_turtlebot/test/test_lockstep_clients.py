@@ -151,13 +151,6 @@ def test_a_node_that_computes_is_waited_for_and_one_that_floods_is_not(start_cli
     assert simulation.output.count(NOT_AWAITED) == 1, simulation.output
 
 
-def test_time_stands_still_while_a_thread_that_polls_for_the_clock_computes(start_client):
-    """It goes to sleep in between, which alone does not say that it is done."""
-    with simulator_in_step(UNPACED), start_client('C++ partners', 'client'):
-        seen = Recorder('/cmd_vel', Twist).wait_for_count(10, RUN_TIME)
-    assert [message.linear.y for message in seen[1:]] == [message.linear.x for message in seen[1:]]
-
-
 def test_a_caller_that_asks_without_a_pause_does_not_hold_time(start_client):
     with simulator_in_step(UNPACED), start_client('odd flood_service', 'caller'):
         Truth().wait_seconds(1.0)

@@ -19,6 +19,8 @@ LEAST_CONTRAST = 4.5  # of text, by WCAG 2
 FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow").control'
 FOLLOWS, CLICK_FOLLOW = f'return {FOLLOW}.checked', f'{FOLLOW}.click()'
 CANVAS_HEIGHT = 'return document.querySelector("canvas").getBoundingClientRect().height'
+FOLD = ('[...document.getElementById("readings").closest("[style*=fixed]").querySelectorAll("div")]'
+        '.find((part) => part.style.cursor == "pointer" && part.style.height == "3.5em").click()')
 SCHEME = 'return document.documentElement.dataset.mantineColorScheme'
 IS_NAMELESS = 'field.getBoundingClientRect().width && !field.ariaLabel && !field.labels?.length'
 NAMELESS = ('return [...document.querySelectorAll("[role=slider], #root input:not([type=hidden])")]'
@@ -81,9 +83,9 @@ def test_following_belongs_to_one_browser(page, open_page):
 def test_the_scene_grows_when_the_panel_is_folded_on_a_phone(page):
     with page.resized(PHONE):
         before = page.run(CANVAS_HEIGHT)
-        page.click('TurtleBot 2')
+        page.run(FOLD)
         wait_until(lambda: page.run(CANVAS_HEIGHT) > 1.5 * before, TIMEOUT, 'a taller scene')
-        page.click('TurtleBot 2')
+        page.run(FOLD)
         wait_until(lambda: page.run(CANVAS_HEIGHT) == before, TIMEOUT, 'the scene as it was')
 
 

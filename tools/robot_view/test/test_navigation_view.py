@@ -14,6 +14,8 @@ BENT = [(0, 0), (4, 0), (4 + FAR[0], FAR[1])]  # 4 m, a turn of 65 degrees, and 
 
 
 class Camera:
+    """A camera as viser has it, and what it sees."""
+
     def __init__(self, aspect):
         self.aspect = aspect
 

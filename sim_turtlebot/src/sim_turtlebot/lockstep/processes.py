@@ -58,7 +58,7 @@ class Process:
         return self._idle_cpu_time is not None
 
     def check_asleep(self):
-        """Return whether each thread sleeps, except those that are ignored."""
+        """Return whether each thread sleeps, except those that may run."""
         return not self.awake_thread()
 
     def is_still_idle(self):
@@ -81,15 +81,12 @@ class Process:
         return self._usage
 
     def awake_thread(self):
-        """Return a thread that is awake and not ignored, or None.
-
-        One that always polls may be awake because it works; how often it has slept does not tell.
-        """
+        """Return a thread that is awake and may not run, or None."""
         links = os.fstat(self._folder).st_nlink  # two more than there are threads
         if links - 2 != len(self.threads) + bool(self._own_thread):
             self.list_threads()
         for thread in self.threads.values():
-            if not thread.check_asleep() and not thread.ignored:
+            if not thread.check_asleep() and not thread.may_run:
                 return thread
         return None
 
