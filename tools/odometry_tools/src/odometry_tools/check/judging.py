@@ -5,6 +5,7 @@ from typing import NamedTuple
 from odometry_tools.check import rules
 from odometry_tools.check.hints import HINTS, UNKNOWN
 from odometry_tools.check.measures import measure
+from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
 
 PASSED = Rule('passed', None, '')
@@ -57,7 +58,7 @@ def verdicts_on(judged, name):
 
 
 def _verdict_on(m, held, name):
-    notes = {rule.name: rule.say(m) for rule in rules.NOTES if rule.test(m)}
+    notes = {rule.name: plain(rule.say(m)) for rule in rules.NOTES if rule.test(m)}
     if held is PASSED:
         kind = 'interrupt' if m.run.interrupted is not None else 'paced' if m.run.unawaited else name
         return Verdict(m.scenario.name, held.name, '', rules.PRAISE[kind].format(**vars(m)), notes)
@@ -65,4 +66,4 @@ def _verdict_on(m, held, name):
     words = [held.say(m)]
     if not held.explains:
         words.append(hint.say(m) if hint else UNKNOWN.format(**vars(m)))
-    return Verdict(m.scenario.name, held.name, hint.name if hint else '', '. '.join(words), notes)
+    return Verdict(m.scenario.name, held.name, hint.name if hint else '', plain('. '.join(words)), notes)

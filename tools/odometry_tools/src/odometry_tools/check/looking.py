@@ -1,6 +1,7 @@
 """Looks at a scenario as often as it takes to judge the node, and not its luck or the machine."""
 
 from odometry_tools.check.judging import judge
+from odometry_tools.check.runner import SLOWEST
 
 LOOKS = 3
 
@@ -29,5 +30,6 @@ def _may_be_luck(m):
     """
     if m.passed:
         return False
-    return (m.run.unawaited or m.rule in ('interrupt', 'interrupt_ignored')
+    return (m.run.unawaited and m.run.pace.real_time_factor > SLOWEST
+            or m.rule in ('interrupt', 'interrupt_ignored')
             or m.status == 0 and m.rule in ('ceased', 'no_node'))

@@ -22,7 +22,7 @@ HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no sim
 INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
 FASTEST = 5.0  # times real time, to begin with
-SLOWER = 3.0  # by which a pace is slower the next time
+SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times real time
 
 
 class Runner:
@@ -40,6 +40,7 @@ class Runner:
         """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
         run = self._run(scenario)
         if run.unawaited and self.pace.lockstep:
+            self._bench.renew()  # a simulator names a node only once
             run = self._run(scenario)  # beside other work a node may seem busy once
         if run.unawaited and self.pace.lockstep:
             self.pace = Pace(False, self.pace.real_time_factor or FASTEST)
@@ -52,7 +53,7 @@ class Runner:
         """Return another Run of a Scenario; slower, if the last was paced."""
         self._is_stubborn = False
         if not self.pace.lockstep:
-            self.pace = Pace(False, self.pace.real_time_factor / SLOWER)
+            self.pace = Pace(False, max(SLOWEST, self.pace.real_time_factor / SLOWER))
         return self.run(scenario)
 
     def _run(self, scenario):
