@@ -51,7 +51,7 @@ class Runner:
 
     def run_again(self, scenario):
         """Return another Run of a Scenario; slower, if the last was paced."""
-        self._is_stubborn = False
+        self._is_stubborn &= not scenario.interrupt
         if not self.pace.lockstep:
             self.pace = Pace(False, max(SLOWEST, self.pace.real_time_factor / SLOWER))
         return self.run(scenario)
