@@ -86,7 +86,7 @@ class Process:
         if links - 2 != len(self.threads) + bool(self._own_thread):
             self.list_threads()
         for thread in self.threads.values():
-            if not thread.check_asleep() and not thread.may_run:
+            if not thread.check_asleep() and not thread.ignored:
                 return thread
         return None
 
