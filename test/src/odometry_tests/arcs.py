@@ -63,11 +63,13 @@ class Robot(SimulatedRobot):
     """A robot on a Body, for its sensors and its odometry; parameters as the node's."""
 
     def __init__(self, **parameters):
-        super().__init__(Body(), STEP_RATE, settings_of(**parameters))
+        settings = settings_of(**parameters)
+        self._seed = settings.seed
+        super().__init__(Body(), STEP_RATE, settings)
 
     def start(self, motion, angles=(0.0, 0.0)):
         self.body.motion, self.body.angles = motion, angles
-        self.begin(seed=0)
+        self.begin(self._seed)
         return self.odometry
 
     def move(self, motion, angles=(0.0, 0.0), duration=PERIOD):

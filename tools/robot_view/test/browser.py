@@ -12,6 +12,7 @@ from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
+from viewer import FOLLOW
 
 CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 # Without a graphics card Chromium draws with the processor, if it is told that it may.
@@ -101,6 +102,10 @@ class Page:
 
     def click(self, label):
         self._button(label).click()
+
+    def follow(self):
+        """Have the page follow the robot; one that is opened late shows all."""
+        self.run(f'const box = {FOLLOW}; if (!box.checked) box.click()')
 
     def box(self, label):
         """Return left, top, width and height of a button (CSS pixels)."""

@@ -86,7 +86,7 @@ def test_one_button_shows_start_target_and_robot(robot, page):
     page.click('show all')
     wait_until(lambda: page.count_pixels(1, 0) > MARK_PIXELS, TIMEOUT, 'a green start')
     wait_for_robot(page, lambda _, columns: columns.mean() > 0.6 * page.scene().shape[1])
-    page.run('document.querySelector("[role=checkbox], input[type=checkbox]:not([inert] *)").click()')
+    page.follow()
     wait_for_robot(page, is_in_the_middle(page))
 
 
@@ -151,6 +151,7 @@ def test_a_reload_shows_the_same_run(robot, page):
     page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
     assert {name: page.reading(name) for name in names} == before
     page.dismiss_notices()
+    page.follow()
     wait_for_robot(page, is_in_the_middle(page))
 
 
@@ -163,6 +164,7 @@ def test_on_a_phone_a_finger_finds_each_button_and_the_robot_is_above_them(robot
         assert (left, width) == (0, PHONE['width']) and height <= 0.45 * PHONE['height']
         assert all(top < y and y + high <= top + height for _, y, _, high in boxes.values()), 'a hidden button'
         wait_until(lambda: len(page.scene()) <= top, TIMEOUT, 'a scene above the panel')
+        page.follow()
         wait_for_robot(page, is_in_the_middle(page))
 
 

@@ -8,7 +8,7 @@ import rospy
 from nav_msgs.msg import OccupancyGrid, Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import DARK, browsing, viewing
+from viewer import DARK, FOLLOW, browsing, viewing
 
 LAPTOP = {'width': 1280, 'height': 720, 'deviceScaleFactor': 0.5, 'mobile': False}
 PHONE = {'width': 390, 'height': 844, 'deviceScaleFactor': 0.5, 'mobile': True}
@@ -16,7 +16,6 @@ TURN = math.radians(65)
 MARK_PIXELS = 4
 MAP_PIXELS = 300
 LEAST_CONTRAST = 4.5  # of text, by WCAG 2
-FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow").control'
 FOLLOWS, CLICK_FOLLOW = f'return {FOLLOW}.checked', f'{FOLLOW}.click()'
 CANVAS_HEIGHT = 'return document.querySelector("canvas").getBoundingClientRect().height'
 FOLD = ('[...document.getElementById("readings").closest("[style*=fixed]").querySelectorAll("div")]'

@@ -17,6 +17,7 @@ from rosgraph_msgs.msg import Log
 from roslib.packages import find_node
 from sim_turtlebot.geometry import about_z
 from std_msgs.msg import Float64
+from std_srvs.srv import Empty
 
 from odometry_tools.check.processes import Started
 from odometry_tools.check.quoting import last_line
@@ -32,6 +33,7 @@ FLOOD = 20  # commands that arrive together; of more, the latest
 NEAR = 0.01  # m
 CPU_BUDGET = 2.0  # s; a tutorial's node computes for milliseconds
 SIMULATOR = 'sim_turtlebot'
+SERVICES = 'pause_physics', 'unpause_physics', 'reset_simulation'
 
 
 class Pace(NamedTuple):
@@ -91,7 +93,7 @@ class Bench:
 
     def call(self, service):
         """Have the simulator pause, unpause or reset; beside other work it may miss a call."""
-        self.wait_for(lambda: self._is_alive() and is_answered(f'{SIMULATOR}/{service}'),
+        self.wait_for(lambda: self._is_alive() and is_answered(self._services[service]),
                       'the simulator does not answer')
 
     def drive(self, linear, angular):
@@ -144,6 +146,8 @@ class Bench:
         self._simulator = Started([path, '_paused:=true', f'_cpu_budget:={CPU_BUDGET}', *(
             f'_{name}:={str(value).lower()}' for name, value in settings.items())])
         self.wait_for(self._is_ready, 'the simulator does not start')
+        self._services = {name: rospy.ServiceProxy(f'{SIMULATOR}/{name}', Empty, persistent=True)
+                          for name in SERVICES}
         self.call('unpause_physics')
         self.wait_for(lambda: self._position, 'no odometry comes from the simulator')
         self.call('pause_physics')

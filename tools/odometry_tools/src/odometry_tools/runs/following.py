@@ -78,8 +78,13 @@ def _record():
 
 def unpause():
     """Start simulated time; return whether the simulator answers."""
+    return is_answered(rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty))
+
+
+def is_answered(call):
+    """Call a service without arguments, by its ServiceProxy; return whether it answers in time."""
     try:
-        rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)()
+        call()
     except rospy.ServiceException:
         return False
     return True

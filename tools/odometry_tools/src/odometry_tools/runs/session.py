@@ -13,7 +13,7 @@ import rospy
 import yaml
 from std_srvs.srv import Empty, Trigger
 
-from odometry_tools.runs.following import join
+from odometry_tools.runs.following import is_answered, join
 from odometry_tools.runs.launch import CHECK_PERIOD, Launch
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.recording import Recording
@@ -58,6 +58,7 @@ class Session:
                 Launch('odometry_launch', 'sim.launch', {'params': file.name}))
             join(self._simulator, 'session')
             self._step = rospy.ServiceProxy(f'{SIMULATOR}/step', Trigger, persistent=True)
+            self._pause = rospy.ServiceProxy(f'{SIMULATOR}/pause_physics', Empty, persistent=True)
             self._reset = rospy.ServiceProxy(f'{SIMULATOR}/reset_simulation', Empty, persistent=True)
             self._simulator.wait_for(self._is_served, 'the simulator does not answer')
             self._stack = stack.pop_all()
@@ -102,7 +103,8 @@ class Session:
     def _begin(self, seed):
         """Put the robot back to its start, as a new simulator with this seed would begin."""
         rospy.set_param(f'{SIMULATOR}/seed', seed)
-        self._simulator.wait_for(self._is_reset, 'the simulator does not answer')
+        # On a busy machine it may not answer in time.
+        self._simulator.wait_for(lambda: is_answered(self._reset), 'the simulator does not answer')
 
     def _start(self, launch, recording):
         """Wait until all nodes have started, and the robot is recorded."""
@@ -120,28 +122,12 @@ class Session:
             try:
                 now = float(self._step().message)
             except rospy.ServiceException:  # a busy machine, or node; the step still goes on
-                launch.wait_for(self._is_paused, 'the simulator does not answer')
+                launch.wait_for(lambda: is_answered(self._pause), 'the simulator does not answer')
                 now = rospy.get_time()
 
     def _is_served(self):
         """Return whether the simulator serves what it announces last."""
         rosgraph.Master(rospy.get_name()).lookupService(f'/{SIMULATOR}/step')
-        return True
-
-    def _is_reset(self):
-        """Reset the simulator; return whether it answers in time, which on a busy machine it may not."""
-        try:
-            self._reset()
-        except rospy.ServiceException:
-            return False
-        return True
-
-    def _is_paused(self):
-        """Return whether the simulator answers, which it does after a step."""
-        try:
-            rospy.ServiceProxy(f'{SIMULATOR}/pause_physics', Empty)()
-        except rospy.ServiceException:
-            return False
         return True
 
     @contextlib.contextmanager
