@@ -87,10 +87,6 @@ class Bench:
         self._place(*scenario.place, scenario.yaw)
         self._counter = DistanceCounter()
 
-    def renew(self):
-        """Have prepare() start another simulator, whatever the settings."""
-        self._settings = None
-
     def call(self, service):
         """Have the simulator pause, unpause or reset; beside other work it may miss a call."""
         self.wait_for(lambda: self._is_alive() and is_answered(self._services[service]),

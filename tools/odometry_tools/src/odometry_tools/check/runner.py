@@ -40,7 +40,6 @@ class Runner:
         """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
         run = self._run(scenario)
         if run.unawaited and self.pace.lockstep:
-            self._bench.renew()  # a simulator names a node only once
             run = self._run(scenario)  # beside other work a node may seem busy once
         if run.unawaited and self.pace.lockstep:
             self.pace = Pace(False, self.pace.real_time_factor or FASTEST)
