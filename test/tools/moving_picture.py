@@ -28,9 +28,6 @@ STAYS = 'The page stays'  # what the demo prints last
 WIDTH, PAGE_HEIGHT = 880, 480  # pixels
 ROWS, ROW_HEIGHT, FONT_SIZE, MARGIN = 7, 18, 14, 8  # lines of the terminal; pixels
 BLACK, WHITE = '#1e1e1e', '#e8e8e8'
-# Such as that this browser has no graphics card.
-NO_NOTICES = ('addEventListener("DOMContentLoaded", () => document.head.appendChild(document.createElement("style"))'
-              '.textContent = "[class*=Notification] { display: none }");')
 PERIOD = 0.5  # s between two pictures
 SHOWN, LAST_SHOWN = 130, 4000  # ms for which the GIF shows a picture, and the last one
 
@@ -46,7 +43,7 @@ class Window(browser.Page):
         self.driver = webdriver.Chrome(options=options, service=Service(browser.DRIVER))
         self.driver.command_executor.client_config.timeout = browser.ANSWER_TIMEOUT
         self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
-                                    {'source': browser.DRAW_SELDOM + NO_NOTICES})
+                                    {'source': browser.DRAW_SELDOM})
         self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
             'width': WIDTH, 'height': PAGE_HEIGHT, 'deviceScaleFactor': 1, 'mobile': False})
 

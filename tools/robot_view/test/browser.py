@@ -12,7 +12,6 @@ from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
-from viewer import FOLLOW
 
 CHROMIUM, DRIVER = shutil.which('chromium'), shutil.which('chromedriver')
 # Without a graphics card Chromium draws with the processor, if it is told that it may.
@@ -29,6 +28,7 @@ DRAW_SELDOM = ('window.requestAnimationFrame = (draw) => setTimeout('
 ANSWER_TIMEOUT = 120.0 * PATIENCE  # s
 LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
+FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow").control'
 
 
 class Page:
@@ -106,6 +106,11 @@ class Page:
     def follow(self):
         """Have the page follow the robot; one that is opened late shows all."""
         self.run(f'const box = {FOLLOW}; if (!box.checked) box.click()')
+
+    @property
+    def follows(self):
+        """Whether the page follows the robot."""
+        return self.run(f'return {FOLLOW}.checked')
 
     def box(self, label):
         """Return left, top, width and height of a button (CSS pixels)."""

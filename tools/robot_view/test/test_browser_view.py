@@ -8,7 +8,7 @@ import rospy
 from nav_msgs.msg import OccupancyGrid, Odometry
 from odometry_tests.messages import odometry
 from odometry_tests.waiting import TIMEOUT, wait_until
-from viewer import DARK, FOLLOW, browsing, viewing
+from viewer import DARK, browsing, viewing
 
 LAPTOP = {'width': 1280, 'height': 720, 'deviceScaleFactor': 0.5, 'mobile': False}
 PHONE = {'width': 390, 'height': 844, 'deviceScaleFactor': 0.5, 'mobile': True}
@@ -16,7 +16,6 @@ TURN = math.radians(65)
 MARK_PIXELS = 4
 MAP_PIXELS = 300
 LEAST_CONTRAST = 4.5  # of text, by WCAG 2
-FOLLOWS, CLICK_FOLLOW = f'return {FOLLOW}.checked', f'{FOLLOW}.click()'
 CANVAS_HEIGHT = 'return document.querySelector("canvas").getBoundingClientRect().height'
 FOLD = ('[...document.getElementById("readings").closest("[style*=fixed]").querySelectorAll("div")]'
         '.find((part) => part.style.cursor == "pointer" && part.style.height == "3.5em").click()')
@@ -65,7 +64,7 @@ def test_the_whole_path_is_in_view_when_a_page_is_opened_late_and_on_a_click(pag
     with page.resized(size):
         page.reload()
         wait_for_all(page)
-        page.run(CLICK_FOLLOW)
+        page.follow()
         wait_until(lambda: seen(page)[0] < MARK_PIXELS, TIMEOUT, 'a start that is out of view beside the robot')
         page.click('show all')
         wait_for_all(page)
@@ -73,10 +72,10 @@ def test_the_whole_path_is_in_view_when_a_page_is_opened_late_and_on_a_click(pag
 
 def test_following_belongs_to_one_browser(page, open_page):
     other = open_page()
-    other.run(CLICK_FOLLOW)
+    other.follow()
     page.click('show all')
-    wait_until(lambda: not page.run(FOLLOWS), TIMEOUT, 'a browser that does not follow')
-    assert other.run(FOLLOWS)
+    wait_until(lambda: not page.follows, TIMEOUT, 'a browser that does not follow')
+    assert other.follows
 
 
 def test_the_scene_grows_when_the_panel_is_folded_on_a_phone(page):

@@ -11,9 +11,6 @@ from odometry_tests.waiting import TIMEOUT, wait_until
 ROBOT_PIXELS = 100  # at least so many are the robot's
 PICTURE_PERIOD = 0.2  # s
 DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
-# The checkbox, in JavaScript.
-FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow").control'
-
 
 # Its pad waits for ever for a page that falls silent: a test sees what else stops the robot.
 PATIENT_VIEWER = '''
