@@ -163,6 +163,16 @@ def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(waiter,
     assert time.monotonic() - begin < PATIENCE
 
 
+def test_a_thread_that_always_polls_is_awake_while_it_works(waiter, start):
+    """As roscpp's threads, which compute between two polls; one that is ignored is not."""
+    process = waiter.processes[start(BUSY).pid]
+    thread = process.awake_thread()
+    thread.always_polls = True
+    assert process.awake_thread() is thread
+    thread.ignored = True
+    assert process.awake_thread() is None
+
+
 def test_a_process_that_ends_is_forgotten(waiter, start):
     ending, staying = start(BUSY), start(READER)
     threading.Timer(0.3, ending.kill).start()

@@ -58,7 +58,7 @@ class Process:
         return self._idle_cpu_time is not None
 
     def check_asleep(self):
-        """Return whether each thread sleeps, except those that may run."""
+        """Return whether each thread sleeps, except those that are ignored."""
         return not self.awake_thread()
 
     def is_still_idle(self):
@@ -81,7 +81,7 @@ class Process:
         return self._usage
 
     def awake_thread(self):
-        """Return a thread that is awake and may not run, or None."""
+        """Return a thread that is awake and not ignored, or None; one that always polls is asleep between its polls."""
         links = os.fstat(self._folder).st_nlink  # two more than there are threads
         if links - 2 != len(self.threads) + bool(self._own_thread):
             self.list_threads()
