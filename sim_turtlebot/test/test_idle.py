@@ -165,7 +165,9 @@ def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(waiter,
 
 def test_a_thread_that_always_polls_is_awake_while_it_works(waiter, start):
     """As roscpp's threads, which compute between two polls; one that is ignored is not."""
-    process = waiter.processes[start(BUSY).pid]
+    child = start('print("ready", flush=True)\n' + BUSY)
+    assert child.stdout.readline() == 'ready\n'
+    process = waiter.processes[child.pid]
     thread = process.awake_thread()
     thread.always_polls = True
     assert process.awake_thread() is thread
