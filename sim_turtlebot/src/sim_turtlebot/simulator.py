@@ -206,7 +206,8 @@ class Simulator:
         self._publish()
         if self._lockstep:
             self._lockstep.forget_reports()
-            self._begun = self._inputs.obeys = not self._paused
+            if self._paused:
+                self._begun = self._inputs.obeys = False
 
     def _stop(self):
         self._stopping = True
