@@ -156,12 +156,11 @@ def test_a_run_leaves_no_parameter_to_the_next_in_its_session():
 
 def test_a_session_that_breaks_is_replaced_once(monkeypatch):
     class Broken:
-        """A session whose second run fails, and the first of a robot without a name."""
+        """A session whose second run fails, and each without a value."""
 
-        made = 0
+        made = runs = 0
 
-        def __init__(self, robot):
-            self.robot, self.runs = robot, 0
+        def __init__(self):
             Broken.made += 1
 
         def run(self, _subject, parameters):

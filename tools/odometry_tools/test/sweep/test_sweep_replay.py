@@ -58,8 +58,8 @@ def test_a_metric_that_differs_in_its_last_digit_is_named(tmp_path, monkeypatch,
     (tmp_path / 'campaign.yaml').write_text('tutorial: move\nset: {distance: 0.1}\n')
     row.update(run=1, moved=0.11000000000000001)
     (tmp_path / 'runs.csv').write_text(f'{",".join(row)}\n{",".join(map(str, row.values()))}\n')
-    session = types.SimpleNamespace(run=lambda *_: Recorded(bag, set(), [], set(), {}))
-    monkeypatch.setattr('odometry_tools.sweep.lockstep.Session', lambda robot: nullcontext(session))
+    session = types.SimpleNamespace(simulate=lambda _: None, run=lambda *_: Recorded(bag, set(), [], set(), {}))
+    monkeypatch.setattr('odometry_tools.sweep.lockstep.Session', lambda: nullcontext(session))
     with pytest.raises(RunError, match='not the same: moved$'):
         replay(tmp_path, '1')
     assert 'moved           0.11000000000000001     0.11\n' in capsys.readouterr().out

@@ -93,10 +93,10 @@ def _names(words):
 
 def _await_spectator(bench, port):
     """Return once a browser shows the page, or after PAGE_PATIENCE."""
-    bench.wait_for(lambda: socket.create_connection((HOST, port)).close() or True,
+    bench.simulator.wait_for(lambda: socket.create_connection((HOST, port)).close() or True,
                    'the page does not answer')
     print(f'open http://{HOST}:{port}: it begins when the page is there', flush=True)
     end = time.monotonic() + PAGE_PATIENCE
     while not bench.has_spectator() and time.monotonic() < end:
-        bench.check()
+        bench.simulator.check()
         time.sleep(0.1)

@@ -10,7 +10,6 @@ from odometry_common.angles import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 
 from odometry_tools.check.scenarios import PERIOD
-from odometry_tools.runs.session import UNAWAITED
 
 ZERO = 1e-3  # m/s, rad/s; a slower command is none
 ALIKE = 0.03  # share, m and rad, by which two runs of one node differ at most
@@ -141,12 +140,6 @@ class Run:
 
     def _on_float64(self, _topic, message, _now):
         self.moved.append((self.now, message.data))
-
-    def note_log(self, text, ours):
-        """Notice what the simulator says of a node, unless it is one of ours."""
-        found = UNAWAITED.match(text)
-        if found and found[1] not in ours and not self.over:
-            self.finish(unawaited=found[2])
 
     def wall_time(self):
         """Return the seconds of wall time since time began."""

@@ -1,16 +1,12 @@
 """Runs one node in scenarios, unmodified and in a process of its own."""
 
-import contextlib
-import io
 import time
 
-import rosnode
-import rospy
-
-from odometry_tools.check.bench import OURS, Pace
+from odometry_tools.check.bench import Pace
 from odometry_tools.check.endings import Drive, Route
 from odometry_tools.check.processes import Started
 from odometry_tools.check.run import Run
+from odometry_tools.runs.session import forget
 
 SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
 STANDSTILL = 60.0  # s of wall time without odometry
@@ -57,6 +53,7 @@ class Runner:
 
     def _run(self, scenario):
         self._bench.prepare(scenario, self.pace)
+        log = len(self._bench.simulator.lines())
         ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
         self._bench.run = run = Run(scenario, self.pace, ending.is_over)
         node = Started(*self._program)
@@ -65,7 +62,7 @@ class Runner:
             run.is_cpp = node.is_cpp()
             self._ask_for_types(run)
             if run.nodes and (node.status is None or node.family()):
-                self._begin(run, node)
+                self._begin(run, node, log)
             self._look_at_graph(run)
             self._ask_for_types(run)
             run.finish(status=None if node.family() else node.status, output=node.output,
@@ -75,11 +72,14 @@ class Runner:
                 run.ends = self._press_ctrl_c(node)
             self._is_stubborn = not run.ends
             node.end()
-            self._forget(run.nodes)
+            forget(run.nodes)
         return run
 
-    def _begin(self, run, node):
-        """Let time go on until the run is over; then press Ctrl-C, if the scenario says so."""
+    def _begin(self, run, node, log):
+        """Let time go on until the run is over; then press Ctrl-C, if the scenario says so.
+
+        :param log: number of lines that the simulator's log had before the node started
+        """
         run.begin = time.monotonic()
         self._bench.call('unpause_physics')
         seen, since = 0, run.begin
@@ -87,16 +87,23 @@ class Runner:
             while not run.over:
                 run.changed.wait(SIGNAL_PERIOD)
                 run.status = node.status
-                self._bench.check()
+                self._bench.simulator.check()
+                self._note_unawaited(run, log)
                 if len(run.odometry) > seen:
                     seen, since = len(run.odometry), time.monotonic()
                 elif time.monotonic() - since > STANDSTILL:
                     run.finish(unawaited='does not let simulated time go on: give its loop a rospy.sleep()')
         self._bench.call('pause_physics')
+        self._note_unawaited(run, log)
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
             run.finish(interrupted=len(run.commands), over=False)
             run.ends = self._press_ctrl_c(node)
             self._await_last_commands()
+
+    def _note_unawaited(self, run, log):
+        for name, reason in self._bench.unawaited(log).items():
+            if name not in self._bench.ours:
+                run.finish(unawaited=reason)
 
     def _await_last_commands(self):
         """Return once what was sent has arrived: a connection is closed after all of it."""
@@ -120,7 +127,7 @@ class Runner:
         begin = changed = time.monotonic()
         state = registered = None
         while node.status is None or node.family():
-            self._bench.check()
+            self._bench.simulator.check()
             self._look_at_graph(run)
             now, before = time.monotonic(), state
             cpu_time = node.cpu_time()
@@ -137,7 +144,7 @@ class Runner:
 
     def _look_at_graph(self, run):
         """Add what the node has announced to the Run."""
-        others = OURS | {rospy.get_name()}
+        others = self._bench.ours
         publishers, subscribers, services = self._bench.master.getSystemState()
         for topics, found in (publishers, run.publishes), (subscribers, run.subscribes), (services, {}):
             for topic, names in topics:
@@ -150,8 +157,3 @@ class Runner:
         for name in run.nodes:
             run.publishes.update(self._bench.ask(name, 'getPublications') or ())
             run.subscribes.update(self._bench.ask(name, 'getSubscriptions') or ())
-
-    def _forget(self, names):
-        """Have the master forget nodes that were killed."""
-        with contextlib.redirect_stdout(io.StringIO()):
-            rosnode.cleanup_master_blacklist(self._bench.master, sorted(names))

@@ -20,6 +20,7 @@ from odometry_tools.runs.recording import Recording
 from odometry_tools.runs.starting import Starting, registered
 
 SIMULATOR = 'sim_turtlebot'
+SERVICES = {'step': Trigger, **dict.fromkeys(('pause_physics', 'unpause_physics', 'reset_simulation'), Empty)}
 UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')  # of the simulator's log
 ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
 SLACK = 1e-6  # s
@@ -39,34 +40,57 @@ class Recorded(NamedTuple):
 
 
 class Session:
-    """A context in which nodes of launch files run, each time from the robot's start.
+    """A context in which nodes run, each time from the robot's start.
 
     A process can have only one, since rospy begins only once.
     """
 
-    def __init__(self, robot):
-        """Start with __enter__(); `robot` has the simulator's parameters by name, without the seed."""
-        self._parameters = {'real_time_factor': 0, 'lockstep': True, 'paused': True, **robot}
+    def __init__(self, page_port=0):
+        """Start with __enter__(), and a page at a port, if it is not 0."""
+        self._master = Launch('odometry_tools', 'session.launch', {'page_port': page_port})
+        self._ending = contextlib.ExitStack()  # of the simulator
+        self._parameters = None
 
     def __enter__(self):
-        """Start the master and the simulator; RunError: they do not answer."""
+        """Start the master, and become a node; RunError: it does not answer."""
         with contextlib.ExitStack() as stack:
-            file = stack.enter_context(tempfile.NamedTemporaryFile('w', suffix='.yaml'))
-            yaml.safe_dump(self._parameters, file)
-            file.flush()
-            self._simulator = stack.enter_context(
-                Launch('odometry_launch', 'sim.launch', {'params': file.name}))
-            join(self._simulator, 'session')
-            self._step = rospy.ServiceProxy(f'{SIMULATOR}/step', Trigger, persistent=True)
-            self._pause = rospy.ServiceProxy(f'{SIMULATOR}/pause_physics', Empty, persistent=True)
-            self._reset = rospy.ServiceProxy(f'{SIMULATOR}/reset_simulation', Empty, persistent=True)
-            self._simulator.wait_for(self._is_served, 'the simulator does not answer')
+            stack.enter_context(self._master)
+            join(self._master, 'session')
             self._stack = stack.pop_all()
+        self.master = rosgraph.Master(rospy.get_name())
         return self
 
     def __exit__(self, *_):
         """End everything."""
+        self._ending.close()
         self._stack.close()
+
+    def simulate(self, parameters):
+        """Start a paused simulator with these parameters, by name, unless it is there already."""
+        if parameters == self._parameters:
+            return
+        self._ending.close()
+        self._parameters = None
+        forget([f'/{SIMULATOR}'])
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            yaml.safe_dump({'real_time_factor': 0, 'lockstep': True, **parameters, 'paused': True}, file)
+            file.flush()
+            self.simulator = self._ending.enter_context(
+                Launch('odometry_launch', 'sim.launch', {'params': file.name}, beside=self._master))
+            self.simulator.wait_until_started()
+        self._services = {name: rospy.ServiceProxy(f'{SIMULATOR}/{name}', kind, persistent=True)
+                          for name, kind in SERVICES.items()}
+        self.simulator.wait_for(self._is_served, 'the simulator does not answer')
+        self._parameters = parameters
+
+    def call(self, service):
+        """Have the simulator pause, unpause or reset; beside other work it may miss a call."""
+        self.simulator.wait_for(lambda: is_answered(self._services[service]), 'the simulator does not answer')
+
+    def unawaited(self, since=0):
+        """Return why lockstep does not wait, by name of the node, as the simulator's log says since a line."""
+        found = filter(None, map(UNAWAITED.search, self.simulator.lines()[since:]))
+        return {match[1]: match[2] for match in found}
 
     def run(self, nodes, seed, end, folder=None, are_watched=True):
         """Run nodes until a simulated time (s), at full speed; return what was Recorded.
@@ -80,31 +104,25 @@ class Session:
         :raises RunError: if the simulator, or a node that is watched, has ended; or if the recording is
             incomplete
         """
-        self._begin(seed)
-        lines_before, nodes_before = len(self._simulator.lines()), registered()
+        rospy.set_param(f'{SIMULATOR}/seed', seed)
+        self.call('reset_simulation')
+        lines_before, nodes_before = len(self.simulator.lines()), registered()
         with self._restored_parameters():
             recording = Recording(folder)
-            with Launch(*nodes, watched=None if are_watched else (), beside=self._simulator) as launch:
+            with Launch(*nodes, watched=None if are_watched else (), beside=self.simulator) as launch:
                 starting = self._start(launch, recording)
                 self._advance(launch, end)
                 restless = set() if are_watched else _send_while_time_stands_still(recording)
                 _await_ends(launch, starting.nodes)
                 statuses, bag = launch.statuses(), recording.close()
                 crashes = [launch.end_of(name) for name, status in statuses.items() if status != 0]
-            _forget(registered() - nodes_before)
+            forget(f'/{name}' for name in registered() - nodes_before)
         if not bag:
             raise RunError('the run is not recorded')
-        found = filter(None, map(UNAWAITED.search, self._simulator.lines()[lines_before:]))
         unawaited = {name: ACTS for name in restless
                      if name.lstrip('/') not in statuses}  # who ends may send a zero
-        unawaited.update({match[1]: match[2] for match in found})
+        unawaited.update(self.unawaited(lines_before))
         return Recorded(bag, {*statuses}, crashes, launch.required, unawaited)
-
-    def _begin(self, seed):
-        """Put the robot back to its start, as a new simulator with this seed would begin."""
-        rospy.set_param(f'{SIMULATOR}/seed', seed)
-        # On a busy machine it may not answer in time.
-        self._simulator.wait_for(lambda: is_answered(self._reset), 'the simulator does not answer')
 
     def _start(self, launch, recording):
         """Wait until all nodes have started, and the robot is recorded."""
@@ -120,31 +138,30 @@ class Session:
         while now < end - SLACK:
             launch.check()
             try:
-                now = float(self._step().message)
+                now = float(self._services['step']().message)
             except rospy.ServiceException:  # a busy machine, or node; the step still goes on
-                launch.wait_for(lambda: is_answered(self._pause), 'the simulator does not answer')
+                self.call('pause_physics')
                 now = rospy.get_time()
 
     def _is_served(self):
         """Return whether the simulator serves what it announces last."""
-        rosgraph.Master(rospy.get_name()).lookupService(f'/{SIMULATOR}/step')
+        self.master.lookupService(f'/{SIMULATOR}/step')
         return True
 
     @contextlib.contextmanager
     def _restored_parameters(self):
         """Put all parameters back to what they are now, once the nodes have ended."""
-        master = rosgraph.Master(rospy.get_name())
-        before = master.getParam('/')
+        before = self.master.getParam('/')
         try:
             yield
         finally:
-            master.setParam('/', before)
+            self.master.setParam('/', before)
 
 
-def _forget(names):
+def forget(names):
     """Have the master forget nodes that were killed."""
     with contextlib.redirect_stdout(None):
-        rosnode.cleanup_master_blacklist(rosgraph.Master(rospy.get_name()), [f'/{name}' for name in sorted(names)])
+        rosnode.cleanup_master_blacklist(rosgraph.Master(rospy.get_name()), sorted(names))
 
 
 def _send_while_time_stands_still(recording):

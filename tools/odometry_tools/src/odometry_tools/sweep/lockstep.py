@@ -45,7 +45,7 @@ def replay(folder, number):
     except (OSError, KeyError, ValueError, StopIteration, csv.Error):
         raise StartError(f'{Path(folder, FILE)} has no run {number}, or only a part of it') from None
     use_writable_logs()
-    with Session(robot_of(subject, parameters)) as session:
+    with Session() as session:
         metrics, bag, targets = run_nodes(session, subject, parameters)
     print(f'{f"run {number}":16}{"sweep":24}nodes in lockstep')
     for name in names:
@@ -57,7 +57,7 @@ def replay(folder, number):
     print('the same, to the last bit', flush=True)
 
 
-def robot_of(subject, parameters):
+def _robot_of(subject, parameters):
     """Return the simulator's parameters by name, without the seed, for a run with these parameters."""
     robot = {name: value for name, value in parameters.items() if name in ROBOT and name != 'seed'}
     if subject.kind != LAUNCH:
@@ -71,6 +71,7 @@ def run_nodes(session, subject, parameters, folder=None):
     :return: the metrics by name, the path of the bag, and targets as for leave_picture()
     :raises RunError: if the recording contradicts itself
     """
+    session.simulate(_robot_of(subject, parameters))
     seed = parameters['seed']
     if subject.kind == LAUNCH:
         recorded = session.run(subject.nodes(parameters), seed, subject.until, folder, are_watched=False)

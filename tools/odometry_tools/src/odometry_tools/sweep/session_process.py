@@ -10,7 +10,7 @@ import threading
 from pathlib import Path
 
 from odometry_tools.runs.output import RunError
-from odometry_tools.sweep.lockstep import robot_of, run_nodes
+from odometry_tools.sweep.lockstep import run_nodes
 
 CONTEXT = multiprocessing.get_context('forkserver')  # a Dask worker has threads
 CONTEXT.set_forkserver_preload([__name__])
@@ -20,29 +20,24 @@ kept = threading.local()  # .process: the SessionProcess of the latest run
 def run_in_session(subject, parameters):
     """Run a Launched; return the metrics by name.
 
-    The session of the run before is used again if the robot's parameters are the same. If it breaks,
-    a new one repeats the run.
+    The session stays for the next run. If it breaks, a new one repeats the run.
 
     :raises RunError: if the run cannot be done
     """
-    robot, process = robot_of(subject, parameters), getattr(kept, 'process', None)
-    if process and process.robot == robot:
+    if process := getattr(kept, 'process', None):
         with contextlib.suppress(RunError):
             return process.run(subject, parameters)
-    if process:
         process.close()
-    kept.process = SessionProcess(robot)
+    kept.process = SessionProcess()
     return kept.process.run(subject, parameters)
 
 
 class SessionProcess:
     """Starts a process with a Session, and does runs there."""
 
-    def __init__(self, robot):
-        """Start it with the simulator's parameters by name."""
-        self.robot = robot
+    def __init__(self):
         self._connection, theirs = CONTEXT.Pipe()
-        self._process = CONTEXT.Process(target=_serve, args=[theirs, robot])
+        self._process = CONTEXT.Process(target=_serve, args=[theirs])
         self._process.start()
         theirs.close()
         # multiprocessing waits for child processes when this one ends.
@@ -60,20 +55,20 @@ class SessionProcess:
         return result
 
 
-def _serve(connection, robot):
+def _serve(connection):
     """Do runs in a Session, and leave no file, until the connection is closed or a run fails."""
     with tempfile.TemporaryDirectory() as logs, contextlib.redirect_stdout(io.StringIO()), \
             contextlib.redirect_stderr(io.StringIO()), contextlib.suppress(EOFError, KeyboardInterrupt):
         os.environ['ROS_LOG_DIR'] = logs  # else each run leaves a log
         try:
-            _answer(connection, robot)
+            _answer(connection)
         except (RunError, OSError) as error:
             connection.send(RunError(str(error)))
 
 
-def _answer(connection, robot):
+def _answer(connection):
     from odometry_tools.runs.session import Session
-    with Session(robot) as session:
+    with Session() as session:
         while True:
             subject, parameters = connection.recv()
             with tempfile.TemporaryDirectory() as folder:
