@@ -29,7 +29,7 @@ OUT_OF_RANGE = {
                          'left_wheel_radius_multiplier', 'right_wheel_radius_multiplier',
                          'wheel_separation_multiplier', 'gyro_scale_correction'], (0, -1, 2.1)),
         'gyro_scale_error': [-0.6, 1],
-        'scan_rate': [0, 21], 'scan_beams': [1, 10001], 'scan_fov': [0, 6.3],
+        'scan_rate': [0, 1001], 'scan_beams': [1, 10001], 'scan_fov': [0, 6.3],
         'scan_range_min': [-0.1, 101], 'scan_range_max': [0, 0.45, 1e4], 'scan_noise': [-0.1, 10],
         'seed': [1e12], 'cmd_vel_timeout': [-1, 1e6], 'real_time_factor': [-1, 1e-6, 2.0],
         'lockstep': [True]},
@@ -54,6 +54,13 @@ def test_each_bad_value_is_refused_by_name(script, row):
         with pytest.raises(ParameterError) as refusal:
             read({name: value})
         assert str(refusal.value).startswith(f'parameter {row.name} is {value!r}, but must be ')
+
+
+@pytest.mark.parametrize('name, value', [('odom_rate', 0.1), ('odom_rate', 1000), ('scan_range_min', 9), ('robots', 2)])
+def test_a_value_is_accepted_beside_the_defaults_that_a_launch_file_sets(name, value):
+    defaults = {row.name[1:]: row.default for row in TABLES['sim_turtlebot_node.py'].rows}
+    settings = read_settings({**defaults, 'use_sim_time': True, name: value})
+    assert settings.scan_rate <= settings.odom_rate
 
 
 @pytest.mark.parametrize('script, text', [(script, 'abc') for script in TABLES] + [('rotate.py', '')])

@@ -79,10 +79,7 @@ PARAMETERS = Parameters(
               'share of the commanded speed that the base reaches, in truth and on its wheels'),
     Parameter('~scan', False, '', ANY, 'publish scans'),
     # Rate and beams of turtlebot_description's camera in Gazebo (turtlebot_gazebo.urdf.xacro).
-    Parameter('~scan_rate', 10.0, 'Hz',
-              Range('from 0.1 to ~odom_rate',
-                    lambda value, earlier: 0.1 <= value <= earlier.odom_rate),
-              'scans per simulated second; lower if ~odom_rate is'),
+    Parameter('~scan_rate', 10.0, 'Hz', between(0.1, 1000), 'scans per simulated second, at most ~odom_rate'),
     Parameter('~scan_beams', 640, '', between(2, 10000), 'ranges in a scan'),
     # 60.2 degrees. The camera in Gazebo has 60, the data sheet of the Asus Xtion Pro 58. The margin
     # is for clients that count 30 degrees in beams to each side, and round up.

@@ -5,7 +5,7 @@ import math
 from odometry_common.angles import wrap_to_pi
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.endings import Drive, Route
-from odometry_tools.check.judging import judge, verdicts_on
+from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command, Pose, Run
 from odometry_tools.check.scenarios import EXERCISES, PERIOD
 
@@ -102,5 +102,5 @@ def verdicts(name, node, scenarios=None):
     exercise = EXERCISES[name]
     runs = [drive_route(scenario, node) if exercise.route else drive(scenario, node, exercise.target)
             for scenario in exercise.scenarios if scenarios is None or scenario.name in scenarios]
-    found = verdicts_on([judge(run, exercise, name) for run in runs], name)
+    found = verdicts_on(runs, exercise)
     return {verdict.scenario: verdict for verdict in found}

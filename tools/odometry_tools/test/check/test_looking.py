@@ -7,8 +7,7 @@ from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.looking import LOOKS, look
 from odometry_tools.check.scenarios import EXERCISES
 
-NAME = 'two_meters'
-EXERCISE = EXERCISES[NAME]
+EXERCISE = EXERCISES['two_meters']
 PLAIN = EXERCISE.scenarios[0]
 
 
@@ -18,7 +17,7 @@ class Runner:
     def __init__(self, *runs):
         """Give these, one after the other."""
         self._runs = [*runs]
-        self.follows_wall = None
+        self.exercise, self.follows_wall = EXERCISE, None
 
     def run(self, _scenario):
         """Return the next."""
@@ -38,7 +37,7 @@ def run_of(distance, has_zero=True, **facts):
 
 def verdict_on(runner):
     """Return the Verdict on what a Runner gives."""
-    return verdicts_on([look(runner, PLAIN, EXERCISE, NAME)], NAME)[0]
+    return verdicts_on([look(runner, PLAIN)], EXERCISE)[0]
 
 
 def test_a_zero_that_was_lost_once_fails_nobody():

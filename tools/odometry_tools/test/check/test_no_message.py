@@ -4,7 +4,7 @@ import signal
 
 import pytest
 from odometry_tools.check.bench import Pace
-from odometry_tools.check.judging import judge, verdicts_on
+from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Pose, Run
 from odometry_tools.check.scenarios import EXERCISES
 
@@ -22,7 +22,7 @@ def verdict_on(exercise='two_meters', **facts):
     run.nodes = {'/mine'}
     run.subscribes = HEARS
     vars(run).update(facts)
-    return verdicts_on([judge(run, EXERCISES[exercise], exercise)], exercise)[0]
+    return verdicts_on([run], EXERCISES[exercise])[0]
 
 
 @pytest.mark.parametrize('facts, expected', [

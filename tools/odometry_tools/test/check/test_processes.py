@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from odometry_tools.check import report
 from odometry_tools.check.bench import Pace
-from odometry_tools.check.processes import LAST, Started
+from odometry_tools.check.processes import LAST, ChildProcess
 from odometry_tools.check.run import Run
 from odometry_tools.check.scenarios import EXERCISES
 
@@ -16,7 +16,7 @@ PATIENCE = 60.0  # s
 
 def ended(program):
     """Return a Python program, started and ended."""
-    process = Started([sys.executable, '-c', program])
+    process = ChildProcess([sys.executable, '-c', program])
     assert process.wait(PATIENCE)
     return process
 
@@ -37,7 +37,7 @@ def test_who_ends_its_process_group_ends_itself():
 
 
 def test_what_hides_in_another_session_is_found_and_ended():
-    process = Started(['bash', '-c', 'setsid sleep 1000 & exit 3'])
+    process = ChildProcess(['bash', '-c', 'setsid sleep 1000 & exit 3'])
     assert not process.wait(0.0)
     process.end()
     assert (process.status, process.family()) == (3, [])

@@ -39,7 +39,7 @@ class Bench(Session):
     def __init__(self, exercise, page_port=0):
         """Take an Exercise, and where a page is served, if one is."""
         super().__init__(page_port)
-        self._drives = bool(exercise.route)
+        self.exercise, self._drives = exercise, bool(exercise.route)
         self._position = math.inf, math.inf
         self.run = None  # which takes the messages
 

@@ -1,8 +1,6 @@
 """A folder of submissions, each judged by a check of its own."""
 
-import concurrent.futures
 import csv
-import os
 import sys
 import tempfile
 import time
@@ -11,12 +9,11 @@ from pathlib import Path
 from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import is_package
-from odometry_tools.check.processes import LOOK_PERIOD, Started
+from odometry_tools.check.processes import LOOK_PERIOD, ChildProcess
 from odometry_tools.check.quoting import how_ended, last_line, plain
 from odometry_tools.check.report import COLUMNS
 
 TIME_LIMIT = 300.0  # s of wall time for each
-AT_ONCE = 2
 
 
 def judge_all(options):
@@ -26,36 +23,27 @@ def judge_all(options):
     if not submissions:
         raise StartError(f'{folder} has no file *.py and no package')
     width = max(len(plain(path.name)) for path in submissions)
-    running = []
-    with concurrent.futures.ThreadPoolExecutor(min(AT_ONCE, os.cpu_count())) as pool:
-        futures = [pool.submit(_judge, options, path, running) for path in submissions]
-        try:
-            for path, future in zip(submissions, futures):
-                rows = future.result()
-                failed = [f'{row["scenario"]} {row["rule"]}'.strip() for row in rows if row['verdict'] != 'passed']
-                print(f'{plain(path.name):{width}}  {len(rows) - len(failed)} of {len(rows)} passed  '
-                      f'{", ".join(failed)}'.rstrip(), flush=True)
-                yield rows
-        finally:
-            for future in futures:
-                future.cancel()
-            for check in tuple(running):
-                check.end()
+    for path in submissions:
+        rows = _judge(options, path)
+        failed = [f'{row["scenario"]} {row["rule"]}'.strip() for row in rows if row['verdict'] != 'passed']
+        print(f'{plain(path.name):{width}}  {len(rows) - len(failed)} of {len(rows)} passed  '
+              f'{", ".join(failed)}'.rstrip(), flush=True)
+        yield rows
 
 
-def _judge(options, path, running):
+def _judge(options, path):
     """Return the rows of one submission. Whatever it does, it ends no other and leaves nothing running."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, 'rows.csv')
-        check = Started([sys.executable, sys.argv[0], options.exercise, str(path), '--csv', str(file),
-                         *(['--scenario', options.scenario] if options.scenario else [])], [('TMPDIR', folder)])
-        running.append(check)
+        check = ChildProcess([sys.executable, sys.argv[0], options.exercise, str(path), '--csv', str(file),
+                              *(['--scenario', options.scenario] if options.scenario else [])], [('TMPDIR', folder)])
         end = time.monotonic() + TIME_LIMIT
-        while check.status is None and time.monotonic() < end:
-            time.sleep(LOOK_PERIOD)
-        status = check.status
-        check.end()  # and all that it has left
-        running.remove(check)
+        try:
+            while check.status is None and time.monotonic() < end:
+                time.sleep(LOOK_PERIOD)
+            status = check.status
+        finally:
+            check.end()  # and all that it has left
         rows = []
         if file.exists():
             with file.open(encoding='utf-8', newline='') as table:

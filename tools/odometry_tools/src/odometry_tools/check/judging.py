@@ -35,18 +35,19 @@ class Verdict(NamedTuple):
         return self.rule == PASSED.name
 
 
-def judge(run, exercise, name):
-    """Return the measures of a Run of an Exercise, which has a name, and the Rule that holds."""
+def judge(run, exercise):
+    """Return the measures of a Run of an Exercise, and the Rule that holds."""
     m = measure(run, exercise)
-    held = PASSED if m.passed else first((*rules.START, *RULES[name]), m)
+    held = PASSED if m.passed else first((*rules.START, *RULES[exercise.name]), m)
     m.rule = held.name
     return m, held
 
 
-def verdicts_on(judged, name):
-    """Return the Verdicts on what judge() returned for the scenarios of an exercise."""
+def verdicts_on(runs, exercise):
+    """Return the Verdicts on Runs of an Exercise, whose hints come from all of them."""
+    judged = [judge(run, exercise) for run in runs]
     all_measures = [m for m, _ in judged]
-    fits = [m.fits for m in all_measures if name == 'moved_distance' and hasattr(m, 'fits')]
+    fits = [m.fits for m in all_measures if exercise.route and hasattr(m, 'fits')]
     common_fits = set.intersection(*fits) if any(m.rate < 20 for m in all_measures) and fits else set()
     nets = [m.net for m in all_measures if hasattr(m, 'net') and m.run.interrupted is None]
     for m in all_measures:
@@ -54,7 +55,7 @@ def verdicts_on(judged, name):
         m.common_fits = common_fits
         m.factor = next((factor for _, factor in common_fits), None)
         m.turns_by = len(nets) > 1 and all(abs(net - m.target) < SAME_ANGLE for net in nets)
-    return [_verdict_on(m, held, name) for m, held in judged]
+    return [_verdict_on(m, held, exercise.name) for m, held in judged]
 
 
 def _verdict_on(m, held, name):

@@ -1,25 +1,67 @@
-"""Looks at a scenario as often as it takes to judge the node, and not its luck or the machine."""
+"""Looks at scenarios, several at once, and as often as it takes to judge the node, and not its luck or the machine."""
 
+import concurrent.futures
+import multiprocessing
+import os
+from functools import partial
+
+from odometry_tools.check.bench import Bench
 from odometry_tools.check.judging import judge
-from odometry_tools.check.runner import SLOWEST
+from odometry_tools.check.runner import SLOWEST, Runner
+from odometry_tools.runs.output import RunError
 
 LOOKS = 3
 
 
-def look(runner, scenario, exercise, name):
-    """Return the measures of a Scenario, run as often as that needs, and the Rule that holds."""
+def runs_of(exercise, scenarios, program):
+    """Return the Runs of a Program in Scenarios of an Exercise; of fewer, if it never became a node.
+
+    :raises RunError: if the check cannot go on
+    """
+    jobs = min(len(os.sched_getaffinity(0)), len(scenarios))
+    parts = [scenarios[first::jobs] for first in range(jobs)]
+    # A forked process has imported everything.
+    with concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context('fork')) as pool:
+        try:
+            found = {run.scenario: run for runs in pool.map(partial(_look_at_all, exercise, program), parts)
+                     for run in runs}
+        except concurrent.futures.BrokenExecutor:
+            raise RunError('a process of the check was killed') from None
+        except BaseException:
+            for process in multiprocessing.active_children():
+                process.terminate()
+            raise
+    return [found[scenario] for scenario in scenarios if scenario in found]
+
+
+def _look_at_all(exercise, program, scenarios):
+    with Bench(exercise) as bench:
+        return look_at_all(Runner(bench, program), scenarios)
+
+
+def look_at_all(runner, scenarios):
+    """Return a Run of each Scenario, until one shows that the node does not begin."""
+    runs = []
+    for scenario in scenarios:
+        runs.append(look(runner, scenario))
+        if not runs[-1].odometry:
+            break
+    return runs
+
+
+def look(runner, scenario):
+    """Return the Run by which to judge a Scenario, done as often as that needs."""
     looks, run = 1, runner.run(scenario)
-    m, held = judge(run, exercise, name)
+    m, _ = judge(run, runner.exercise)
     while _may_be_luck(m) and looks < LOOKS:
         looks, run = looks + 1, runner.run_again(scenario)
-        m, held = judge(run, exercise, name)
+        m, _ = judge(run, runner.exercise)
     run.looks = looks
     if not m.passed and looks == 1 and run.interrupted is None and not m.is_silent and m.is_finite:
         if runner.follows_wall is None:
             runner.follows_wall = not run.is_like(runner.run_again(scenario))
         run.follows_wall = runner.follows_wall
-        m, held = judge(run, exercise, name)
-    return m, held
+    return run
 
 
 def _may_be_luck(m):

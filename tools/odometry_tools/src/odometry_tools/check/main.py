@@ -55,36 +55,37 @@ def _judge_all(options):
 def _judge(options, program):
     """Run a node in its scenarios; print and return the Verdicts."""
     from odometry_tools.check import report
-    from odometry_tools.check.bench import Bench, Pace
     from odometry_tools.check.judging import verdicts_on
-    from odometry_tools.check.looking import look
-    from odometry_tools.check.runner import Runner
+    from odometry_tools.check.looking import runs_of
     use_writable_logs()
     exercise, words = EXERCISES[options.exercise], report.plain(' '.join(options.node))
     print(f'{options.exercise}  {words}', flush=True)
-    judged, folders = [], {}
-    with contextlib.closing(next_port(PAGE_PORT)) as port, Bench(
-            exercise, options.view and port.number) as bench:
-        if options.view:
-            bench.prepare(options.scenarios[0], Pace(True, 1.0))
-            _await_spectator(bench, port.number)
-        runner = Runner(bench, exercise, program, float(options.view))
-        for scenario in options.scenarios:
-            m, held = look(runner, scenario, exercise, options.exercise)
-            judged.append((m, held))
-            if not m.passed:
-                name = '-'.join(['check', options.exercise, *_names(options.node), scenario.name])
-                folders[scenario.name] = report.keep(m.run, exercise, name)
-            if not m.run.odometry:  # it would begin in no other scenario
-                break
-    verdicts = verdicts_on(judged, options.exercise)
-    verdicts += [verdicts[-1]._replace(scenario=other.name) for other in options.scenarios[len(verdicts):]]
+    runs = _show(exercise, options.scenarios, program) if options.view else runs_of(
+        exercise, options.scenarios, program)
+    verdicts, folders = verdicts_on(runs, exercise), {}
+    for run, verdict in zip(runs, verdicts):
+        if not verdict.has_passed:
+            name = '-'.join(['check', options.exercise, *_names(options.node), verdict.scenario])
+            folders[verdict.scenario] = report.keep(run, exercise, name)
+    judged = {verdict.scenario for verdict in verdicts}
+    verdicts += [verdicts[-1]._replace(scenario=other.name) for other in options.scenarios if other.name not in judged]
     report.show(verdicts, {name: folder for name, folder in folders.items() if folder})
     failed = [verdict.scenario for verdict in verdicts if not verdict.has_passed]
     example = (f' See one: ./ws check {options.exercise} {words} --scenario {failed[0]} --view'
-               if failed and m.run.odometry and not options.view else '')
+               if failed and runs[-1].odometry and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
+
+
+def _show(exercise, scenarios, program):
+    """Return the Runs of a Program in Scenarios, as runs_of() does, one after the other and in a browser."""
+    from odometry_tools.check.bench import Bench, Pace
+    from odometry_tools.check.looking import look_at_all
+    from odometry_tools.check.runner import Runner
+    with contextlib.closing(next_port(PAGE_PORT)) as port, Bench(exercise, port.number) as bench:
+        bench.prepare(scenarios[0], Pace(True, 1.0))
+        _await_spectator(bench, port.number)
+        return look_at_all(Runner(bench, program, 1.0), scenarios)
 
 
 def _names(words):

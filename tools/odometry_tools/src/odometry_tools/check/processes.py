@@ -19,7 +19,7 @@ READ_PATIENCE = 1.0  # s of wall time, for the output of a process that has ende
 LOOK_PERIOD = 0.05  # s
 
 
-class Started:
+class ChildProcess:
     """A process in a session of its own; it ends with all that it has started.
 
     Its keyboard is a file with an empty line, so that one sees whether it was read.

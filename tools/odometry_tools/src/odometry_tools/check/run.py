@@ -81,6 +81,10 @@ class Run:
         self.looks = 1  # how often it ran before it was judged
         self.status, self.output = None, ''  # exit status, if it has ended by itself
 
+    def __getstate__(self):
+        """Leave out what belongs to the process that records."""
+        return {name: value for name, value in vars(self).items() if name not in ('changed', '_is_over')}
+
     @property
     def now(self):
         """Simulated time (s) of the latest odometry."""

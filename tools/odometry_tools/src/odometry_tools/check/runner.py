@@ -4,7 +4,7 @@ import time
 
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.endings import Drive, Route
-from odometry_tools.check.processes import Started
+from odometry_tools.check.processes import ChildProcess
 from odometry_tools.check.run import Run
 from odometry_tools.runs.session import forget
 
@@ -24,9 +24,9 @@ SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times rea
 class Runner:
     """Runs a node on a Bench."""
 
-    def __init__(self, bench, exercise, program, real_time_factor=0.0):
-        """Take an Exercise, the Program of the node, and a factor for spectators."""
-        self._bench, self._exercise, self._program = bench, exercise, program
+    def __init__(self, bench, program, real_time_factor=0.0):
+        """Take the Program of the node, and a factor for spectators."""
+        self._bench, self._program, self.exercise = bench, program, bench.exercise
         self.pace = Pace(True, real_time_factor)
         self.follows_wall = None  # whether two runs in lockstep differ, once that is known
         self._unawaited = None
@@ -54,9 +54,9 @@ class Runner:
     def _run(self, scenario):
         self._bench.prepare(scenario, self.pace)
         log = len(self._bench.simulator.lines())
-        ending = Route(self._bench.drive) if self._exercise.route else Drive(self._exercise.target)
+        ending = Route(self._bench.drive) if self.exercise.route else Drive(self.exercise.target)
         self._bench.run = run = Run(scenario, self.pace, ending.is_over)
-        node = Started(*self._program)
+        node = ChildProcess(*self._program)
         try:
             self._await_ready(node, run)
             run.is_cpp = node.is_cpp()
@@ -66,7 +66,7 @@ class Runner:
             self._look_at_graph(run)
             self._ask_for_types(run)
             run.finish(status=None if node.family() else node.status, output=node.output,
-                       has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self._exercise.topic))
+                       has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self.exercise.topic))
         finally:
             if run.interrupted is None:
                 run.ends = self._press_ctrl_c(node)

@@ -30,6 +30,7 @@ class Leg(NamedTuple):
 class Exercise(NamedTuple):
     """What a learner's node is to do."""
 
+    name: str
     task: str
     topic: str  # of what the node is to publish, and
     type: str
@@ -49,12 +50,12 @@ SLOW_BASE = Scenario('slow_base', speed_ratio=SLOW)
 ELSEWHERE = 3.0, -1.2
 COMMANDS = '/cmd_vel', 'geometry_msgs/Twist'
 OBLIQUE = Scenario('moved_start', 130.0, ELSEWHERE)
-EXERCISES = {
-    'moved_distance': Exercise('publishes the distance moved', '/moved_distance', 'std_msgs/Float64', (
+EXERCISES = {exercise.name: exercise for exercise in (
+    Exercise('moved_distance', 'publishes the distance moved', '/moved_distance', 'std_msgs/Float64', (
         Scenario('route'), OBLIQUE, SLOW_ODOMETRY, SLOW_BASE), route=ROUTE),
-    'two_meters': Exercise('drives two metres and stops', *COMMANDS, (
+    Exercise('two_meters', 'drives two metres and stops', *COMMANDS, (
         PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, SLOW_BASE)),
     # The shorter way leads over 180 degrees from the first of these starts, and over 0 from the second.
-    'heading': Exercise('turns to 90 degrees', *COMMANDS, (
+    Exercise('heading', 'turns to 90 degrees', *COMMANDS, (
         PLAIN, Scenario('moved_start', TARGET + 100, ELSEWHERE), INTERRUPT, SLOW_ODOMETRY,
-        SLOW_BASE._replace(yaw=-45.0)), target=TARGET)}
+        SLOW_BASE._replace(yaw=-45.0)), target=TARGET))}

@@ -54,7 +54,8 @@ class Session:
     def __enter__(self):
         """Start the master, and become a node; RunError: it does not answer."""
         with contextlib.ExitStack() as stack:
-            stack.enter_context(self._master)
+            with contextlib.redirect_stdout(None):  # the master's port is no part of a report
+                stack.enter_context(self._master)
             join(self._master, 'session')
             self._stack = stack.pop_all()
         self.master = rosgraph.Master(rospy.get_name())
