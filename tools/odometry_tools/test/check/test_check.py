@@ -2,12 +2,15 @@
 
 import csv
 import re
+import signal
 from xml.etree import ElementTree
 
+import psutil
 import pytest
 from learners import VARIANTS, expected, write
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
+from odometry_tests.waiting import wait_until
 
 TIMEOUT, CLASS_TIMEOUT = 300.0, 3600.0  # s
 # These are judged at a pace, where the last digit may differ.
@@ -75,6 +78,17 @@ def test_a_submission_that_kills_its_check_stops_no_other(tmp_path):
     killed, other = rows_of(file)
     assert (killed['submission'], killed['sentence']) == ('kills.py', 'the check ended by a signal (Killed)')
     assert found_in(other) == 'no_node main'
+
+
+@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum):
+    """In the scenarios of one node, which run side by side."""
+    (tmp_path / 'node.py').write_text(f'open({str(tmp_path / "here")!r}, "w")\nwhile True:\n    pass\n')
+    with Process(ROOT / 'ws', 'check', 'heading', tmp_path / 'node.py') as process:
+        wait_until((tmp_path / 'here').exists, TIMEOUT, lambda: process.output)
+        family = psutil.Process(process.pid).children(recursive=True)
+        assert process.end(signum, timeout=5.0) == 128 + signum, process.output
+    assert not [one for one in family if one.is_running()]
 
 
 @pytest.mark.parametrize('exercise', [
