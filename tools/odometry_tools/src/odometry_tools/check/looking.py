@@ -1,16 +1,18 @@
 """Looks at scenarios, several at once, and as often as it takes to judge the node, and not its luck or the machine."""
 
 import concurrent.futures
+import math
 import multiprocessing
 import os
-from functools import partial
 
 from odometry_tools.check.bench import Bench
 from odometry_tools.check.judging import judge
 from odometry_tools.check.runner import SLOWEST, Runner
-from odometry_tools.runs.output import RunError
+from odometry_tools.runs.output import Line, RunError, bar
 
 LOOKS = 3
+PROGRESS_PERIOD = 0.1  # s of wall time
+done = multiprocessing.Value('i')  # scenarios, of all processes
 
 
 def runs_of(exercise, scenarios, program):
@@ -23,8 +25,10 @@ def runs_of(exercise, scenarios, program):
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context('fork')) as pool:
         try:
-            found = {run.scenario: run for runs in pool.map(partial(_look_at_all, exercise, program), parts)
-                     for run in runs}
+            futures = [pool.submit(_look_at_part, exercise, program, part) for part in parts]
+            for future in futures:
+                _show_progress(future, len(scenarios))
+            found = {run.scenario: run for future in futures for run in future.result()}
         except concurrent.futures.BrokenExecutor:
             raise RunError('a process of the check was killed') from None
         except BaseException:
@@ -34,9 +38,18 @@ def runs_of(exercise, scenarios, program):
     return [found[scenario] for scenario in scenarios if scenario in found]
 
 
-def _look_at_all(exercise, program, scenarios):
+def _look_at_part(exercise, program, scenarios):
     with Bench(exercise) as bench:
         return look_at_all(Runner(bench, program), scenarios)
+
+
+def _show_progress(future, total):
+    """Show on a terminal how many scenarios are done, until one part of them is."""
+    line = Line(math.inf, math.inf)
+    while concurrent.futures.wait([future], PROGRESS_PERIOD).not_done:
+        line.show(f'{bar(done.value / total)} {done.value} of {total} scenarios', 0.0)
+    line.show('', 0.0)
+    future.result()  # or its exception, although other parts go on
 
 
 def look_at_all(runner, scenarios):
@@ -44,6 +57,8 @@ def look_at_all(runner, scenarios):
     runs = []
     for scenario in scenarios:
         runs.append(look(runner, scenario))
+        with done.get_lock():
+            done.value += 1
         if not runs[-1].odometry:
             break
     return runs
