@@ -200,7 +200,7 @@ def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
     (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
-    (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but the sweep does that'),
+    (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but there is one already'),
     (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
     (('guest', 'other.launch', 1), {}, 'other.launch] is neither a launch file in package'),
     ((str(EXAMPLE / 'launch' / 'one_metre.launch'), 'x', 1), {}, 'there is no package /')])

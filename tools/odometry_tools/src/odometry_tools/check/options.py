@@ -84,22 +84,11 @@ def program_of(words):
 def _command_of(path, arguments):
     """Return the command (a list) that starts a file."""
     if path.suffix == '.launch':
-        _check_launch_file(path, arguments)
+        from odometry_tools.runs.launch_files import nodes_beside_robot
+        nodes_beside_robot(str(path), arguments)
         return ['roslaunch', str(path), *arguments]
     is_script = path.suffix == '.py' and not os.access(path, os.X_OK)
     return [*([sys.executable] if is_script else []), str(path), *arguments]
-
-
-def _check_launch_file(path, arguments):
-    """Raise StartError if roslaunch cannot read a file, or it starts a robot."""
-    from roslaunch.config import load_config_default
-    from roslaunch.core import RLException
-    try:
-        nodes = load_config_default([(str(path), arguments)], None, assign_machines=False).nodes
-    except RLException as error:
-        raise StartError(f'{path.name}: {" ".join(str(error).split())}') from None
-    if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
-        raise StartError(f'{path.name} starts a robot, but the check does that: leave out sim.launch')
 
 
 def _node_of(package):

@@ -16,7 +16,7 @@ import roslib
 from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
 
-from odometry_tools.runs.launch_files import load, name_of
+from odometry_tools.runs.launch_files import load, name_of, path_of
 from odometry_tools.runs.node_output import NodeOutput
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.ports import next_port, usual_master_port
@@ -40,7 +40,7 @@ class Launch(ProcessListener):
         :param watched: names of the nodes whose end is an error; None: of all
         :param beside: the Launch whose master these nodes use; None: they have their own
         """
-        self._file = package, launch_file, arguments
+        self._file = path_of(package, launch_file), [f'{name}:={value}' for name, value in arguments.items()]
         self._may_end, self._watched, self._beside = may_end, watched, beside
         self.names = set()  # of all nodes
         self._ended = {}  # exit codes of nodes by name

@@ -1,15 +1,29 @@
 """Read launch files, as roslaunch does."""
 
+import os
+
+from odometry_common.parameters import StartError
 from rosgraph.names import ns_join
 from roslaunch.config import load_config_default
 from roslaunch.core import RLException
 from roslaunch.rlutil import resolve_launch_arguments
 
 
-def load(package, name, arguments, port=None):
-    """Return roslaunch's configuration of a launch file in a package."""
-    source = path_of(package, name), [f'{key}:={value}' for key, value in arguments.items()]
-    return load_config_default([source], port, assign_machines=port is not None)
+def load(path, arguments, port=None):
+    """Return roslaunch's configuration of a launch file with arguments (`name:=value`)."""
+    return load_config_default([(path, arguments)], port, assign_machines=port is not None)
+
+
+def nodes_beside_robot(path, arguments):
+    """Return the nodes of a launch file; StartError: it cannot be read, or starts a robot of its own."""
+    name = os.path.basename(path)
+    try:
+        nodes = load(path, arguments).nodes
+    except RLException as error:
+        raise StartError(f'{name}: {" ".join(str(error).split())}') from None
+    if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
+        raise StartError(f'{name} starts a robot, but there is one already: leave out sim.launch')
+    return nodes
 
 
 def path_of(package, name):

@@ -51,19 +51,19 @@ class Launched(NamedTuple):
         import roslaunch
         from roslaunch.arg_dump import get_args
 
-        from odometry_tools.runs.launch_files import load, path_of
+        from odometry_tools.runs.launch_files import nodes_beside_robot, path_of
         UNTIL.check(self.until)
         if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
             raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
         try:
-            arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in ROBOT else name
-                         for name in get_args([path_of(*self.launch)])]
-            _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
-            nodes = load(*self.nodes({name: several[0] for name, several in values.items()})).nodes
+            path = path_of(*self.launch)
+            names = get_args([path])
         except roslaunch.RLException as error:
             raise StartError(f'{self.name}: {" ".join(str(error).split())}') from None
-        if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
-            raise StartError(f'{self.name} starts a robot, but the sweep does that: leave out sim.launch')
+        arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in ROBOT else name for name in names]
+        _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
+        *_, first = self.nodes({name: several[0] for name, several in values.items()})
+        nodes = nodes_beside_robot(path, [f'{name}:={value}' for name, value in first.items()])
         if not nodes:
             raise StartError(f'{self.name} starts no node')
         for node in nodes:

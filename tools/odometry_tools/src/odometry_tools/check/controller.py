@@ -1,0 +1,53 @@
+"""Finds the law of a controller: which angle the commands follow, and by what gain."""
+
+import math
+
+import numpy
+
+from odometry_tools.check.scenarios import PERIOD
+
+FEWEST, RESIDUAL = 8, 0.003  # commands that show a gain, and the share of them that it may leave
+LIMITED = 0.99  # share of the fastest command from which on the node's own limit may hold
+
+
+def find_controller(run, moves):
+    """Return which angle the commands of a Run are proportional to, by what gain (1/s), and where they are zero (degrees).
+
+    The angle is '' if none fits, or more than one does.
+    """
+    if len(moves) < FEWEST:
+        return '', 0.0, 0.0
+    time, yaw = numpy.array([(pose.time, pose.yaw) for pose in run.odometry]).T
+    sent, speed = numpy.array([(command.time, command.angular) for command in moves]).T
+    is_free = abs(speed) < LIMITED * abs(speed).max()
+    found = {}
+    for delay in 0, PERIOD, 1 / run.scenario.odom_rate:
+        seen = yaw[numpy.searchsorted(time, sent - delay + 1e-6).clip(1) - 1]
+        for name, angle in _angles(seen).items():
+            law = _law(angle[is_free], speed[is_free])
+            if law and name not in found:
+                found[name] = law
+    if len(found) != 1:
+        return '', 0.0, 0.0
+    (name, law), = found.items()
+    return (name, *law)
+
+
+def _law(angle, speed):
+    """Return gain (1/s) and zero (degrees) if the speeds (rad/s) are proportional to the angles (rad), or None."""
+    if len(angle) < FEWEST:
+        return None
+    slope, offset = numpy.polyfit(angle, speed, 1)
+    residual = abs(slope * angle + offset - speed).max()
+    if slope >= 0 or residual >= RESIDUAL * numpy.ptp(speed):
+        return None
+    return -slope, math.degrees(-offset / slope)
+
+
+def _angles(yaw):
+    """Return what a learner may take for the heading, where it is not the same."""
+    angles = {'yaw_to_360': yaw % (2 * math.pi),
+              'half_circle': numpy.arcsin(numpy.sin(yaw)),
+              'quaternion': numpy.sin(yaw / 2)}
+    different = {name: angle for name, angle in angles.items() if not numpy.allclose(angle, yaw)}
+    return {'yaw': yaw, **different}
