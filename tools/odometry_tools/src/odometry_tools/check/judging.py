@@ -46,25 +46,31 @@ def judge(run, exercise):
 def verdicts_on(runs, exercise):
     """Return the Verdicts on Runs of an Exercise, whose hints come from all of them."""
     judged = [judge(run, exercise) for run in runs]
-    all_measures = [m for m, _ in judged]
-    fits = [m.fits for m in all_measures if exercise.route and hasattr(m, 'fits')]
-    common_fits = set.intersection(*fits) if any(m.rate < 20 for m in all_measures) and fits else set()
+    _compare([m for m, _ in judged])
+    return [_verdict_on(m, held) for m, held in judged]
+
+
+def _compare(all_measures):
+    """Note in the measures of each scenario what only all together show."""
+    fits = [m.fits for m in all_measures if m.exercise.route and hasattr(m, 'fits')]
+    has_slow_odometry = any(m.rate < 20 for m in all_measures)
+    common_fits = set.intersection(*fits) if fits and has_slow_odometry else set()
     nets = [m.net for m in all_measures if hasattr(m, 'net') and m.run.interrupted is None]
     for m in all_measures:
         m.plain = all_measures[0] if len(all_measures) > 1 else None
         m.common_fits = common_fits
         m.factor = next((factor for _, factor in common_fits), None)
         m.turns_by = len(nets) > 1 and all(abs(net - m.target) < SAME_ANGLE for net in nets)
-    return [_verdict_on(m, held, exercise.name) for m, held in judged]
 
 
-def _verdict_on(m, held, name):
+def _verdict_on(m, held):
     notes = {rule.name: plain(rule.say(m)) for rule in rules.NOTES if rule.test(m)}
     if held is PASSED:
-        kind = 'interrupt' if m.run.interrupted is not None else 'paced' if m.run.unawaited else name
-        return Verdict(m.scenario.name, held.name, '', rules.PRAISE[kind].format(**vars(m)), notes)
-    hint = None if held.explains else first(HINTS[name], m)
-    words = [held.say(m)]
+        kind = 'interrupt' if m.run.interrupted is not None else 'paced' if m.run.unawaited else m.exercise.name
+        praise = rules.PRAISE[kind].format(**vars(m))
+        return Verdict(m.scenario.name, held.name, '', praise, notes)
+    words, hint = [held.say(m)], None
     if not held.explains:
+        hint = first(HINTS[m.exercise.name], m)
         words.append(hint.say(m) if hint else UNKNOWN.format(**vars(m)))
     return Verdict(m.scenario.name, held.name, hint.name if hint else '', plain('. '.join(words)), notes)

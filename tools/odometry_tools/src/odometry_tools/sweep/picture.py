@@ -17,41 +17,53 @@ def make_figure(subject, combinations):
 
     It has a line for each Combination; of one alone it is a histogram of its runs.
     """
+    units = METRICS[subject.kind]
     values = {metric: [combination.values(metric) for combination in combinations]
               for metric in SHOWN[subject.kind]}
     # A diagram of a constant, or of rounding, shows nothing.
-    metrics = [metric for metric, rows in values.items()
-               if numpy.ptp(numpy.concatenate(rows)).round(6)]
+    metrics = [metric for metric, rows in values.items() if numpy.ptp(numpy.concatenate(rows)).round(6)]
     metrics = metrics or SHOWN[subject.kind][:1]
     is_alone = len(combinations) == 1
     height = HISTOGRAM if is_alone else ROW * len(combinations)
-    figure = new_figure(MARGIN + WIDTH * len(metrics), min(MAX_HEIGHT, FRAME + height), layout='constrained')
+    size = MARGIN + WIDTH * len(metrics), min(MAX_HEIGHT, FRAME + height)
+    figure = new_figure(*size, layout='constrained')
     diagrams, = figure.subplots(1, len(metrics), sharey=True, squeeze=False)
     for metric, axes in zip(metrics, diagrams):
-        unit = METRICS[subject.kind][metric]
-        handles = _draw_histogram(axes, *values[metric], MIN_SPANS[unit]) if is_alone else _draw(axes, values[metric])
-        low, high = axes.get_xlim()
-        margin = max(0.0, MIN_SPANS[unit] - (high - low)) / 2
-        axes.set_xlim(low - margin, high + margin)
+        span = MIN_SPANS[units[metric]]
+        if is_alone:
+            handles = _draw_histogram(axes, *values[metric], span)
+        else:
+            handles = _draw(axes, values[metric])
+        _show_at_least(span, axes)
         axes.ticklabel_format(axis='x', useOffset=False, style='plain')
         axes.locator_params(axis='x', nbins=3)
-        axes.set_title(f'{metric.replace("_", " ")} ({unit})')
+        axes.set_title(f'{metric.replace("_", " ")} ({units[metric]})')
     tidy(*diagrams)
     if is_alone:
         diagrams[0].set_ylabel('runs')
         diagrams[0].yaxis.get_major_locator().set_params(integer=True)
     else:
-        diagrams[0].set_yticks(range(len(combinations)), [combination.name for combination in combinations])
-        diagrams[0].set_ylim(len(combinations) - 0.5, -0.5)
+        names = [combination.name for combination in combinations]
+        diagrams[0].set_yticks(range(len(names)), names)
+        diagrams[0].set_ylim(len(names) - 0.5, -0.5)
     figure.legend(handles=handles, loc='outside lower center', ncols=len(handles), frameon=False)
-    figure.suptitle(f'{subject.name}, {sum(len(combination.rows) for combination in combinations)} runs', color=DARK)
+    runs = sum(len(combination.rows) for combination in combinations)
+    figure.suptitle(f'{subject.name}, {runs} runs', color=DARK)
     return figure
+
+
+def _show_at_least(span, axes):
+    """Widen the horizontal axis to a span of values."""
+    low, high = axes.get_xlim()
+    margin = max(0.0, span - (high - low)) / 2
+    axes.set_xlim(low - margin, high + margin)
 
 
 def _draw_histogram(axes, values, span):
     """Draw how many runs have which value, over this span at least, and what the table says of them."""
     margin = max(0.0, span - numpy.ptp(values)) / 2
-    *_, bars = axes.hist(values, BARS, range=(values.min() - margin, values.max() + margin), color=BLUE, label='runs')
+    shown = values.min() - margin, values.max() + margin
+    *_, bars = axes.hist(values, BARS, range=shown, color=BLUE, label='runs')
     median, low, high, _ = statistics(values).values()
     most = axes.axvspan(low, high, color=PALE, alpha=0.4, zorder=0, label='5 to 95 %')
     middle = axes.axvline(median, color=ORANGE, linewidth=2, label='median')
@@ -61,8 +73,9 @@ def _draw_histogram(axes, values, span):
 def _draw(axes, rows):
     """Draw each row of values, and what the table says of it."""
     places = range(len(rows))
-    runs, = axes.plot(numpy.concatenate(rows), numpy.repeat(places, [len(row) for row in rows]), '|',
-                      color=BLUE, markersize=12, markeredgewidth=0.5, label='each run')
+    heights = numpy.repeat(places, [len(row) for row in rows])
+    runs, = axes.plot(numpy.concatenate(rows), heights, '|', color=BLUE, markersize=12,
+                      markeredgewidth=0.5, label='each run')
     medians, lows, highs, _ = zip(*(statistics(row).values() for row in rows))
     most = axes.hlines(places, lows, highs, color=BLUE, linewidth=3, label='5 to 95 %')
     median, = axes.plot(medians, places, 'o', color=ORANGE, label='median')

@@ -41,38 +41,49 @@ class Combination(NamedTuple):
 
     def size_of(self, limit):
         """Return what a limit bounds, and the index of its worst run."""
+        if limit == NOT_ARRIVED:
+            late = self.values(NOT_ARRIVED)
+            return late.sum(), int(late.argmax())
         metric, _, name = limit.rpartition('_')
-        sizes = abs(self.values(NOT_ARRIVED if limit == NOT_ARRIVED else metric))
-        return sizes.sum() if limit == NOT_ARRIVED else statistics(sizes)[name], int(sizes.argmax())
+        sizes = abs(self.values(metric))
+        return statistics(sizes)[name], int(sizes.argmax())
 
 
 def statistics(values):
     """Return the STATISTICS of an array by name; the worst is farthest from zero."""
-    return dict(zip(STATISTICS, [*numpy.quantile(values, [0.5, 0.05, 0.95]),
-                                 values[abs(values).argmax()]]))
+    median, low, high = numpy.quantile(values, [0.5, 0.05, 0.95])
+    return dict(zip(STATISTICS, [median, low, high, values[abs(values).argmax()]]))
 
 
 def table(kind, combinations):
     """Return a block for each metric, with a line for each Combination."""
     titles = {metric: f'{metric} ({METRICS[kind][metric]})' for metric in SHOWN[kind]}
-    width = max(map(len, [*titles.values(), *(combination.name for combination in combinations)]))
+    names = [combination.name for combination in combinations]
+    width = max(map(len, [*titles.values(), *names]))
     blocks = []
     for metric, title in titles.items():
         decimals = DECIMALS[METRICS[kind][metric]]
-        rows = [(title, STATISTICS.values()), *((combination.name, [
-            f'{round(value, decimals) + 0.0:.{decimals}f}'  # no -0.0
-            for value in statistics(combination.values(metric)).values()]) for combination in combinations)]
-        blocks.append('\n'.join(f'{name:{width}}' + ''.join(f'{cell:>10}' for cell in cells)
-                                for name, cells in rows))
+        lines = [_line(title, width, STATISTICS.values())]
+        for combination in combinations:
+            figures = statistics(combination.values(metric)).values()
+            # Adding zero prevents -0.0.
+            lines.append(_line(combination.name, width, [
+                f'{round(value, decimals) + 0.0:.{decimals}f}' for value in figures]))
+        blocks.append('\n'.join(lines))
     return '\n\n'.join(blocks)
+
+
+def _line(name, width, cells):
+    return f'{name:{width}}' + ''.join(f'{cell:>10}' for cell in cells)
 
 
 def write_results(folder, campaign, runs):
     """Write a campaign and its runs, as run_all() yields them, into a folder; yield their metrics."""
     columns = [*campaign.values, 'seed', *METRICS[campaign.subject.kind], 'ended']
+    content = {**campaign.subject._asdict(), 'seeds': campaign.seeds,
+               'set': campaign.values, 'limits': campaign.limits}
     with path_in_errors(folder / CAMPAIGN_FILE) as path:
-        path.write_text(yaml.safe_dump({**campaign.subject._asdict(), 'seeds': campaign.seeds,
-                                        'set': campaign.values, 'limits': campaign.limits}, sort_keys=False))
+        path.write_text(yaml.safe_dump(content, sort_keys=False))
     _append(folder / FILE, ['run', *columns])
     for number, (parameters, metrics) in enumerate(runs, 1):
         values = {**parameters, **metrics}
