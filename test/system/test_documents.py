@@ -38,9 +38,9 @@ def commands_in(page):
 PAGES = [page for page in DOCUMENTS if commands_in(page)]
 
 
-def follow(text, shown, running):
+def follow(text, shown, home, running):
     """Type a command; return once it has printed what is shown."""
-    command = running.enter_context(Process('bash', '-c', SEEDS.sub(r'\1 2', text), cwd=ROOT))
+    command = running.enter_context(Process('bash', '-c', SEEDS.sub(r'\1 2', text), cwd=ROOT, env={'HOME': home}))
 
     def missing():
         return first_missing(shown, plain_lines(command.output))
@@ -52,9 +52,9 @@ def follow(text, shown, running):
 
 @pytest.mark.parametrize('page', [
     pytest.param(page, marks=[] if page.name == 'README.md' else pytest.mark.nightly, id=page.name) for page in PAGES])
-def test_what_is_typed_prints_what_is_shown(page):
+def test_what_is_typed_prints_what_is_shown(page, tmp_path):
     if page.name == 'navigation.md' and not NAVIGATION.exists():
         pytest.skip('its packages are not built here')
     with Master(), ExitStack() as running:
         for text, shown in commands_in(page):
-            follow(text, shown, running)
+            follow(text, shown, str(tmp_path), running)
