@@ -98,13 +98,3 @@ def test_models_that_a_world_includes_are_named(tmp_path, capsys):
     world.write_text('<sdf version="1.6"><world name="w"><include><uri>model://box</uri></include></world></sdf>')
     Campaign(Tutorial('move'), 1, {'world': [str(world)]}, {}).check()
     assert capsys.readouterr().err.startswith(f'sweep: {world} includes model://box, which PyBullet does not load')
-
-
-def test_a_million_combinations_are_checked_at_once(monkeypatch):
-    """Each value alone, with one simulation for the world."""
-    built = []
-    monkeypatch.setattr('odometry_tools.sweep.campaign.Simulation', built.append)
-    grid = dict.fromkeys(['x', 'y', 'yaw'], HUNDRED)
-    campaign = Campaign(Tutorial('move'), 1, {**grid, 'world': ['room.urdf']}, {})
-    campaign.check()
-    assert len(built) == 1 and next(campaign.runs())['yaw'] == HUNDRED[0]
