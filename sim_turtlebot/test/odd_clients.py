@@ -6,7 +6,6 @@ usage: odd_clients.py KIND
 import asyncio
 import os
 import queue
-import select
 import signal
 import threading
 import time
@@ -21,12 +20,6 @@ from std_srvs.srv import Empty
 
 def busy(_robot):
     while not rospy.is_shutdown():
-        pass
-
-
-def busy_after_one_command(robot):
-    robot.drive(robot.seen.get())
-    while robot.x < 1.0:
         pass
 
 
@@ -56,24 +49,12 @@ def wall(robot, seconds):
         time.sleep(float(seconds))
 
 
-def event(robot):
-    while not rospy.is_shutdown():
-        threading.Event().wait(0.1)
-        robot.drive()
-
-
 def queue_timeout(robot):
     while not rospy.is_shutdown():
         try:
             queue.Queue().get(timeout=0.1)
         except queue.Empty:
             robot.drive()
-
-
-def selecting(robot):
-    while not rospy.is_shutdown():
-        select.select([], [], [], 0.1)
-        robot.drive()
 
 
 def coroutine(robot):

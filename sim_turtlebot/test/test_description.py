@@ -1,14 +1,13 @@
-"""What tf and PyBullet make of the robot's URDF."""
+"""What tf makes of the robot's URDF."""
 
 import numpy
 import pytest
 from sim_turtlebot.geometry import rotate
 from sim_turtlebot.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
-from sim_turtlebot.physics.description import URDF, read_joints, without_frames
+from sim_turtlebot.physics.description import URDF, read_joints
 from tf import transformations
 
 JOINTS = {joint.child: joint for joint in read_joints(URDF.read_text())}
-PHYSICS = ['base_joint', 'wheel_left_joint', 'wheel_right_joint']
 # In base_link (m): kobuki_description and turtlebot_description.
 PLACES = {'gyro_link': (0.056, 0.062, 0.0202), 'camera_rgb_frame': (-0.087, -0.0135, 0.287),
           'camera_depth_frame': (-0.087, 0.0135, 0.287), 'wheel_left_link': (0, 0.115, 0.025),
@@ -41,11 +40,3 @@ def test_an_optical_frame_looks_along_z_and_has_x_to_the_right():
     rotation = JOINTS['camera_depth_optical_frame'].rotation
     assert rotate(rotation, (0.0, 0.0, 1.0)) == pytest.approx((1.0, 0.0, 0.0), abs=1e-15)
     assert rotate(rotation, (1.0, 0.0, 0.0)) == pytest.approx((0.0, -1.0, 0.0), abs=1e-15)
-
-
-def test_the_physics_has_the_joints_that_it_needs_and_no_more():
-    """Each would cost time; and what has mass or shape is left as it is."""
-    text = without_frames(URDF.read_text())
-    assert [joint.name for joint in read_joints(text)] == PHYSICS
-    for part in 'mass', 'collision', 'visual', 'inertia', 'contact':
-        assert text.count(f'<{part}') == URDF.read_text().count(f'<{part}')

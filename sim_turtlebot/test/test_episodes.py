@@ -18,7 +18,6 @@ from sensor_msgs.msg import Imu, LaserScan
 from tf2_msgs.msg import TFMessage
 
 LENGTH = 3  # s of simulated time in an episode
-BY_NAVI = 20  # odometries that the first controller answers; then it is teleop's turn
 TOPICS = {'/odom': (Odometry, 20), '/scan': (LaserScan, 10), '/tf': (TFMessage, 20),
           '/mobile_base/sensors/imu_data': (Imu, 20)}  # with their rates (Hz)
 ALL_NOISE = ['_odometry_source:=encoder', '_wheel_slip:=0.02', '_wheel_noise:=0.02',
@@ -28,36 +27,24 @@ ALL_NOISE = ['_odometry_source:=encoder', '_wheel_slip:=0.02', '_wheel_noise:=0.
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
 
-class Controllers:
-    """Two controllers that follow one after the other, and answer each odometry by its number."""
-
-    def __init__(self):
-        self._navi, self._teleop = (
-            rospy.Publisher(f'cmd_vel_mux/input/{name}', Twist, queue_size=10, tcp_nodelay=True)
-            for name in ('navi', 'teleop'))
-        for publisher in self._navi, self._teleop:
-            wait_for_subscribers(publisher)
-        self._subscriber = rospy.Subscriber('odom', Odometry, self._answer, tcp_nodelay=True)
-
-    def _answer(self, odometry):
-        number = odometry.header.seq
-        publisher = self._navi if number < BY_NAVI else self._teleop
-        publisher.publish(twist(0.4 * math.cos(number / 9), 2.0 * math.sin(number / 5)))
-
-    def close(self):
-        self._subscriber.unregister()
-
-
 def as_sent(messages):
     """Return the messages of an episode as bytes, without repetitions."""
     return [one for one, _ in itertools.groupby(map(bytes_of, messages))]
 
 
 def test_after_a_reset_an_episode_is_the_same_bytes(master):
+    """With a controller that answers each odometry by its number."""
     recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in TOPICS.items()}
+    publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10, tcp_nodelay=True)
+
+    def answer(odometry):
+        number = odometry.header.seq
+        publisher.publish(twist(0.4 * math.cos(number / 9), 2.0 * math.sin(number / 5)))
+
     episodes = []
     with simulator_in_step('_paused:=true', *ALL_NOISE):
-        controllers = Controllers()
+        wait_for_subscribers(publisher)
+        controller = rospy.Subscriber('odom', Odometry, answer, tcp_nodelay=True)
         for recorder in recorders.values():
             recorder.wait_for_publisher()
         for _ in range(3):
@@ -70,7 +57,7 @@ def test_after_a_reset_an_episode_is_the_same_bytes(master):
             for recorder in recorders.values():
                 recorder.clear()
             call('reset_simulation')
-        controllers.close()
+        controller.unregister()
     for topic, (_, rate) in TOPICS.items():
         first, *others = (episode[topic] for episode in episodes)
         assert len(first) == rate * LENGTH + 1, topic

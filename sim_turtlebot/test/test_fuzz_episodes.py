@@ -64,6 +64,8 @@ class Episodes:
             self._simulation.command(linear, angular, robot, mux_input)
         except ValueError:
             assert not (math.isfinite(linear) and math.isfinite(angular))
+        else:
+            assert mux_input or (math.isfinite(linear) and math.isfinite(angular)), 'the multiplexer keeps some out'
 
     def _run(self, steps):
         timeline = self._simulation.timeline

@@ -1,4 +1,4 @@
-"""Angles, orientations, rotations and poses, against tf's."""
+"""Angles, orientations and rotations, against tf's."""
 
 import math
 
@@ -8,14 +8,10 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from odometry_common.orientation import euler_from_orientation, yaw_from_orientation
 from sim_turtlebot.geometry import (
-    PlanarPose,
-    about,
     about_z,
     compose,
-    from_rpy,
     height_of_z,
     inverse,
-    is_upright,
     mean_twist,
     rotate,
     yaw_of,
@@ -23,8 +19,6 @@ from sim_turtlebot.geometry import (
 from tf import transformations as tf
 
 angles = st.floats(-math.pi, math.pi)
-coordinates = st.floats(-1e3, 1e3)
-poses = st.builds(PlanarPose, coordinates, coordinates, angles)
 rotations = st.builds(lambda roll, pitch, yaw: tuple(tf.quaternion_from_euler(roll, pitch, yaw)),
                       angles, st.floats(-1.5, 1.5), angles)
 vectors = st.tuples(*[st.floats(-1e4, 1e4)] * 3)
@@ -48,14 +42,6 @@ def test_a_quaternion_of_any_length_has_its_yaw(length):
     assert yaw == pytest.approx(math.pi / 2)
 
 
-@given(poses)
-def test_a_pose_is_seen_from_the_one_before(pose):
-    """From a robot that looks to the left, ahead is to the left; the inverse leads back."""
-    one, two = PlanarPose(1.0, 2.0, math.pi / 2), PlanarPose(3.0, 0.5, 0.25)
-    assert one.then(two) == pytest.approx((0.5, 5.0, math.pi / 2 + 0.25))
-    assert pose.then(pose.inverse()) == pytest.approx((0, 0, 0), abs=1e-9)
-
-
 @given(rotations, rotations, vectors)
 def test_rotations_are_those_of_tf(outer, inner, vector):
     """In double precision: a vector of 10 km is turned to 1e-14 of that and not to 1e-7."""
@@ -66,13 +52,6 @@ def test_rotations_are_those_of_tf(outer, inner, vector):
     assert height_of_z(outer) == pytest.approx(matrix[2, 2], abs=1e-14)
     yaw = tf.euler_from_quaternion(outer)[2]
     assert math.remainder(yaw_of(outer) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-12)
-
-
-@given(angles, angles, angles)
-def test_roll_pitch_and_yaw_are_those_of_urdf(roll, pitch, yaw):
-    expected = tf.euler_matrix(roll, pitch, yaw, 'sxyz')[:3, :3]
-    for axis in (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0):
-        assert rotate(from_rpy(roll, pitch, yaw), axis) == close(expected @ axis)
 
 
 @given(rotations, st.floats(-0.7, 0.7), angles, st.sampled_from([1, -1]))
@@ -88,9 +67,3 @@ def test_the_mean_twist_of_an_arc_is_the_one_that_was_driven(start, speed, turn_
                        duration)
     assert twist[0] == pytest.approx((speed, 0.0, 0.0), abs=1e-12)
     assert twist[1] == pytest.approx((0.0, 0.0, turn_speed), abs=1e-12)
-
-
-@pytest.mark.parametrize('degrees, upright', [(0, True), (59.9, True), (60.1, False), (180, False)])
-@pytest.mark.parametrize('axis', [(1, 0, 0), (0, -1, 0), (0.6, 0.8, 0)])
-def test_what_leans_more_than_60_degrees_is_not_upright(degrees, upright, axis):
-    assert is_upright(compose(about(axis, math.radians(degrees)), about_z(2.0))) == upright

@@ -8,9 +8,7 @@ import sys
 import pytest
 import rosgraph
 from odometry_tests.processes import Process
-from odometry_tests.tutorial import detector
-from odometry_tests.waiting import wait_until
-from sim_turtlebot.lockstep.graph import MASTER, GraphProcesses
+from sim_turtlebot.lockstep.graph import GraphProcesses
 from sim_turtlebot.lockstep.idle import IdleWaiter
 
 # Listens at the same port of many other addresses.
@@ -35,27 +33,6 @@ def graph(master, unseen):
     waiter = IdleWaiter(lambda: False, lambda process, _: pytest.fail(f'{process.name} is busy'))
     with contextlib.closing(waiter):
         yield waiter, GraphProcesses(waiter, '/graph', unseen.append)
-
-
-def names(waiter):
-    return {process.name for process in waiter.processes.values()}
-
-
-def test_nodes_that_come_and_go_are_waited_for_meanwhile(graph, unseen):
-    waiter, processes = graph
-    processes.wait()
-    before = names(waiter)
-    assert MASTER in before
-
-    def new():
-        processes.wait()
-        return names(waiter) - before
-
-    with detector():
-        name, = wait_until(new, 20.0, 'a new node')
-        assert name.startswith('/movement_detector_node')
-    assert not new()
-    assert not unseen
 
 
 def test_a_node_on_another_machine_is_named_once(graph, unseen):

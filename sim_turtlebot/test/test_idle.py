@@ -8,7 +8,6 @@ import threading
 import time
 
 import pytest
-from odometry_tests.waiting import PATIENCE
 from sim_turtlebot.lockstep.idle import IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
 from sim_turtlebot.lockstep.threads import Thread
@@ -151,16 +150,6 @@ def test_what_a_process_has_computed_before_is_not_held_against_it(waiter, start
         process.stdin.write('go\n')
     waiter.wait()
     assert not busy
-
-
-def test_a_process_that_sleeps_for_longer_by_wall_time_is_not_waited_for(waiter, start):
-    start(SLOW_POLLER)
-    time.sleep(0.5)
-    waiter.wait()
-    begin = time.monotonic()
-    for _ in range(20):
-        waiter.wait()
-    assert time.monotonic() - begin < PATIENCE
 
 
 def test_a_thread_that_always_polls_is_awake_while_it_works(waiter, start):

@@ -40,13 +40,6 @@ def test_a_long_delay_is_not_made_up_for(wall):
     assert pacer.lead(2 * SECOND) == pytest.approx(1)
 
 
-def test_without_a_factor_nothing_is_waited_for(wall):
-    pacer = Pacer(0)
-    assert pacer.lead(10**6 * SECOND) == 0
-    wall.now += 1e6
-    assert pacer.lead(0) == 0
-
-
 class Machine:
     """A machine that simulates at some pace, and what its pacer says."""
 

@@ -8,9 +8,6 @@ from hypothesis import strategies as st
 from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation, lean
 from sim_turtlebot.geometry import yaw_of
-from sim_turtlebot.kobuki import WHEEL_SEPARATION
-from sim_turtlebot.physics.description import WHEEL_JOINTS
-from sim_turtlebot.physics.world import World
 
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 WALL, RADIUS = 2.0, 0.18  # m: the face of its wall, and the robot
@@ -31,18 +28,6 @@ def total_turn(motions):
     return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in zip(yaws, yaws[1:]))
 
 
-@pytest.mark.parametrize('speed', [0.1, -0.5])
-def test_straight_on_it_goes_as_far_as_commanded_and_no_other_way(speed):
-    """0.3 % of the distance, a micrometre to the side, a ten-thousandth of a degree."""
-    simulation = Simulation()
-    simulation.drive(speed, 0.0, 20.0)
-    simulation.drive(0.0, 0.0, STOPPING)
-    (x, y, _), orientation, _, _ = simulation.robot.ground_truth
-    assert x == pytest.approx(speed * 20, rel=0.003)
-    assert abs(y) <= 1e-6
-    assert abs(math.degrees(yaw_of(orientation))) <= 1e-4
-
-
 @pytest.mark.parametrize('source', ['world', 'encoder'])
 def test_a_slow_base_reaches_a_share_of_what_is_commanded_and_its_odometry_shows_it(source):
     """Forwards and in a spin."""
@@ -52,20 +37,6 @@ def test_a_slow_base_reaches_a_share_of_what_is_commanded_and_its_odometry_shows
         reached = [0.7 * part for part in command]
         for motion in simulation.robot.ground_truth, simulation.robot.odometry:
             assert [motion.linear[0], motion.angular[2]] == pytest.approx(reached, abs=0.005)
-
-
-@pytest.mark.parametrize('speed, turn_speed', [(0.1, 0.0), (0.3, 0.0), (0.5, 0.0), (-0.7, 0.0), (0.0, 1.0),
-                                               (0.0, 3.0), (0.2, 0.5)])
-def test_each_wheel_touches_the_floor_in_one_point(speed, turn_speed):
-    """With more points at higher speeds each step would be slower, and no more accurate."""
-    world = World(STEP_RATE, [(0.0, 0.0, 0.0)])
-    sideways = turn_speed * WHEEL_SEPARATION / 2
-    world.robots[0].drive(speed - sideways, speed + sideways)
-    for _ in range(10):
-        world.step(STEP_RATE)
-        joints = [world.client.getJointInfo(robot, link)[1].decode()
-                  for _, robot, _, link, *_ in world.client.getContactPoints() if link >= 0]
-        assert [joints.count(name) for name in WHEEL_JOINTS] == [1, 1], joints
 
 
 def test_before_a_wall_its_wheels_slip_and_the_encoders_count_on():

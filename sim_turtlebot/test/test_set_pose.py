@@ -9,7 +9,7 @@ from odometry_tests.pausing import call
 from odometry_tests.processes import rosrun
 from odometry_tests.robots import place, pose
 from odometry_tests.scripts import ROOT
-from odometry_tests.simulation import Simulation, lean
+from odometry_tests.simulation import Simulation
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_for_subscribers, wait_until
 from sim_turtlebot.geometry import about_z
@@ -49,20 +49,6 @@ def test_it_stands_where_it_was_put(source):
     assert max(math.hypot(*m.linear) for m in simulation.drive(0.3, 0.0, 0.5).odometry) < 0.31
 
 
-def test_it_can_be_laid_on_its_side_and_put_upright():
-    simulation = Simulation()
-    simulation.robot.set_pose((1.0, 1.0, 0.3), ON_ITS_SIDE)
-    simulation.run(3.0)
-    assert lean(simulation.robot.ground_truth) == pytest.approx(90, abs=2)
-    assert simulation.robot.resting
-    simulation.drive(0.3, 0.0, 2.0)
-    assert simulation.robot.ground_truth.position[:2] == pytest.approx((1.0, 1.0), abs=0.05)
-    simulation.robot.set_pose((1.0, 1.0, 0.0), LEVEL)
-    assert simulation.robot.resting
-    simulation.drive(0.3, 0.0, 2.0)
-    assert simulation.robot.ground_truth.position[0] == pytest.approx(1.584, abs=2e-3)
-
-
 @pytest.mark.parametrize('position, orientation', [
     ((2.0, 0.0, 0.0), LEVEL), ((0.0, 0.0, 0.0), ON_ITS_SIDE), ((0.0, 0.0, 0.0), UPSIDE_DOWN),
     ((0.0, 0.0, -0.06), LEVEL), ((0.0, 0.0, -100.0), LEVEL), ((-0.7, 0.0, 0.0), LEVEL)],
@@ -80,13 +66,6 @@ def test_where_there_is_no_room_it_is_not_put(position, orientation):
     assert robot.ground_truth.position == pytest.approx(before[0], abs=1e-3)
 
 
-def test_beside_the_wall_there_is_room():
-    simulation = Simulation(world=ROOM)
-    simulation.robot.set_pose((1.81, 0.0, 0.0), LEVEL)
-    simulation.run(1.0)
-    assert simulation.robot.ground_truth.position[:2] == (1.81, 0.0)
-
-
 @pytest.mark.parametrize('orientation', [
     (0.0, 0.0, 3.0, 4.0), (0.0, 0.0, 3e-50, 4e-50), (0.0, 0.0, 3e150, 4e150)])
 def test_an_orientation_may_have_any_length(orientation):
@@ -101,8 +80,7 @@ def test_an_orientation_may_have_any_length(orientation):
     ('', (0, -math.inf, 0), LEVEL, 'y is -inf m, but must be'),
     ('world', (0, 0, 10001), LEVEL, 'z is 10001 m, but must be'),
     ('', STILL, (0, 0, 0, 0), r'the orientation is \[0 0 0 0\], but must be'),
-    ('', STILL, (0, math.nan, 0, 1), r'the orientation is \[0 nan 0 1\], but must be'),
-    ('', STILL, (0, 0, math.inf, 1), r'the orientation is \[0 0 inf 1\], but must be')])
+    ('', STILL, (0, math.nan, 0, 1), r'the orientation is \[0 nan 0 1\], but must be')])
 def test_what_is_no_pose_is_refused_with_what_is_allowed(frame, position, orientation, wrong):
     with pytest.raises(ValueError, match=f'^{wrong}') as refusal:
         checked_pose(frame, position, orientation)

@@ -20,17 +20,6 @@ clock_rates = st.one_of(st.just(0.0), st.floats(0.1, 1000))
 TICKS = 200
 
 
-@pytest.mark.parametrize('odom_rate, step_rate, steps_per_odometry, ticks_per_odometry', [
-    (20.0, 240.0, 12, 1), (50.0, 250.0, 5, 1), (10.0, 240.0, 24, 2), (1.0, 240.0, 240, 20),
-    (1000.0, 1000.0, 1, 1), (0.1, 240.0, 2400, 200)])
-def test_the_physics_runs_at_240_hz_or_little_more(
-        odom_rate, step_rate, steps_per_odometry, ticks_per_odometry):
-    timeline = Timeline(odom_rate)
-    assert timeline.step_rate == pytest.approx(step_rate)
-    assert timeline.steps_per_odometry == steps_per_odometry
-    assert timeline.ticks_per_odometry == ticks_per_odometry
-
-
 @given(odom_rates, clock_rates)
 def test_the_rate_of_the_clock_changes_nothing_else(odom_rate, clock_rate):
     coarse, fine = Timeline(odom_rate), Timeline(odom_rate, clock_rate)
@@ -69,16 +58,6 @@ def test_odometry_is_on_time_to_the_nanosecond_for_a_day(odom_rate, seconds):
     now = timeline.time_of(number * timeline.steps_per_odometry)
     assert isinstance(now, int)
     assert abs(now - number * 10**9 / Fraction(odom_rate)) <= 1
-
-
-def test_time_starts_at_zero_and_can_start_again():
-    timeline = Timeline(20.0)
-    assert (timeline.now, timeline.odometry_count) == (0, 0)
-    timeline.advance(12)
-    assert (timeline.now, timeline.odometry_count) == (5 * 10**7, 1)
-    timeline.restart()
-    assert (timeline.now, timeline.odometry_count) == (0, 0)
-    assert timeline.clock_is_due
 
 
 @pytest.mark.parametrize('arguments, period', [

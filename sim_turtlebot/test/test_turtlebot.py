@@ -5,18 +5,23 @@ Two robots in lockstep: what happens when is then the same on every machine.
 
 import math
 import sys
+from operator import attrgetter
 
 import pytest
 import rospy
 import tf
+from geometry_msgs.msg import Point, Twist
+from nav_msgs.msg import Odometry
 from odometry_tests.messages import stamp
 from odometry_tests.pausing import call
-from odometry_tests.robots import BASE, NAVI, TELEOP, VELOCITY, Robot
+from odometry_tests.robots import twist
 from odometry_tests.tutorial import simulator
-from odometry_tests.waiting import Recorder
-from sensor_msgs.msg import Imu
+from odometry_tests.waiting import Recorder, wait_for_subscribers
+from sensor_msgs.msg import Imu, JointState
 from tf2_msgs.msg import TFMessage
 
+VELOCITY, BASE = 'cmd_vel', 'mobile_base/commands/velocity'
+TELEOP, NAVI = 'cmd_vel_mux/input/teleop', 'cmd_vel_mux/input/navi'
 WHEELS = 'wheel_left_link', 'wheel_right_link'
 DRIFT = 0.02  # rad/s
 
@@ -25,12 +30,15 @@ class Pair:
     """Two robots that get the same commands, and what clients hear of the second one."""
 
     def __init__(self):
-        self._robots = Robot('robot_1/'), Robot('robot_2/')
-        self.odometry, self.joints = self._robots[1].odometry, self._robots[1].joints
+        self._publishers = {topic: [rospy.Publisher(f'/{robot}/{topic}', Twist, queue_size=10)
+                                    for robot in ('robot_1', 'robot_2')] for topic in (VELOCITY, BASE, TELEOP, NAVI)}
+        self.odometry = Recorder('/robot_2/odom', Odometry)
+        self.joints = Recorder('/robot_2/joint_states', JointState)
         self.imu = Recorder('/robot_2/mobile_base/sensors/imu_data', Imu)
         self.tf = Recorder('/tf', TFMessage)
-        for robot in self._robots:
-            robot.wait_until_ready()
+        for publishers in self._publishers.values():
+            for publisher in publishers:
+                wait_for_subscribers(publisher)
 
     def restart(self):
         """Begin at time zero: nobody has commanded anything, and nothing older will be heard."""
@@ -47,8 +55,8 @@ class Pair:
     def step(self, *speeds, topic=VELOCITY, count=1):
         """Command so many times; return the odometry a period after the last one."""
         for _ in range(count):
-            for robot in self._robots:
-                robot.drive(*speeds, topic=topic)
+            for publisher in self._publishers[topic]:
+                publisher.publish(twist(*speeds))
             self._number += 1
             odometry = self.odometry.wait_for(lambda m: m.header.seq == self._number)
         return odometry
@@ -82,11 +90,15 @@ def test_a_late_subscriber_gets_the_fixed_frames(robots):
     assert moving == {f'robot_{number}/{link}' for number in (1, 2) for link in ('base_footprint', *WHEELS)}
 
 
-def test_wheels_turn_in_tf_as_in_joint_states(robots):
-    now = stamp(robots.step(0.3, 0.5, count=30))
+def test_tf_repeats_the_odometry_and_the_joint_states(robots):
+    odometry = robots.step(0.3, 0.5, count=30)
+    now = stamp(odometry)
     joints = robots.joints.wait_for(lambda m: stamp(m) == now)
     frames = robots.tf.wait_for(lambda m: stamp(m) == now).transforms
     rotations = {frame.child_frame_id: frame.transform.rotation for frame in frames}
+    base, pose = next(frame for frame in frames if frame.child_frame_id == 'robot_2/base_footprint'), odometry.pose.pose
+    assert (base.header.frame_id, base.transform.rotation) == ('robot_2/odom', pose.orientation)
+    assert Point(*attrgetter('x', 'y', 'z')(base.transform.translation)) == pose.position
     assert joints.name == ['wheel_left_joint', 'wheel_right_joint']
     assert abs(joints.position[1] - joints.position[0]) > 1.0
     assert joints.velocity == pytest.approx((6.93, 10.21), abs=0.5)  # rad/s

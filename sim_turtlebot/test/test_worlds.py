@@ -130,7 +130,6 @@ def test_the_walls_and_boxes_of_the_room_arrive_late_too(simulated_time):
     assert len(shapes) == len({shape.id for shape in shapes}) == 7
     wall = shapes[0]
     assert (wall.pose.position.x, wall.pose.position.y, wall.pose.position.z) == pytest.approx((2.05, 0, 0.25))
-    assert (wall.scale.x, wall.scale.y, wall.scale.z) == pytest.approx((0.1, 4.2, 0.5))
     assert (wall.color.r, wall.color.g, wall.color.b, wall.color.a) == pytest.approx((0.85, 0.82, 0.75, 1))
 
 
@@ -144,7 +143,3 @@ def test_a_shape_stands_where_the_file_puts_it(tmp_path):
     assert box.colour == pytest.approx((1, 0.5, 0, 0.25))
     assert cylinder.position == pytest.approx((0, 9, 0)) and cylinder.size == pytest.approx((0.4, 0.4, 0.7))
     assert sphere.position == pytest.approx((0, 4, 5), abs=1e-4) and sphere.size == pytest.approx((1, 1, 1))
-
-
-def test_an_empty_world_has_no_shapes():
-    assert read_shapes(World(240, [(0.0, 0.0, 0.0), (0.0, 1.0, 0.0)])) == []

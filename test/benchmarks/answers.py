@@ -9,6 +9,7 @@ from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from odometry_tests.messages import odometry
 from odometry_tests.waiting import wait_for_subscribers, wait_until
+from std_msgs.msg import Float64
 
 PERIOD = 0.05  # s
 MESSAGES, WARM_UP = 60, 20
@@ -18,15 +19,15 @@ STEP = 0.001  # m
 class Answers:
     """Odometry to a node, and the times at which it answers."""
 
-    def __init__(self, question, answer, answer_class):
+    def __init__(self, namespace):
         self._arrivals = []
         self._x = 0.0
-        self._publisher = advertise(question, Odometry)
-        self._subscriber = rospy.Subscriber(answer, answer_class, self._on_answer, tcp_nodelay=True)
+        self._publisher = advertise(f'{namespace}odom', Odometry)
+        self._subscriber = rospy.Subscriber(f'{namespace}moved_distance', Float64, self._on_answer, tcp_nodelay=True)
         wait_for_subscribers(self._publisher, timeout=TIMEOUT)
         # The answers may be connected later than the questions.
         wait_until(lambda: self._publisher.publish(odometry(stamp=rospy.get_time())) or self._arrivals,
-                   TIMEOUT, f'an answer on {answer}')
+                   TIMEOUT, f'an answer in {namespace}')
 
     def close(self):
         self._publisher.unregister()

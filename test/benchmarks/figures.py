@@ -10,14 +10,13 @@ from typing import Callable, NamedTuple
 
 from answers import Answers
 from geometry_msgs.msg import Twist
-from graph import FINE_LOCKSTEP, LOCKSTEP, TIMEOUT, UNPACED, Graph, beside_ring
+from graph import FINE_LOCKSTEP, LOCKSTEP, RING, TIMEOUT, UNPACED, Graph, beside_ring
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from odometry_tests.processes import Process, hold_port, path_of
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
-from std_msgs.msg import Float64
 from worlds import SPEED, BareWorld, RobotWorld, bare_worlds
 
 SLICES = 4  # of a window
@@ -90,12 +89,11 @@ def demo(options):
 
 @figure('latency at 20 Hz, median', 'ms', '<=', 1.15)
 def latency(options):
-    """Compare the way from /odom to /moved_distance with a node of bare rospy that passes odometry on."""
+    """Compare the way from /odom to /moved_distance with a node of bare rospy that answers each odometry."""
     forget_parameters()
-    with detector(), Process(sys.executable, FOLDER / 'relay.py', '/relayed/odom', '/relayed/answer'), \
-            contextlib.closing(Answers('/odom', '/moved_distance', Float64)) as answers, \
-            contextlib.closing(Answers('/relayed/odom', '/relayed/answer', Odometry)) as relayed:
-        return in_turns(options, answers.latency, relayed.latency)
+    with detector(), Process(sys.executable, RING, 'detector'), contextlib.closing(Answers('/')) as answers, \
+            contextlib.closing(Answers('/ring/')) as bare:
+        return in_turns(options, answers.latency, bare.latency)
 
 
 def robot(drive, options):
@@ -113,7 +111,7 @@ def robots(options):
     """Compare each of fifty robots that drive in one simulator with one robot without ROS."""
     alone, command = RobotWorld(), Twist()
     command.linear.x = SPEED
-    with Graph('_cmd_vel_timeout:=0', f'_robots:={ROBOTS}', *UNPACED, movers=False) as graph, \
+    with Graph('_cmd_vel_timeout:=0', f'_robots:={ROBOTS}', *UNPACED, beside=()) as graph, \
             contextlib.ExitStack() as stack:
         with graph.running():
             for number in range(1, ROBOTS + 1):
@@ -203,13 +201,13 @@ def lockstep(options):
 @figure('tf client in lockstep', 'simulated s/s', '>=', 0.157)  # 25 times real time where the ring makes 159
 def lockstep_tf(options):
     """Compare a client that drives by tf in a loop, with a clock of 100 Hz, with the same bare nodes."""
-    client = sys.executable, LOCKSTEP_RUNS.CLIENTS_FOLDER / 'clients.py', 'tf_listener'
-    return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))
+    client = partial(Process, sys.executable, LOCKSTEP_RUNS.CLIENTS_FOLDER / 'clients.py', 'tf_listener')
+    return beside_ring(options, Graph(*FINE_LOCKSTEP, beside=[client]))
 
 
 @figure('C++ client in lockstep', 'simulated s/s', '>=', 0.038)  # 6 times real time where the ring makes 159
 def lockstep_cpp(options):
     """Compare a client with a loop of ros::Rate, with a clock of 100 Hz, with the same bare nodes."""
     with tempfile.TemporaryDirectory() as folder:
-        client = LOCKSTEP_RUNS.compile_client(Path(folder, 'client')), 'rate'
-        return beside_ring(options, Graph(*FINE_LOCKSTEP, client=client))
+        client = partial(Process, LOCKSTEP_RUNS.compile_client(Path(folder, 'client')), 'rate')
+        return beside_ring(options, Graph(*FINE_LOCKSTEP, beside=[client]))

@@ -2,6 +2,7 @@
 
 import contextlib
 import time
+from functools import partial
 from pathlib import Path
 
 from odometry_common.publishing import advertise
@@ -16,7 +17,7 @@ from std_msgs.msg import Float64
 UNPACED = '_real_time_factor:=0',
 FINE_LOCKSTEP = *UNPACED, '_lockstep:=true'  # its clock ticks at 100 Hz
 LOCKSTEP = *FINE_LOCKSTEP, '_clock_rate:=20'
-FAR = 1e6  # m; nobody arrives there
+TUTORIAL = detector, partial(mover, '_distance:=1000000')  # m; nobody arrives there
 TIMEOUT = 30.0  # s of wall time
 RING = Path(__file__).with_name('ring.py')
 
@@ -24,23 +25,20 @@ RING = Path(__file__).with_name('ring.py')
 class Graph(contextlib.ExitStack):
     """Processes around a simulator; simulated time stands still but for the measurements."""
 
-    def __init__(self, *arguments, movers=True, client=None):
+    def __init__(self, *arguments, beside=TUTORIAL):
         """Start them; they end with the context.
 
         :param arguments: for the simulator, such as '_robots:=5'
-        :param movers: whether to start the detector and the mover
-        :param client: command of a client that drives in their place
+        :param beside: functions that start the nodes beside it
         """
         super().__init__()
         forget_parameters()
         self.enter_context(simulator(*arguments))
         # Nothing may pass before it is measured.
         call('pause_physics')
-        if client:
-            self.enter_context(Process(*client))
-        elif movers:
-            self.enter_context(detector())
-            self.enter_context(mover(f'_distance:={FAR}'))
+        for start in beside:
+            self.enter_context(start())
+        if beside is TUTORIAL:
             wait_for_listeners('/odom', '/moved_distance', '/cmd_vel')
 
     @contextlib.contextmanager

@@ -2,12 +2,10 @@
 
 import os
 import signal
-from urllib.parse import urlparse
 
 import pytest
 import rosgraph
 from odometry_tests.links import pid_of
-from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Master, Process
 from odometry_tests.tutorial import (
     LONGEST_STEP,
@@ -20,9 +18,6 @@ from odometry_tests.tutorial import (
 )
 from odometry_tests.waiting import PATIENCE, wait_until
 
-BASE_TIMEOUT = 0.6  # s, a Kobuki's own watchdog
-BRAKING = 0.1  # s
-TRUTH = '/base_pose_ground_truth'
 FAR = '_distance:=1000'  # m; no test lasts until there
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
@@ -31,20 +26,6 @@ pytestmark = pytest.mark.usefixtures('simulated_time')
 def kill(process):
     process.send(signal.SIGKILL)
     process.wait()
-
-
-def test_the_base_stops_when_the_mover_is_killed_and_a_new_one_goes_on(master):
-    moved, truth = Distance(), Truth()
-    with simulator('_real_time_factor:=3'), detector():
-        with mover(FAR) as first:
-            moved.wait_for(lambda m: m.data > 0, what='a distance')
-            truth.wait_until_moving()
-            assert moves_on(truth, lambda: kill(first)) <= BASE_TIMEOUT + BRAKING
-        goal = moved.last.data + 0.3
-        with mover(f'_distance:={goal}'):
-            arrived = moved.wait_until_arrived(goal)
-    # On a straight way it makes no difference which messages a busy machine has lost.
-    assert arrived == pytest.approx(truth.last.pose.pose.position.x, abs=1e-3)
 
 
 def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
@@ -80,13 +61,12 @@ def test_the_launch_ends_when_the_simulator_dies(master):
 
 
 @pytest.mark.nightly
-def test_the_graph_goes_on_without_its_master_and_a_new_master_needs_new_nodes(monkeypatch):
-    """Connections outlive the master; who registers later needs the nodes to be started again."""
+def test_the_graph_goes_on_without_its_master(monkeypatch):
     for variable in 'ROS_MASTER_URI', 'ROS_HOSTNAME':  # which the master of this test sets
         monkeypatch.setenv(variable, os.environ[variable])
     with Master(use_sim_time=True) as own, simulator('_real_time_factor:=3') as robot, \
             detector() as counter, mover(FAR) as driver, \
-            Process('rostopic', 'echo', '-p', f'{TRUTH}/twist/twist/linear/x') as speeds:
+            Process('rostopic', 'echo', '-p', '/base_pose_ground_truth/twist/twist/linear/x') as speeds:
         wait_until(lambda: moving(speeds), 20.0, 'a moving robot')
         own.end(signal.SIGINT, timeout=20.0)
         wait_until(lambda: not rosgraph.is_master_online(), 5.0, 'a master that is gone')
@@ -94,13 +74,6 @@ def test_the_graph_goes_on_without_its_master_and_a_new_master_needs_new_nodes(m
         wait_until(lambda: moving(speeds) > before + 100, 20.0, 'a robot that goes on')
         for process in (driver, counter, robot):
             assert process.end() == 0, process.output
-        port = urlparse(rosgraph.get_master_uri()).port
-        with Process('rosmaster', '--core', '-p', port):
-            wait_until(rosgraph.is_master_online, 20.0, 'a new master')
-            topics = rosgraph.Master('/test').getTopicTypes
-            assert TRUTH not in dict(topics())
-            with simulator():
-                wait_until(lambda: TRUTH in dict(topics()), 20.0, 'a new robot on it')
 
 
 def moving(speeds):

@@ -4,7 +4,6 @@ Needs what ./ws test installs: Chromium and selenium. The GIF shows the page abo
 """
 
 import argparse
-import io
 import os
 import re
 import subprocess
@@ -17,47 +16,20 @@ from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import wait_until
 from PIL import Image, ImageDraw, ImageFont
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 
 browser = load_script('tools/robot_view/test/browser.py')
 FILE = ROOT / 'docs' / 'images' / 'demo.gif'
 MAX_SIZE = 1_000_000  # bytes
 COMMAND = './ws demo --view'
+# Unlike selenium, it does not scroll to the button.
+SHOW_ALL = '[...document.querySelectorAll("button")].find((button) => button.innerText == "show all").click()'
 STAYS = 'The page stays'  # what the demo prints last
 WIDTH, PAGE_HEIGHT = 880, 480  # pixels
+WINDOW = {'width': WIDTH, 'height': PAGE_HEIGHT, 'deviceScaleFactor': 1, 'mobile': False}
 ROWS, ROW_HEIGHT, FONT_SIZE, MARGIN = 7, 18, 14, 8  # lines of the terminal; pixels
 BLACK, WHITE = '#1e1e1e', '#e8e8e8'
 PERIOD = 0.5  # s between two pictures
 SHOWN, LAST_SHOWN = 130, 4000  # ms for which the GIF shows a picture, and the last one
-
-
-class Window(browser.Page):
-    """A Chromium that is ready before there is a page, so that it shows the robot's first metres."""
-
-    def __init__(self):
-        options = webdriver.ChromeOptions()
-        options.binary_location = browser.CHROMIUM
-        for switch in browser.SWITCHES:
-            options.add_argument(switch)
-        self.driver = webdriver.Chrome(options=options, service=Service(browser.DRIVER))
-        self.driver.command_executor.client_config.timeout = browser.ANSWER_TIMEOUT
-        self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument',
-                                    {'source': browser.DRAW_SELDOM})
-        self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', {
-            'width': WIDTH, 'height': PAGE_HEIGHT, 'deviceScaleFactor': 1, 'mobile': False})
-
-    def open(self, url):
-        self.driver.get(url)
-        self._wait_for_readings()
-
-    def show_all(self):
-        """Show the whole way of a robot that has begun to drive."""
-        self.wait_for_reading('moved_distance', lambda metres: 0.0 < metres < 1.0)
-        self.run('arguments[0].click()', self._button('show all'))  # which does not scroll to it
-
-    def picture(self):
-        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
 
 
 def main():
@@ -79,20 +51,21 @@ def record():
     """Return a picture of the page and the terminal for each PERIOD of the run."""
     font_file = subprocess.check_output(['fc-match', '--format', '%{file}', 'monospace'], text=True)
     font = ImageFont.truetype(font_file, FONT_SIZE)
-    with Window() as window, Terminal(ROOT, dict(os.environ)) as terminal:
+    with browser.Page() as window, window.resized(WINDOW), Terminal(ROOT, dict(os.environ)) as terminal:
         # A page that is open connects to the next demo at once; a new one takes half the run to draw.
         window.open(start(terminal, f'{COMMAND} --real-time-factor 0'))
         terminal.wait_for_output(STAYS, browser.ANSWER_TIMEOUT)
         stop(terminal)
         start(terminal, COMMAND)
-        window.show_all()
+        window.wait_for_reading('moved_distance', lambda metres: 0.0 < metres < 1.0)
+        window.run(SHOW_ALL)
         frames, due = [], time.monotonic()
         while STAYS not in terminal.text:
             assert terminal.status is None, terminal.output
-            frames.append(framed(printed(terminal), window.picture(), font))
+            frames.append(framed(terminal, window, font))
             due = max(due + PERIOD, time.monotonic())
             time.sleep(max(0.0, due - time.monotonic()))
-        frames.append(framed(printed(terminal), window.picture(), font))
+        frames.append(framed(terminal, window, font))
         stop(terminal)
     return frames
 
@@ -115,12 +88,12 @@ def printed(terminal):
     return [f'$ {COMMAND}', *(re.split('\r', line.rstrip('\r'))[-1] for line in lines)]
 
 
-def framed(lines, page, font):
-    """Return a page with the last lines of the terminal below it."""
+def framed(terminal, window, font):
+    """Return the page with the last lines of the terminal below it."""
     picture = Image.new('RGB', (WIDTH, PAGE_HEIGHT + ROWS * ROW_HEIGHT + 2 * MARGIN), BLACK)
-    picture.paste(page, (0, 0))
+    picture.paste(window.picture(), (0, 0))
     draw = ImageDraw.Draw(picture)
-    for row, line in enumerate([line for line in lines if line][-ROWS:]):
+    for row, line in enumerate([line for line in printed(terminal) if line][-ROWS:]):
         draw.text((MARGIN, PAGE_HEIGHT + MARGIN + row * ROW_HEIGHT), line, WHITE, font)
     return picture
 

@@ -35,7 +35,6 @@ class Terminal:
             env={**env, 'PROMPT_COMMAND': PROMPT_COMMAND},
             stdin=keyboard, stdout=keyboard, stderr=keyboard)
         os.close(keyboard)
-        self.in_shell = False  # whether ./ws shell was typed
         self._bytes = b''
         self._typed, self._line = 0, ''
         self._is_open = True

@@ -37,23 +37,23 @@ class Page:
     One that drew two pages without a graphics card would make them wait for each other.
     """
 
-    def __init__(self, url):
-        """Open it and return once it has the panel."""
+    def __init__(self):
         options = webdriver.ChromeOptions()
         options.binary_location = CHROMIUM
         for switch in SWITCHES:
             options.add_argument(switch)
         self.driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-        with contextlib.ExitStack() as stack:
-            stack.push(self)
-            # A browser that draws on a busy processor answers late, to whatever it is asked.
-            self.driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
-            self.driver.set_page_load_timeout(ANSWER_TIMEOUT)
-            self.driver.set_script_timeout(ANSWER_TIMEOUT)
-            self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DRAW_SELDOM})
-            self.driver.get(url)
-            self._wait_for_readings()
-            stack.pop_all()
+        # A browser that draws on a busy processor answers late, to whatever it is asked.
+        self.driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
+        self.driver.set_page_load_timeout(ANSWER_TIMEOUT)
+        self.driver.set_script_timeout(ANSWER_TIMEOUT)
+        self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DRAW_SELDOM})
+
+    def open(self, url):
+        """Return the page once it has the panel."""
+        self.driver.get(url)
+        self._wait_for_readings()
+        return self
 
     def reload(self):
         """Open it again."""
@@ -66,11 +66,6 @@ class Page:
         self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', metrics)
         yield
         self.driver.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
-
-    def prefer_colours(self, scheme):
-        """Have the browser ask for light or dark colours."""
-        self.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
-            'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
 
     def __enter__(self):
         return self
@@ -117,12 +112,6 @@ class Page:
         return self.run('const box = arguments[0].getBoundingClientRect();'
                         'return [box.left, box.top, box.width, box.height]', self._button(label))
 
-    def panel_box(self):
-        """Return the same of a phone's panel."""
-        return self.run('const panel = document.getElementById("readings").closest("[style*=fixed]");'
-                        'const box = panel.getBoundingClientRect();'
-                        'return [box.left, box.top, box.width, box.height]')
-
     def hold(self, label):
         ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
 
@@ -131,9 +120,6 @@ class Page:
 
     def press_key(self, name):
         ActionChains(self.driver, duration=0).key_down(getattr(Keys, name)).perform()
-
-    def release_key(self, name):
-        ActionChains(self.driver, duration=0).key_up(getattr(Keys, name)).perform()
 
     def let_go(self):
         ActionChains(self.driver).reset_actions()
@@ -146,13 +132,15 @@ class Page:
             'return document.querySelector("[class*=Notification-root]")'),
             'a page without notices')
 
+    def picture(self):
+        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
+
     def scene(self):
         """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
         box = self.run('const box = document.querySelector("canvas").getBoundingClientRect();'
                        'return [box.left, box.top, box.right, box.bottom]'
                        '.map((edge) => edge * devicePixelRatio)')
-        picture = Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
-        return numpy.asarray(picture.crop([round(edge) for edge in box]), dtype=int)
+        return numpy.asarray(self.picture().crop([round(edge) for edge in box]), dtype=int)
 
     def count_pixels(self, more, less):
         """Return how many pixels of the scene have clearly more of one colour (0 to 2) than of another."""

@@ -97,22 +97,6 @@ def open_page(view):
 
 
 @contextlib.contextmanager
-def flooding(page, label):
-    """Hold a button with thousands of messages a second."""
-    ended = threading.Event()
-
-    def flood():
-        while not ended.wait(0.0001):
-            page.hold(label)
-
-    thread = threading.Thread(target=flood)
-    thread.start()
-    yield
-    ended.set()
-    thread.join()
-
-
-@contextlib.contextmanager
 def published(namespace):
     publishers = [rospy.Publisher(f'{namespace}/{robot}/odom', Odometry, queue_size=1, latch=True)
                   for robot in ROBOTS]

@@ -64,6 +64,7 @@ def test_the_whole_path_is_in_view_when_a_page_is_opened_late_and_on_a_click(pag
     with page.resized(size):
         page.reload()
         wait_for_all(page)
+        page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(65, abs=0.1))
         page.follow()
         wait_until(lambda: seen(page)[0] < MARK_PIXELS, TIMEOUT, 'a start that is out of view beside the robot')
         page.click('show all')
@@ -99,7 +100,8 @@ def test_a_map_is_drawn(page):
 
 @pytest.mark.parametrize('scheme', ['light', 'dark'])
 def test_the_page_follows_the_browsers_colours_and_can_be_read(page, scheme):
-    page.prefer_colours(scheme)
+    page.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
+        'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
     wait_until(lambda: page.run(SCHEME) == scheme, TIMEOUT, lambda: f'{scheme} colours, not {page.run(SCHEME)}')
     page.wait_for_text('forward')
     assert page.driver.title == 'TurtleBot 2'

@@ -1,11 +1,13 @@
-"""What the page computes from a robot's poses, scans and parameters."""
+"""What the page computes from a robot's poses, scans, maps and parameters."""
 
 import math
 
 import numpy
 import pytest
 import rospy
+from nav_msgs.msg import OccupancyGrid
 from robot_view.monitor import scan_points
+from robot_view.navigation import HEIGHT, occupied_cells
 from robot_view.path_trace import ORIGIN, PathTrace, Samples
 from robot_view.targets import Targets
 from sensor_msgs.msg import LaserScan
@@ -25,8 +27,8 @@ def follow(trace, poses, start=0.0, ground_truth=None):
             trace.add_ground_truth(stamp, ground_truth[index])
 
 
-def straight(metres, steps=20, scale=1.0):
-    return [PlanarPose(scale * metres * step / steps, 0.0, 0.0) for step in range(steps + 1)]
+def straight(metres):
+    return [PlanarPose(metres * step / 20, 0.0, 0.0) for step in range(21)]
 
 
 def test_samples_cover_the_whole_run_evenly_within_their_limit():
@@ -46,35 +48,20 @@ def test_the_odometry_begins_where_the_robot_is_in_the_world():
     trace = PathTrace()
     path = straight(1.0)
     follow(trace, path, ground_truth=[start.then(pose) for pose in path])
-    assert trace.origin == pytest.approx(start)
+    assert trace.origin == pytest.approx(start) and trace.since is None
     assert trace.true_distance == trace.true_from_start == pytest.approx(1.0)
     assert trace.drift == pytest.approx(ORIGIN, abs=1e-9)
     assert trace.trail.array()[-1] == pytest.approx([5.0, -2.0])
 
 
-def test_what_nobody_saw_is_not_counted():
-    """A recording that begins late says since when; the wheels may have slipped before."""
+def test_slipping_wheels_show_as_drift_and_what_nobody_saw_is_not_counted():
+    """The odometry counts a metre, and the robot goes nine tenths of it; the recording begins late, and says when."""
     trace = PathTrace()
     follow(trace, [PlanarPose(3.0 + pose.x, 0.0, 0.0) for pose in straight(1.0)], start=7.0,
-           ground_truth=straight(0.5))
-    assert trace.true_distance == trace.true_from_start == pytest.approx(0.5)
-    assert trace.since == 7.0
-
-
-def test_slipping_wheels_show_as_drift():
-    """The odometry counts a metre, and the robot goes nine tenths of it."""
-    trace = PathTrace()
-    follow(trace, straight(1.0), ground_truth=straight(1.0, scale=0.9))
+           ground_truth=straight(0.9))
     assert trace.drift == pytest.approx((-0.1, 0.0, 0.0))
-    assert trace.since is None
-    assert trace.true_distance == pytest.approx(0.9)
-
-
-def test_poses_of_different_moments_are_not_compared():
-    trace = PathTrace()
-    follow(trace, straight(1.0), ground_truth=straight(1.0))
-    trace.add_odometry(10.0, PlanarPose(1.2, 0.0, 0.0))
-    assert trace.drift == pytest.approx(ORIGIN)
+    assert trace.true_distance == trace.true_from_start == pytest.approx(0.9)
+    assert trace.since == 7.0
 
 
 @pytest.mark.parametrize('stamp', [0.0, 1.05])
@@ -115,13 +102,9 @@ def test_each_range_is_a_point_seen_from_the_camera(frame):
 
 
 @pytest.mark.parametrize('nothing', [math.inf, -math.inf, math.nan, 0.4, 4.1, -1.0])
-def test_where_nothing_was_seen_there_is_no_point(nothing):
+def test_where_nothing_was_seen_and_of_an_unknown_origin_there_is_no_point(nothing):
     assert scan_points(scan(nothing, 2.0, nothing)) == pytest.approx(
         numpy.array([(2, 0, 0)]) + DEPTH_CAMERA)
-    assert scan_points(scan(nothing, nothing, nothing)).shape == (0, 3)
-
-
-def test_a_scan_of_unknown_origin_has_no_points():
     assert scan_points(scan(1.0, 2.0, 3.0, frame='laser')).shape == (0, 3)
 
 
@@ -131,6 +114,16 @@ def test_every_point_is_finite(field, value):
     message = scan(1.0, math.inf, 3.0)
     setattr(message, field, value)
     assert numpy.isfinite(scan_points(message)).all()
+
+
+def test_a_maps_occupied_cells_are_where_it_has_them():
+    grid = OccupancyGrid(data=[0, 100, -1, 0, 0, 65])
+    grid.info.width, grid.info.height, grid.info.resolution = 3, 2, 0.5
+    grid.info.origin.position.x, grid.info.origin.position.y = -1.0, 2.0
+    assert occupied_cells(grid).tolist() == [[-0.25, 2.25, HEIGHT], [0.25, 2.75, HEIGHT]]
+    grid.data.pop()
+    with pytest.raises(ValueError, match='reshape'):
+        occupied_cells(grid)
 
 
 @pytest.fixture

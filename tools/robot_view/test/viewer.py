@@ -45,7 +45,7 @@ def browsing():
     if not (browser.CHROMIUM and browser.DRIVER):
         pytest.skip('chromium and chromedriver are not installed')
     with contextlib.ExitStack() as stack:
-        yield lambda url: stack.enter_context(browser.Page(url))
+        yield lambda url: stack.enter_context(browser.Page()).open(url)
 
 
 def wait_for_robot(window, accepts=lambda rows, columns: True):

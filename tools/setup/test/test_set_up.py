@@ -87,6 +87,17 @@ def checkout(tmp_path):
     in_checkout(folder, 'find_root; rm "$ROOT"')
 
 
+def replace(file, old, new):
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new))
+
+
+def set_up(checkout, before=''):
+    """Set it up after these lines of bash; return the ended Process."""
+    return in_checkout(checkout, f'{FASTER}{before}set_up true')
+
+
 @contextlib.contextmanager
 def another_set_up(folder):
     with open(folder / '.ws' / 'lock', 'w') as lock:
@@ -106,9 +117,8 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
     assert run.stdout.startswith('hello from pybullet\n'), run.output
     assert f'{tmp_path}/other' not in run.stdout
     with another_set_up(checkout):  # it need not wait: nothing is missing
-        assert in_checkout(checkout, FASTER + 'set_up true').output.strip() == ''
-    manifest = checkout / 'test_movement' / 'package.xml'
-    manifest.write_text(manifest.read_text().replace('1.0.0', '1.0.1'))
+        assert set_up(checkout).output.strip() == ''
+    replace(checkout / 'test_movement' / 'package.xml', '1.0.0', '1.0.1')
     with another_set_up(checkout):
         run = start_in_checkout(checkout, RUN_MINE)
         run.wait_for_output('./ws: another set-up is running; waiting for it')
@@ -122,9 +132,7 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
     student = checkout / '.ws' / 'src' / 'student'
     for name, file, old, new, _ in BAD:
         make_package(student / name, 'pybullet')
-        content = (student / name / file).read_text()
-        assert old in content
-        (student / name / file).write_text(content.replace(old, new))
+        replace(student / name / file, old, new)
     (student / 'uncompiled' / 'x.cpp').write_text('int x() { return 1 }')
     for building in (['./ws: building the packages ...'], []):
         run = in_checkout(checkout, RUN_MINE)
@@ -143,9 +151,8 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
 
 def depend(checkout, *names):
     """Have the package of the user's depend on others."""
-    manifest = checkout / '.ws' / 'src' / 'mine' / 'package.xml'
     depends = ''.join(f'<depend>{name}</depend>' for name in names)
-    manifest.write_text(manifest.read_text().replace('</package>', f'{depends}</package>'))
+    replace(checkout / '.ws' / 'src' / 'mine' / 'package.xml', '</package>', f'{depends}</package>')
 
 
 def test_what_a_package_depends_on_is_installed(checkout):
@@ -181,21 +188,20 @@ def test_apt_may_remove_nothing(checkout):
 
 def test_a_build_is_tried_again_once_something_was_installed(checkout):
     (checkout / '.ws' / 'src' / 'mine' / 'CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
-    assert 'building' in in_checkout(checkout, FASTER + 'set_up true').stderr
-    installed = FASTER + 'DPKG=$CHECKOUT/status\n'
-    assert 'building' not in in_checkout(checkout, installed + 'set_up true').stderr
-    assert 'building' in in_checkout(checkout, installed + 'touch "$DPKG"\nset_up true').stderr
+    assert 'building' in set_up(checkout).stderr
+    installed = 'DPKG=$CHECKOUT/status\n'
+    assert 'building' not in set_up(checkout, installed).stderr
+    assert 'building' in set_up(checkout, installed + 'touch "$DPKG"\n').stderr
 
 
 def test_an_error_is_named_where_it_is(checkout):
     """Not at what only waits for that."""
     mine, user = (checkout / '.ws' / 'src' / name for name in ('mine', 'user'))
     make_package(user, 'pybullet')
-    for file, old, new in [('package.xml', '</package>', '<depend>mine</depend></package>'),
-                           ('CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS mine)')]:
-        (user / file).write_text((user / file).read_text().replace(old, new))
+    replace(user / 'package.xml', '</package>', '<depend>mine</depend></package>')
+    replace(user / 'CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS mine)')
     (mine / 'CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
-    lines = in_checkout(checkout, FASTER + 'set_up true').stderr.splitlines()
+    lines = set_up(checkout).stderr.splitlines()
     assert './ws: mine is not built, or only in part: no SDL' in lines, lines
     assert './ws: user is not built, or only in part: it depends on mine' in lines
 
@@ -230,9 +236,9 @@ def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkou
 def test_a_package_of_ours_that_has_gone_leaves_no_program(checkout):
     """As after an update, which may move it."""
     program = checkout / '.ws' / 'devel' / 'lib' / 'test_movement' / 'test_movement.py'
-    run = in_checkout(checkout, FASTER + 'set_up true')
+    run = set_up(checkout)
     assert run.wait() == 0 and program.exists(), run.output
-    run = in_checkout(checkout, FASTER + 'PACKAGES=(odometry_common)\nrm "$CHECKOUT/.ws/ready"\nset_up true')
+    run = set_up(checkout, 'PACKAGES=(odometry_common)\nrm "$CHECKOUT/.ws/ready"\n')
     assert run.wait() == 0 and not program.exists(), run.output
 
 
@@ -277,7 +283,7 @@ def test_who_cannot_write_the_clone_runs_what_is_built(checkout, read_only):
 
 @pytest.mark.skipif(os.getuid() != 0, reason='only root can give files away')
 def test_what_sudo_has_left_is_named_with_what_mends_it(checkout):
-    in_checkout(checkout, FASTER + 'set_up true')
+    set_up(checkout)
     for folder in '.ws', 'runs':
         (checkout / folder).mkdir(exist_ok=True)
         os.chown(checkout / folder, 65534, 65534)

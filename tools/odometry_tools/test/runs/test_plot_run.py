@@ -103,14 +103,6 @@ def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path
         20, 11, 22]
 
 
-def test_the_picture_names_the_bag_and_what_it_shows(tmp_path):
-    messages = [odometry(x=0.005 * step, stamp=START + PERIOD * step) for step in range(401)]
-    figure = make_figure(read_run(record(tmp_path / 'kitchen.bag', messages)))
-    assert [text.get_text() for text in figure.texts] == ['2.000 m in 40.0 s', f'{tmp_path.name}/kitchen.bag']
-    assert legend_of(figure) == ['odometry', 'start', 'end']
-    assert [axes.get_ylabel() for axes in figure.axes] == ['y (m)', 'distance (m)', 'speed (m/s)']
-
-
 def test_an_empty_twist_is_no_speed_and_an_empty_orientation_no_rotation(tmp_path):
     """Some drivers fill in the position only. "top speed 0" beside a mean speed would be wrong."""
     messages = metre()
@@ -141,8 +133,8 @@ def test_a_drive_with_truth_shows_both_distances_and_how_far_they_are_apart(tmp_
     assert figure.get_suptitle() == '1.000 m by odometry, 0.900 m true, in 10.0 s, target 1 m'
     assert [axes.get_ylabel() for axes in figure.axes] == [
         'y (m)', 'distance (m)', 'off truth (m)', 'speed (m/s)']
-    error = figure.axes[2].lines[0].get_ydata()
-    assert error[[0, 50, 100]] == pytest.approx([0.0, 0.05, 0.1])
+    assert [text.get_text() for text in figure.texts][1:] == [f'{tmp_path.name}/both.bag']
+    assert legend_of(figure) == ['odometry', 'truth', 'start', 'end', 'target']
 
 
 def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
@@ -156,14 +148,6 @@ def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
     drawn, target = figure.axes[0].lines
     assert target.get_ydata()[0] == pytest.approx(drawn.get_ydata()[-1]) == -90
     assert 'target' in legend_of(figure)
-
-
-def test_noise_does_not_look_like_motion(tmp_path):
-    messages = [odometry(x=1e-4 * (step % 2), stamp=START + PERIOD * step) for step in range(101)]
-    figure = make_figure(read_run(record(tmp_path / 'still.bag', messages)))
-    figure.draw_without_rendering()  # which gives the path equal scales
-    path = figure.axes[0]
-    assert numpy.ptp(path.get_xlim()) >= 0.5 and numpy.ptp(path.get_ylim()) >= 0.5
 
 
 @pytest.mark.parametrize('write, lines', [

@@ -8,8 +8,6 @@ import sys
 import pytest
 from odometry_common.parameters import StartError
 from odometry_tests.scripts import ROOT
-from odometry_tools.runs.output import RunError
-from odometry_tools.sweep import session_process
 from odometry_tools.sweep.campaign import Campaign
 from odometry_tools.sweep.subjects import Launched
 from sweeps import SCRIPT, folder_of, rows_in, sweep
@@ -73,7 +71,14 @@ rospy.init_node('tidy')
 assert not rospy.has_param('/left'), 'left'
 rospy.set_param('/left', True)
 '''
-SIMULATOR = '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>'
+FILES = {
+    'package.xml': '<package><name>guest</name></package>', 'node.py': NODE, 'nodes.launch': NODES,
+    'napper.py': NAPPER, 'naps.launch': NAPS, 'tidy.py': TIDY, 'tidy.launch': ONE_NODE.format('tidy', ''),
+    'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
+    'silent.py': '#!{python}\nimport rospy\nrospy.init_node("silent")\nrospy.spin()\n',
+    'silent.launch': ONE_NODE.format('silent', ''), 'plain.launch': ONE_NODE.format('plain', ''),
+    'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
+    'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}
 
 
 @pytest.fixture(autouse=True)
@@ -81,25 +86,10 @@ def packages(tmp_path, monkeypatch):
     """Make a package, and the example under another name: it may be in the workspace, too."""
     folder = tmp_path / 'guest'
     folder.mkdir()
-    (folder / 'package.xml').write_text('<package><name>guest</name></package>')
-    (folder / 'nodes.launch').write_text(NODES)
-    (folder / 'sim.launch').write_text(SIMULATOR)
-    (folder / 'none.launch').write_text('<launch/>')
-    (folder / 'helper.launch').write_text(HELPER)
-    (folder / 'helper.sh').write_text('#!/bin/sh\nexec sleep 3000\n')
-    (folder / 'silent.py').write_text(f'#!{sys.executable}\nimport rospy\nrospy.init_node("silent")\nrospy.spin()\n')
-    (folder / 'silent.launch').write_text(ONE_NODE.format('silent', ''))
-    (folder / 'plain.py').touch()
-    (folder / 'plain.launch').write_text(ONE_NODE.format('plain', ''))
-    (folder / 'elsewhere.launch').write_text(
-        ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'))
-    for program in 'helper.sh', 'silent.py':
-        (folder / program).chmod(0o755)
-    (folder / 'naps.launch').write_text(NAPS)
-    (folder / 'tidy.launch').write_text(ONE_NODE.format('tidy', ''))
-    for name, text in ('node.py', NODE), ('napper.py', NAPPER), ('tidy.py', TIDY):
-        (folder / name).write_text(text.format(python=sys.executable))
+    for name, text in FILES.items():
+        (folder / name).write_text(text.replace('{python}', sys.executable))
         (folder / name).chmod(0o755)
+    (folder / 'plain.py').touch()
     example = shutil.copytree(EXAMPLE, tmp_path / 'example')
     for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
@@ -152,32 +142,6 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
 def test_a_run_leaves_no_parameter_to_the_next_in_its_session():
     printed = sweep('guest', 'tidy.launch', '--until', '0.1', '--seeds', '2', '--jobs', '1', command=SCRIPT).stdout
     assert [row['ended'] for row in rows_in(folder_of(printed))] == ['until', 'until'], printed
-
-
-def test_a_session_that_breaks_is_replaced_once(monkeypatch):
-    class Broken:
-        """A session whose second run fails, and each without a value."""
-
-        made = runs = 0
-
-        def __init__(self):
-            Broken.made += 1
-
-        def run(self, _subject, parameters):
-            self.runs += 1
-            if self.runs > 1 or parameters['x'] is None:
-                raise RunError('broken')
-            return self.runs
-
-        def close(self):
-            pass
-
-    monkeypatch.setattr(session_process, 'SessionProcess', Broken)
-    subject = Launched(['guest', 'nodes.launch'], 1.0)
-    assert [session_process.run_in_session(subject, {'x': 1, 'seed': seed}) for seed in range(3)] == [1, 1, 1]
-    assert Broken.made == 3
-    with pytest.raises(RunError):
-        session_process.run_in_session(subject, {'x': None, 'seed': 0})
 
 
 def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_parameters_name():
