@@ -8,6 +8,7 @@ from odometry_common.parameters import ParameterError
 from std_msgs.msg import Empty
 from std_srvs import srv
 
+from sim_turtlebot.frames import read_pose
 from sim_turtlebot.robot.multiplexer import INPUTS
 from sim_turtlebot.robot.poses import checked_pose
 
@@ -75,12 +76,10 @@ class Inputs:
         self._simulation.robots[robot].reset_odometry()
 
     def _set_pose(self, message, robot):
-        position, orientation = message.pose.position, message.pose.orientation
         topic, refusal = f'~{self._namespaces[robot]}set_pose', ''
         try:
-            self._simulation.robots[robot].set_pose(*checked_pose(
-                message.header.frame_id, (position.x, position.y, position.z),
-                (orientation.x, orientation.y, orientation.z, orientation.w)))
+            pose = checked_pose(message.header.frame_id, *read_pose(message.pose))
+            self._simulation.robots[robot].set_pose(*pose)
             self._pose_is_set = True
         except ValueError as error:
             refusal = f'{topic} refused: {error}'

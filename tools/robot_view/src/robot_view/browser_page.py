@@ -36,8 +36,8 @@ class BrowserPage:
         self._server = start_server(address)
         scene = self._server.scene
         add_world(scene)
-        self._shapes = WorldModel(scene, WORLD)
-        self._navigation = NavigationModel(scene, WORLD)
+        WorldModel(scene, WORLD)
+        NavigationModel(scene, WORLD)
         self._build()
         self._server.on_client_connect(self._on_connect)
         self._server.on_client_disconnect(self._on_disconnect)
@@ -86,50 +86,45 @@ class BrowserPage:
 
     def _move(self):
         """Draw the robots at their current poses, and let the views follow the chosen one."""
-        chosen = []
         with self._server.atomic():
-            for namespace, monitor, model in self._known():
-                with monitor.lock:
-                    model.move(monitor)
-                    if namespace == self.chosen:
-                        chosen.append(monitor.pose[0][:2])
-            for x, y in chosen:
-                for view in list(self._views.values()):
+            for namespace, model in self._known():
+                with model.robot.lock:
+                    model.move()
+                    x, y, _ = model.robot.pose[0]
+                for view in list(self._views.values()) if namespace == self.chosen else ():
                     view.follow(x, y)
 
     def _draw(self):
-        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""
+        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots."""
         self._find_models()
         self._simulation.update()
         self._placing.visible = self._robots.is_simulated
-        self._shapes.draw(self._robots.world)
-        self._navigation.draw()
-        for namespace, monitor, model in self._known():
-            with monitor.lock:
-                model.draw_path(monitor)
+        for namespace, model in self._known():
+            robot = model.robot
+            with robot.lock:
+                model.draw_path()
                 if namespace == self.chosen:
-                    self._readings.show(monitor.readings())
-                    self._plots.draw(monitor.trace.history.array(), monitor.targets.distance)
+                    self._readings.show(robot.readings())
+                    self._plots.draw(robot.trace.history.array(), robot.targets.distance)
 
     def _find_models(self):
         """Show the robots that are recorded, and no others."""
-        namespaces = list(self._robots.monitors)
-        for namespace in self._models.keys() - set(namespaces):
-            self._models.pop(namespace).close()
-        for namespace in namespaces:
+        monitors = self._robots.monitors
+        for namespace, model in list(self._models.items()):
+            if monitors.get(namespace) is not model.robot:
+                self._models.pop(namespace).close()
+        for namespace, monitor in monitors.items():
             if namespace not in self._models:
                 self._models[namespace] = RobotModel(
-                    self._server.scene, namespace.strip('/') or 'robot', len(namespaces) > 1)
-        names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
+                    self._server.scene, monitor, namespace.strip('/') or 'robot', len(monitors) > 1)
+        names = tuple(namespace.strip('/') for namespace in monitors) or ('',)
         if self._choice.options != names:
             self._choice.options = names
         self._choice.visible = len(names) > 1
 
     def _known(self):
-        """Return the namespaces, monitors and models of the robots with odometry."""
-        return [(namespace, monitor, self._models[namespace])
-                for namespace, monitor in self._robots.monitors.items()
-                if monitor.is_known and namespace in self._models]
+        """Return the namespaces and models of the robots with odometry."""
+        return [(namespace, model) for namespace, model in self._models.items() if model.robot.is_known]
 
     def _put(self, *pose):
         if self._models:
