@@ -8,9 +8,9 @@ from sim_turtlebot.physics.description import URDF, WHEEL_JOINTS, read_joints
 class Frames:
     """The transforms from odom to base_footprint, and from each link of the URDF to its children."""
 
-    def __init__(self, robot, namespace):
-        """Read the URDF; the namespace is the prefix of all frames."""
-        self._robot = robot
+    def __init__(self, robot):
+        """Read the URDF; the robot's namespace is the prefix of all frames."""
+        self._robot, namespace = robot, robot.namespace
         self._base = _new_transform(f'{namespace}odom', f'{namespace}base_footprint')
         joints = [(joint, _new_transform(f'{namespace}{joint.parent}', f'{namespace}{joint.child}'))
                   for joint in read_joints(URDF.read_text())]

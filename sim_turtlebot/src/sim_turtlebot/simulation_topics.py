@@ -19,11 +19,8 @@ SLOW_SUBSCRIBER_BUDGET = 2.0  # s of wall time, while time is not paced
 class SimulationTopics:
     """Publishes the state of a Simulation."""
 
-    def __init__(self, simulation, settings, namespaces):
-        """Advertise.
-
-        :param namespaces: of the robots, each '' or one that ends in a slash
-        """
+    def __init__(self, simulation, settings):
+        """Advertise."""
         self._timeline = simulation.timeline
         self._time = rospy.Time()
         self._clock_message = Clock()
@@ -33,9 +30,8 @@ class SimulationTopics:
             wait_for_slow_subscribers(SLOW_SUBSCRIBER_BUDGET)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage)
-        self._robots = [RobotTopics(robot, namespace, settings)
-                        for robot, namespace in zip(simulation.robots, namespaces)]
-        self._frames = [Frames(*robot) for robot in zip(simulation.robots, namespaces)]
+        self._robots = [RobotTopics(robot, settings) for robot in simulation.robots]
+        self._frames = [Frames(robot) for robot in simulation.robots]
         self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
         self._tf_static.publish(TFMessage(
             [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
