@@ -9,7 +9,6 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
-from sim_turtlebot.frames import Frames
 from sim_turtlebot.robot_topics import RobotTopics
 from sim_turtlebot.world_markers import publish_world
 
@@ -31,11 +30,9 @@ class SimulationTopics:
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage)
         self._robots = [RobotTopics(robot, settings) for robot in simulation.robots]
-        self._frames = [Frames(robot) for robot in simulation.robots]
-        self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
-        self._tf_static.publish(TFMessage(
-            [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
-        self._world = publish_world(simulation.world)
+        fixed = [frame for topics in self._robots for frame in topics.frames.fixed(copy(self._stamp()))]
+        rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True).publish(fixed)
+        publish_world(simulation.world)
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
         self._warnings = {}  # texts by cause
         self.warn('', '')
@@ -55,9 +52,10 @@ class SimulationTopics:
         for topics in self._robots:
             topics.publish_scan(stamp, number)
         if self._tf.get_num_connections():
-            transforms = [frames.base(stamp) for frames in self._frames if self._publish_tf]
-            for frames in self._frames:
-                transforms += frames.wheels(stamp)
+            transforms = []
+            for topics in self._robots:
+                transforms += [topics.frames.base(stamp)] if self._publish_tf else []
+                transforms += topics.frames.wheels(stamp)
             self._tf.publish(TFMessage(transforms))
 
     def warn(self, cause, text):

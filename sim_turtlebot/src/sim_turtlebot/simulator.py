@@ -16,7 +16,6 @@ from std_srvs.srv import Trigger
 
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.pacing import Pacer
-from sim_turtlebot.physics.world import NoScreenError
 from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.reports import Reports
 from sim_turtlebot.requests import RequestQueue
@@ -35,8 +34,6 @@ def simulate():
     settings = read_settings()
     try:
         simulation = Simulation(settings)
-    except NoScreenError as error:
-        raise ParameterError('~gui', True, f'false: {error}') from None
     except WorldFileError as error:
         raise ParameterError('~world', settings.world, error) from None
     Simulator(simulation, settings).run()

@@ -32,6 +32,7 @@ class RobotMonitor:
     """
 
     def __init__(self, namespace):
+        self.namespace, self.name = namespace, namespace.strip('/')
         self.lock = threading.Lock()
         self.trace = PathTrace()
         self.wheels = {}  # angles (rad) by joint

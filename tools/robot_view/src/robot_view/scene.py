@@ -41,14 +41,13 @@ def add_world(scene):
 class RobotModel:
     """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
-    def __init__(self, scene, robot, name, labelled):
+    def __init__(self, scene, robot, labelled):
         """Add the model of a RobotMonitor to viser's scene.
 
-        :param name: of the scene node, without slashes
-        :param labelled: whether to show the name beside the robot
+        :param labelled: whether to show its name beside the robot
         """
-        self.robot = robot
-        self._scene = scene
+        self._robot, self._scene = robot, scene
+        name = robot.name or 'robot'
         self._root = f'{WORLD}/robots/{name}'
         self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
@@ -77,7 +76,7 @@ class RobotModel:
 
     def move(self):
         """Draw the robot at its pose, and its marks."""
-        robot = self.robot
+        robot = self._robot
         _place(self._body, *robot.pose)
         _place(self._odometry, *_on_floor(robot.trace.origin))
         goal, drift = robot.targets.goal, robot.trace.drift
@@ -95,7 +94,7 @@ class RobotModel:
 
     def draw_path(self):
         """Draw the trail and the latest scan."""
-        robot = self.robot
+        robot = self._robot
         points = robot.trace.trail.array()
         if len(points) < 2:
             points = numpy.zeros((2, 2))
