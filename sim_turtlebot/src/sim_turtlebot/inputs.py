@@ -25,11 +25,9 @@ class Inputs:
         self._simulation, self._requests, self._warn = simulation, requests, warn
         self.obeys = True  # lockstep ignores commands before time zero
         self._pose_is_set = False
-        topics = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
-                  **{name: name for name in INPUTS}}
         for robot in simulation.robots:
-            for topic, mux_input in topics.items():
-                self._subscribe(f'{robot.namespace}{topic}', Twist, self._command, robot, mux_input)
+            for topic in ('cmd_vel', 'mobile_base/commands/velocity', *INPUTS):
+                self._subscribe(f'{robot.namespace}{topic}', Twist, self._command, robot, topic)
             self._subscribe(f'{robot.namespace}mobile_base/commands/reset_odometry', Empty,
                             lambda _, robot: robot.reset_odometry(), robot)
             self._subscribe(f'~{robot.namespace}set_pose', PoseStamped, self._set_pose, robot)
@@ -60,13 +58,13 @@ class Inputs:
             raise rospy.ServiceException(error) from None
         return fields or []
 
-    def _command(self, twist, robot, mux_input):
+    def _command(self, twist, robot, topic):
         if not self.obeys:
             # Whether a command arrives so early depends on connection timing.
             rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
             return
         try:
-            self._simulation.command(twist.linear.x, twist.angular.z, robot.index, mux_input)
+            self._simulation.command(twist.linear.x, twist.angular.z, robot.index, topic)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
 

@@ -33,9 +33,9 @@ class Simulation:
         """Whether nothing moves before the next command."""
         return self.world.only_robots_move and all(robot.resting for robot in self.robots)
 
-    def command(self, linear, angular, robot=0, mux_input=None):
+    def command(self, linear, angular, robot=0, topic=None):
         """Command a robot (an index) now, as Robot.command() does."""
-        self.robots[robot].command(linear, angular, self.timeline.steps, mux_input)
+        self.robots[robot].command(linear, angular, self.timeline.steps, topic)
 
     def advance(self, last_step=math.inf):
         """Step to the next tick of the clock, but not past `last_step`.

@@ -25,8 +25,10 @@ class VelocityMux:
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):
-        """Return whether a command from an input reaches the base in this step."""
-        priority = INPUTS[name]
+        """Return whether a command reaches the base in this step: on an input, or straight on another topic."""
+        priority = INPUTS.get(name)
+        if priority is None:
+            return True
         if now < self._end and priority < self._priority:
             return False
         self._priority, self._end = priority, now + self._timeout

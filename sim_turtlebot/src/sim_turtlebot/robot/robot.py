@@ -63,13 +63,13 @@ class Robot:
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         return self._anchor[1] if self._anchor else self.body.wheels()
 
-    def command(self, linear, angular, now, mux_input=None):
+    def command(self, linear, angular, now, topic=None):
         """Move at `linear` m/s and `angular` rad/s, within the limits of the base.
 
-        :param mux_input: of the multiplexer, which may block the command; None: straight to the base
+        :param topic: on which the command has come; the multiplexer may block it
         :raises ValueError: if one of them is not finite; the robot then stops
         """
-        if mux_input and not self._mux.passes(mux_input, now):
+        if not self._mux.passes(topic, now):
             return
         if not (math.isfinite(linear) and math.isfinite(angular)):
             self.stop()
