@@ -1,7 +1,5 @@
 """The topics that a simulation publishes: the clock, transforms, world, a warning, its robots'."""
 
-from copy import copy
-
 import rospy
 from odometry_common.publishing import advertise
 from odometry_common.transport import wait_for_slow_subscribers
@@ -21,8 +19,6 @@ class SimulationTopics:
     def __init__(self, simulation, settings):
         """Advertise."""
         self._timeline = simulation.timeline
-        self._time = rospy.Time()
-        self._clock_message = Clock()
         self._use_sim_time = settings.use_sim_time
         self._publish_tf = settings.publish_tf
         if settings.real_time_factor == 0 or settings.lockstep:
@@ -30,7 +26,7 @@ class SimulationTopics:
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage)
         self._robots = [RobotTopics(robot, settings) for robot in simulation.robots]
-        fixed = [frame for topics in self._robots for frame in topics.frames.fixed(copy(self._stamp()))]
+        fixed = [frame for topics in self._robots for frame in topics.frames.fixed(self._stamp())]
         rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True).publish(fixed)
         publish_world(simulation.world)
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
@@ -40,8 +36,7 @@ class SimulationTopics:
     def publish_clock(self):
         """Publish the simulated time, if /use_sim_time is true."""
         if self._clock:
-            self._clock_message.clock = self._stamp()
-            self._clock.publish(self._clock_message)
+            self._clock.publish(self._stamp())
 
     def publish_robots(self):
         """Publish the robots' states, their scans and the transforms."""
@@ -66,8 +61,5 @@ class SimulationTopics:
         self._warning.publish('; '.join(self._warnings.values()))
 
     def _stamp(self):
-        """Return the time of all messages; in simulated time always the same object."""
-        if not self._use_sim_time:
-            return rospy.Time.now()
-        self._time.secs, self._time.nsecs = divmod(self._timeline.now, 10**9)
-        return self._time
+        """Return the time of all messages."""
+        return rospy.Time(*divmod(self._timeline.now, 10**9)) if self._use_sim_time else rospy.Time.now()
