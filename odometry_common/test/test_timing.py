@@ -7,7 +7,7 @@ from odometry_common.timing import RestDetector, Watchdog
 
 from odometry_common import timing
 
-BAND, DURATION = 0.001, 0.5
+BAND = 0.001
 START, HOUR = 100.0, 3600.0  # s
 
 
@@ -49,5 +49,5 @@ def test_silence_lasts_for_the_timeout_and_a_while_of_wall_time(wall, timeout, s
     ([(1000, 0), (5, 0), (5.4, 0), (5.5, 0)], [3])])  # time goes back
 def test_a_value_is_at_rest_once_it_has_stayed_for_the_duration(rows, rests):
     """Rows of time and value; the numbers of those at which it is at rest."""
-    detector = RestDetector(BAND, DURATION)
+    detector = RestDetector(BAND)
     assert [number for number, row in enumerate(rows) if detector.at_rest(*row)] == rests

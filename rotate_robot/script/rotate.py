@@ -35,7 +35,6 @@ from odometry_common.velocity import VelocityPublisher
 from std_msgs.msg import Float64
 
 REST_BAND = math.radians(0.1)
-REST_DURATION = 0.5  # s
 
 
 class RotateRobot:
@@ -47,7 +46,7 @@ class RotateRobot:
         self._hertz = parameters.rate
         self._tolerance = math.radians(parameters.tolerance)
         self._watchdog = Watchdog(parameters.timeout)
-        self._rest = RestDetector(REST_BAND, REST_DURATION)
+        self._rest = RestDetector(REST_BAND)
         self._yaw = None
         self._velocity = VelocityPublisher('cmd_vel')
         self._odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')

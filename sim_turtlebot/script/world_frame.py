@@ -17,7 +17,7 @@ from nav_msgs.msg import Odometry
 from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
-from sim_turtlebot.frames import fill_pose
+from sim_turtlebot.frames import fill_pose, read_pose
 from sim_turtlebot.geometry import compose, inverse, rotate
 from tf2_msgs.msg import TFMessage
 
@@ -39,7 +39,8 @@ class WorldFrame:
     def _on_ground_truth(self, ground_truth):
         if self._odometry is None:
             return
-        (place, orientation), (travelled, turned) = _pose(ground_truth), _pose(self._odometry)
+        place, orientation = read_pose(ground_truth.pose.pose)
+        travelled, turned = read_pose(self._odometry.pose.pose)
         rotation = compose(orientation, inverse(turned))
         origin = [there - way for there, way in zip(place, rotate(rotation, travelled))]
         frame = TransformStamped(header=ground_truth.header, child_frame_id=self._odometry.header.frame_id)
@@ -48,11 +49,6 @@ class WorldFrame:
 
     def _on_initial_pose(self, message):
         self._set_pose.publish(PoseStamped(message.header, message.pose.pose))
-
-
-def _pose(message):
-    position, turn = message.pose.pose.position, message.pose.pose.orientation
-    return (position.x, position.y, position.z), (turn.x, turn.y, turn.z, turn.w)
 
 
 def main():

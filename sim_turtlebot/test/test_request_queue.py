@@ -64,13 +64,18 @@ def test_what_arrives_meanwhile_is_served_next_time(requests):
     assert requests.wait(0.0)
 
 
-def test_what_is_held_is_served_afterwards(requests):
+def test_while_a_call_is_served_messages_are_and_other_calls_wait(requests):
     served = []
-    run(requests.call, '/a', '/step', lambda: served.append('step'))
-    assert requests.wait(PATIENCE)
-    requests.put('/b', '/cmd_vel', lambda: served.append('command'))
-    with requests.holding('/step'):
+
+    def step():
+        run(requests.call, '/b', '/reset', lambda: served.append('reset'))
+        assert requests.wait(PATIENCE)
+        requests.put('/b', '/cmd_vel', lambda: served.append('command'))
         requests.serve_all()
-        assert served == ['command']
+        served.append('step')
+
+    run(requests.call, '/a', '/step', step)
+    assert requests.wait(PATIENCE)
     requests.serve_all()
-    assert served == ['command', 'step']
+    requests.serve_all()
+    assert served == ['command', 'step', 'reset']

@@ -57,7 +57,7 @@ def test_a_standing_robot_that_is_pushed_is_moved_and_knows_it():
 @given(st.lists(st.tuples(st.sampled_from([TELEOP, NAVI]), pauses), max_size=50))
 def test_teleop_is_always_obeyed_and_navi_when_teleop_is_silent(commands):
     """Against the rule itself, for the two inputs of a TurtleBot 2."""
-    mux, now, teleop = VelocityMux(), 0, -SECOND
+    mux, now, teleop = VelocityMux(SECOND), 0, -SECOND
     for name, pause in commands:
         now += pause
         assert mux.passes(name, now) == (name == TELEOP or now - teleop >= SECOND)

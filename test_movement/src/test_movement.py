@@ -31,7 +31,6 @@ from straight_drive.drive import PARAMETERS, Drive
 
 SILENCE_PERIOD = 0.1  # s of wall time between two checks for silence
 REST_BAND = 0.001  # m
-REST_DURATION = 0.5  # s
 
 
 class TestMovement:
@@ -42,7 +41,7 @@ class TestMovement:
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done
         self._watchdog = Watchdog(parameters.timeout)
-        self._rest = RestDetector(REST_BAND, REST_DURATION)
+        self._rest = RestDetector(REST_BAND)
         self._speed = None  # of the last command
         self._velocity = VelocityPublisher('cmd_vel')
         Subscriber('moved_distance', Float64, self._on_moved_distance)

@@ -47,10 +47,9 @@ def walk(top):
 def find_packages():
     """Yield the folders of packages in .ws/src."""
     for folder, folders, files in walk(WORKSPACE / 'src'):
-        is_package = 'package.xml' in files
         if IGNORED.intersection([*folders, *files]):
             folders.clear()
-        elif is_package:
+        elif 'package.xml' in files:
             folders.clear()
             yield folder
 

@@ -120,11 +120,10 @@ class Parameters:
         """The part of --help that describes them; '' if there are none."""
         return '\n'.join(['Parameters:', *map(_help_of, self.rows)]) if self.rows else ''
 
-    def read(self, source=None, **defaults):
+    def read(self, source=None):
         """Return a namespace with all values, by their names without ~.
 
         :param source: dictionary of given values by these names; None: the ROS parameter server
-        :param defaults: replace defaults of the table
         :raises ParameterError: for the first value that the node cannot use
         """
         values = SimpleNamespace()
@@ -132,9 +131,7 @@ class Parameters:
         for row in self.rows:
             name = row.name.lstrip('~/')
             given = source.get(name, UNSET)
-            value = (defaults.get(name, row.default) if given is UNSET
-                     else row.check(given, values))
-            setattr(values, name, value)
+            setattr(values, name, row.default if given is UNSET else row.check(given, values))
         return values
 
 

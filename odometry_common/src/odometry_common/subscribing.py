@@ -26,8 +26,7 @@ class Subscriber:
         """
         self._name, self._type = rospy.resolve_name(topic), message_class._type
         self._callback, self._what = callback, what or topic
-        self._has_message = False
-        self._woken = threading.Event()
+        self._woken = threading.Event()  # by a message, or at shutdown
         rospy.on_shutdown(self._woken.set)
         rospy.Subscriber(topic, message_class, self._on_message, queue_size=queue_size,
                          tcp_nodelay=True)
@@ -35,14 +34,14 @@ class Subscriber:
     def wait(self):
         """Wait for the first message, or shutdown; log once a second what is missing.
 
-        :return: whether a message has arrived
+        :return: whether a message has arrived, and the node goes on
         """
         while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
             topics = ask(rosgraph.get_master_uri(), 'getPublishedTopics', '') or ()
             other = dict(topics).get(self._name)
             rospy.loginfo(f'waiting for {self._what} on {self._name}' if other in (None, self._type) else
                           f'waiting for {self._what}: {self._name} has the type {other}, not {self._type}')
-        return self._has_message
+        return not rospy.core.is_shutdown_requested()
 
     def _on_message(self, message):
         try:
@@ -53,5 +52,4 @@ class Subscriber:
         except OSError as error:  # the output
             end_node(error)
         else:
-            self._has_message = True
             self._woken.set()

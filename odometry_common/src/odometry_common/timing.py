@@ -5,6 +5,7 @@ import time
 from collections import deque
 
 WALL_SILENCE = 0.2  # s
+REST_DURATION = 0.5  # s
 JUMPS, JUMP_MEMORY = 2, 10.0  # so often time has gone back in so many s of wall time, as with two clocks
 
 
@@ -53,10 +54,9 @@ class Watchdog:
 class RestDetector:
     """Notices when a measured value stops changing."""
 
-    def __init__(self, band, duration):
-        """At rest, the value stays within `band` for `duration` seconds."""
+    def __init__(self, band):
+        """At rest, the value stays within `band` for REST_DURATION."""
         self._band = band
-        self._duration = duration
         self.reset()
 
     def reset(self):
@@ -69,4 +69,4 @@ class RestDetector:
         moved = self._value is None or abs(value - self._value) > self._band
         if moved or now < self._since:
             self._value, self._since = value, now
-        return now - self._since >= self._duration
+        return now - self._since >= REST_DURATION

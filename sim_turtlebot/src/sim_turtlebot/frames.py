@@ -8,41 +8,41 @@ from sim_turtlebot.physics.description import URDF, WHEEL_JOINTS, read_joints
 class Frames:
     """The transforms from odom to base_footprint, and from each link of the URDF to its children."""
 
-    def __init__(self, robot, namespace):
-        """Read the URDF; the namespace is the prefix of all frames."""
-        self._robot = robot
+    def __init__(self, robot):
+        """Read the URDF; the robot's namespace is the prefix of all frames."""
+        self._robot, namespace = robot, robot.namespace
         self._base = _new_transform(f'{namespace}odom', f'{namespace}base_footprint')
-        self._fixed, self._wheels = [], {}
-        for joint in read_joints(URDF.read_text()):
-            transform = _new_transform(f'{namespace}{joint.parent}', f'{namespace}{joint.child}')
-            fill_pose(transform.transform.translation, transform.transform.rotation,
-                      joint.position, joint.rotation)
-            if joint.axis:
-                self._wheels[joint.name] = joint, transform
-            else:
-                self._fixed.append(transform)
+        joints = [(joint, _new_transform(f'{namespace}{joint.parent}', f'{namespace}{joint.child}'))
+                  for joint in read_joints(URDF.read_text())]
+        self._fixed = [pair for pair in joints if not pair[0].axis]
+        self._wheels = [pair for pair in joints if pair[0].axis]
 
     def fixed(self, stamp):
         """Return the transforms that never change."""
-        for transform in self._fixed:
-            transform.header.stamp = stamp
-        return self._fixed
+        return [_filled(transform, stamp, joint.position, joint.rotation) for joint, transform in self._fixed]
 
     def base(self, stamp):
         """Return the transform from odom to base_footprint."""
-        self._base.header.stamp = stamp
-        odometry, transform = self._robot.odometry, self._base.transform
-        fill_pose(transform.translation, transform.rotation, *odometry[:2])
-        return self._base
+        return _filled(self._base, stamp, *self._robot.odometry[:2])
 
     def wheels(self, stamp):
         """Return the transforms from base_link to the wheels."""
         angles = dict(zip(WHEEL_JOINTS, self._robot.wheels[0]))
-        for name, (joint, transform) in self._wheels.items():
-            transform.header.stamp = stamp
-            fill_pose(transform.transform.translation, transform.transform.rotation,
-                      joint.position, joint.rotation_at(angles[name]))
-        return [transform for _, transform in self._wheels.values()]
+        return [_filled(transform, stamp, joint.position, joint.rotation_at(angles[joint.name]))
+                for joint, transform in self._wheels]
+
+
+def _filled(transform, stamp, position, orientation):
+    """Return a TransformStamped, filled with a rospy.Time, a position and a quaternion (x, y, z, w)."""
+    transform.header.stamp = stamp
+    fill_pose(transform.transform.translation, transform.transform.rotation, position, orientation)
+    return transform
+
+
+def read_pose(pose):
+    """Return the position (x, y, z; m) and the quaternion (x, y, z, w) of a geometry_msgs/Pose."""
+    position, turn = pose.position, pose.orientation
+    return (position.x, position.y, position.z), (turn.x, turn.y, turn.z, turn.w)
 
 
 def fill_pose(to_position, to_orientation, position, orientation):

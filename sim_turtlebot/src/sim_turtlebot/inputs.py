@@ -8,6 +8,7 @@ from odometry_common.parameters import ParameterError
 from std_msgs.msg import Empty
 from std_srvs import srv
 
+from sim_turtlebot.frames import read_pose
 from sim_turtlebot.robot.multiplexer import INPUTS
 from sim_turtlebot.robot.poses import checked_pose
 
@@ -15,25 +16,21 @@ from sim_turtlebot.robot.poses import checked_pose
 class Inputs:
     """Turns messages and calls into requests for robots."""
 
-    def __init__(self, simulation, namespaces, requests, warn):
+    def __init__(self, simulation, requests, warn):
         """Subscribe.
 
-        :param namespaces: of the robots, each '' or one that ends in a slash
         :param requests: sim_turtlebot.requests.RequestQueue
         :param warn: called with a topic and why a pose on it is refused, or '' if it is accepted
         """
-        self._simulation, self._namespaces = simulation, namespaces
-        self._requests, self._warn = requests, warn
+        self._simulation, self._requests, self._warn = simulation, requests, warn
         self.obeys = True  # lockstep ignores commands before time zero
         self._pose_is_set = False
-        topics = {'cmd_vel': None, 'mobile_base/commands/velocity': None,
-                  **{name: name for name in INPUTS}}
-        for robot, namespace in enumerate(namespaces):
-            for topic, mux_input in topics.items():
-                self._subscribe(f'{namespace}{topic}', Twist, self._command, robot, mux_input)
-            self._subscribe(f'{namespace}mobile_base/commands/reset_odometry', Empty,
-                            self._reset_odometry, robot)
-            self._subscribe(f'~{namespace}set_pose', PoseStamped, self._set_pose, robot)
+        for robot in simulation.robots:
+            for topic in ('cmd_vel', 'mobile_base/commands/velocity', *INPUTS):
+                self._subscribe(f'{robot.namespace}{topic}', Twist, self._command, robot, topic)
+            self._subscribe(f'{robot.namespace}mobile_base/commands/reset_odometry', Empty,
+                            lambda _, robot: robot.reset_odometry(), robot)
+            self._subscribe(f'~{robot.namespace}set_pose', PoseStamped, self._set_pose, robot)
 
     def serve(self, name, action, kind=srv.Empty, prepare=tuple):
         """Offer a service: the main thread calls `action`, which returns the response's fields.
@@ -41,7 +38,7 @@ class Inputs:
         :param prepare: returns the arguments of the action; called on rospy's thread, since it may ask the
             master
         """
-        rospy.Service(name, kind, partial(self._answer, action, kind, prepare))
+        rospy.Service(name, kind, partial(self._answer, action, prepare))
 
     def poses_are_set(self):
         """Return whether a robot has been placed since the last call."""
@@ -54,33 +51,27 @@ class Inputs:
         rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
             *_sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
 
-    def _answer(self, action, kind, prepare, request):
+    def _answer(self, action, prepare, request):
         try:
             fields = self._requests.call(*_sender_of(request), partial(action, *prepare()))
         except (OSError, ParameterError) as error:
             raise rospy.ServiceException(error) from None
-        return kind._response_class(*fields or ())
+        return fields or []
 
-    def _command(self, twist, robot, mux_input):
+    def _command(self, twist, robot, topic):
         if not self.obeys:
             # Whether a command arrives so early depends on connection timing.
             rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
             return
         try:
-            self._simulation.command(twist.linear.x, twist.angular.z, robot, mux_input)
+            self._simulation.command(twist.linear.x, twist.angular.z, robot.index, topic)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
 
-    def _reset_odometry(self, _message, robot):
-        self._simulation.robots[robot].reset_odometry()
-
     def _set_pose(self, message, robot):
-        position, orientation = message.pose.position, message.pose.orientation
-        topic, refusal = f'~{self._namespaces[robot]}set_pose', ''
+        topic, refusal = f'~{robot.namespace}set_pose', ''
         try:
-            self._simulation.robots[robot].set_pose(*checked_pose(
-                message.header.frame_id, (position.x, position.y, position.z),
-                (orientation.x, orientation.y, orientation.z, orientation.w)))
+            robot.set_pose(*checked_pose(message.header.frame_id, *read_pose(message.pose)))
             self._pose_is_set = True
         except ValueError as error:
             refusal = f'{topic} refused: {error}'

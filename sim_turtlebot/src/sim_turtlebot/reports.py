@@ -10,14 +10,13 @@ TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 class Reports:
     """Reports robots that have fallen or that their watchdogs have stopped, and a simulation that is too slow."""
 
-    def __init__(self, robots, namespaces, settings, warn):
-        """Take the robots, all upright, with their namespaces.
+    def __init__(self, robots, settings, warn):
+        """Take the robots, all upright.
 
         :param warn: called with a cause and a warning, or '' if that is over
         """
-        self._robots = list(zip(robots, namespaces))
-        self._settings, self._warn = settings, warn
-        self._fallen = set()  # namespaces
+        self._robots, self._settings, self._warn = robots, settings, warn
+        self._fallen = set()  # robots
 
     def pace(self, reached):
         """Report that the simulation only reaches a real-time factor; None: it has caught up."""
@@ -31,20 +30,20 @@ class Reports:
 
     def robots(self):
         """Report what has happened to the robots since the last call."""
-        for robot, namespace in self._robots:
+        for robot in self._robots:
             if robot.timed_out:  # a Kobuki's driver logs that, too
                 robot.timed_out = False
                 rospy.logwarn_throttle(TIMEOUT_LINE_PERIOD, (
-                    f'the base stops: no command on {rospy.resolve_name(namespace + "cmd_vel")} for '
+                    f'the base stops: no command on {rospy.resolve_name(robot.namespace + "cmd_vel")} for '
                     f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)'))
-            if is_upright(robot.ground_truth.orientation) == (namespace in self._fallen):
-                self._fallen ^= {namespace}
-                self._report_fall(robot, namespace)
+            if is_upright(robot.ground_truth.orientation) == (robot in self._fallen):
+                self._fallen ^= {robot}
+                self._report_fall(robot)
 
-    def _report_fall(self, robot, namespace):
+    def _report_fall(self, robot):
         """Warn of a robot that has tipped over, or withdraw that."""
-        name, warning = namespace.strip('/') or 'the robot', ''
-        if namespace in self._fallen:
+        name, warning = robot.namespace.strip('/') or 'the robot', ''
+        if robot in self._fallen:
             # Adding zero turns -0.0 into 0.0.
             x, y = (round(metres, 2) + 0.0 for metres in robot.ground_truth.position[:2])
             warning = f'{name} lies on its side at x {x:g}, y {y:g}; ~reset_simulation brings it back'

@@ -1,6 +1,5 @@
 """Requests from rospy's threads; the main thread serves them, since only it may touch the robots."""
 
-import contextlib
 import threading
 from concurrent import futures
 from typing import Any, NamedTuple
@@ -34,7 +33,7 @@ class RequestQueue:
         self._changed = threading.Condition()
         self._messages = {}  # functions by node and topic
         self._calls = []
-        self._held = ()  # names of services that are not served now
+        self._is_serving_calls = False
 
     @property
     def nodes(self):
@@ -65,15 +64,6 @@ class RequestQueue:
                                f'not finished {bound}; it will still take effect')
         return answer.result()
 
-    @contextlib.contextmanager
-    def holding(self, *services):
-        """Meanwhile do not serve calls of these services."""
-        self._held = services
-        try:
-            yield
-        finally:
-            self._held = ()
-
     def wait(self, timeout):
         """Wait (s of wall time) for a request; return whether there is one."""
         with self._changed:
@@ -82,16 +72,23 @@ class RequestQueue:
     def serve_all(self, by_name=False):
         """Serve the waiting messages, then the waiting calls, each in order of arrival.
 
+        While it serves a call, this serves messages only.
+
         :param by_name: in order of the names of their nodes, topics and services instead
         :return: whether a call was among them
         """
         with self._changed:
             messages, self._messages = self._messages, {}
-            calls = [call for call in self._calls if call.service not in self._held]
-            self._calls = [call for call in self._calls if call.service in self._held]
+            calls = []
+            if not self._is_serving_calls:
+                calls, self._calls = self._calls, calls
         if by_name:
             calls.sort(key=lambda call: (call.node, call.service))
         for sender in sorted(messages) if by_name else messages:
             messages[sender]()
+        if not calls:
+            return False
+        self._is_serving_calls = True
         answered = [call.serve() for call in calls]
+        self._is_serving_calls = False
         return any(answered)

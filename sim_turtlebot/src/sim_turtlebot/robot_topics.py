@@ -7,7 +7,7 @@ from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu, JointState, LaserScan
 
-from sim_turtlebot.frames import fill_pose
+from sim_turtlebot.frames import Frames, fill_pose
 from sim_turtlebot.geometry import about_z
 from sim_turtlebot.kobuki import DEPTH_CAMERA_FRAME
 from sim_turtlebot.physics.description import WHEEL_JOINTS
@@ -53,14 +53,14 @@ class Topic:
 class RobotTopics:
     """Publishes the state of a Robot; skips topics without subscribers."""
 
-    def __init__(self, robot, namespace, settings):
+    def __init__(self, robot, settings):
         """Advertise.
 
-        :param robot: sim_turtlebot.robot.robot.Robot
-        :param namespace: '' or one that ends in a slash; topics and frames begin with it
+        :param robot: sim_turtlebot.robot.robot.Robot; topics and frames begin with its namespace
         :param settings: of sim_turtlebot.settings.read_settings()
         """
-        self._robot = robot
+        self._robot, namespace = robot, robot.namespace
+        self.frames = Frames(robot)
         base = f'{namespace}base_footprint'
         self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom', child_frame_id=base)
         self._odometry.message.pose.covariance[::7] = robot.covariance

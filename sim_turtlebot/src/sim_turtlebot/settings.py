@@ -1,6 +1,7 @@
 """The simulator's parameters."""
 
 import math
+import os
 
 from odometry_common.parameters import (
     ANY,
@@ -116,6 +117,8 @@ def read_settings(source=None):
     :param source: as for Parameters.read()
     """
     settings = PARAMETERS.read(source)
+    if settings.gui and not os.environ.get('DISPLAY'):  # PyBullet would end the process
+        raise ParameterError('~gui', True, 'false: no display; set DISPLAY')
     settings.use_sim_time = USE_SIM_TIME.read(source).use_sim_time
     _check_wall_time(settings)
     settings.scan_rate = min(settings.scan_rate, settings.odom_rate)

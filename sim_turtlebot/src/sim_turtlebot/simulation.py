@@ -3,7 +3,6 @@
 import math
 
 from sim_turtlebot.physics.world import World
-from sim_turtlebot.robot.multiplexer import VelocityMux
 from sim_turtlebot.robot.robot import Robot
 from sim_turtlebot.timeline import Timeline
 
@@ -28,21 +27,15 @@ class Simulation:
         self.world = build_world(step_rate, starts, settings.gui, settings.world)
         self.robots = [Robot(body, step_rate, settings, index)
                        for index, body in enumerate(self.world.robots)]
-        self._muxes = [VelocityMux() for _ in self.robots]
 
     @property
     def everything_rests(self):
         """Whether nothing moves before the next command."""
         return self.world.only_robots_move and all(robot.resting for robot in self.robots)
 
-    def command(self, linear, angular, robot=0, mux_input=None):
-        """Command a robot (an index), as Robot.command() does.
-
-        :param mux_input: the input of its multiplexer that the command comes through; None: it
-            goes to the base directly
-        """
-        if mux_input is None or self._muxes[robot].passes(mux_input, self.timeline.now):
-            self.robots[robot].command(linear, angular, self.timeline.steps)
+    def command(self, linear, angular, robot=0, topic=None):
+        """Command a robot (an index) now, as Robot.command() does."""
+        self.robots[robot].command(linear, angular, self.timeline.steps, topic)
 
     def advance(self, last_step=math.inf):
         """Step to the next tick of the clock, but not past `last_step`.
@@ -77,4 +70,3 @@ class Simulation:
         self.world.rebuild()
         for robot in self.robots:
             robot.begin(seed)
-        self._muxes = [VelocityMux() for _ in self.robots]

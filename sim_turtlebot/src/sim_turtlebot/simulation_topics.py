@@ -1,7 +1,5 @@
 """The topics that a simulation publishes: the clock, transforms, world, a warning, its robots'."""
 
-from copy import copy
-
 import rospy
 from odometry_common.publishing import advertise
 from odometry_common.transport import wait_for_slow_subscribers
@@ -9,7 +7,6 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
-from sim_turtlebot.frames import Frames
 from sim_turtlebot.robot_topics import RobotTopics
 from sim_turtlebot.world_markers import publish_world
 
@@ -19,27 +16,19 @@ SLOW_SUBSCRIBER_BUDGET = 2.0  # s of wall time, while time is not paced
 class SimulationTopics:
     """Publishes the state of a Simulation."""
 
-    def __init__(self, simulation, settings, namespaces):
-        """Advertise.
-
-        :param namespaces: of the robots, each '' or one that ends in a slash
-        """
+    def __init__(self, simulation, settings):
+        """Advertise."""
         self._timeline = simulation.timeline
-        self._time = rospy.Time()
-        self._clock_message = Clock()
         self._use_sim_time = settings.use_sim_time
         self._publish_tf = settings.publish_tf
         if settings.real_time_factor == 0 or settings.lockstep:
             wait_for_slow_subscribers(SLOW_SUBSCRIBER_BUDGET)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
         self._tf = advertise('/tf', TFMessage)
-        self._robots = [RobotTopics(robot, namespace, settings)
-                        for robot, namespace in zip(simulation.robots, namespaces)]
-        self._frames = [Frames(*robot) for robot in zip(simulation.robots, namespaces)]
-        self._tf_static = rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True)
-        self._tf_static.publish(TFMessage(
-            [frame for frames in self._frames for frame in frames.fixed(copy(self._stamp()))]))
-        self._world = publish_world(simulation.world)
+        self._robots = [RobotTopics(robot, settings) for robot in simulation.robots]
+        fixed = [frame for topics in self._robots for frame in topics.frames.fixed(self._stamp())]
+        rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True).publish(fixed)
+        publish_world(simulation.world)
         self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
         self._warnings = {}  # texts by cause
         self.warn('', '')
@@ -47,8 +36,7 @@ class SimulationTopics:
     def publish_clock(self):
         """Publish the simulated time, if /use_sim_time is true."""
         if self._clock:
-            self._clock_message.clock = self._stamp()
-            self._clock.publish(self._clock_message)
+            self._clock.publish(self._stamp())
 
     def publish_robots(self):
         """Publish the robots' states, their scans and the transforms."""
@@ -59,9 +47,10 @@ class SimulationTopics:
         for topics in self._robots:
             topics.publish_scan(stamp, number)
         if self._tf.get_num_connections():
-            transforms = [frames.base(stamp) for frames in self._frames if self._publish_tf]
-            for frames in self._frames:
-                transforms += frames.wheels(stamp)
+            transforms = []
+            for topics in self._robots:
+                transforms += [topics.frames.base(stamp)] if self._publish_tf else []
+                transforms += topics.frames.wheels(stamp)
             self._tf.publish(TFMessage(transforms))
 
     def warn(self, cause, text):
@@ -72,8 +61,5 @@ class SimulationTopics:
         self._warning.publish('; '.join(self._warnings.values()))
 
     def _stamp(self):
-        """Return the time of all messages; in simulated time always the same object."""
-        if not self._use_sim_time:
-            return rospy.Time.now()
-        self._time.secs, self._time.nsecs = divmod(self._timeline.now, 10**9)
-        return self._time
+        """Return the time of all messages."""
+        return rospy.Time(*divmod(self._timeline.now, 10**9)) if self._use_sim_time else rospy.Time.now()

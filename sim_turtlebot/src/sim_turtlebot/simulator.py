@@ -9,20 +9,20 @@ The main thread serves the requests of rospy's threads between two ticks.
 import math
 
 import rospy
-from odometry_common.parameters import ParameterError, StartError
+from odometry_common.parameters import ParameterError
 from odometry_common.publisher_conflicts import warn_of_conflicts
 from odometry_common.signals import LONGEST_WAIT
 from std_srvs.srv import Trigger
 
 from sim_turtlebot.inputs import Inputs
 from sim_turtlebot.pacing import Pacer
-from sim_turtlebot.physics.world import NoScreenError
 from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.reports import Reports
 from sim_turtlebot.requests import RequestQueue
 from sim_turtlebot.settings import read_seed, read_settings
 from sim_turtlebot.simulation import Simulation
 from sim_turtlebot.simulation_topics import SimulationTopics
+from sim_turtlebot.synchronising import synchronise
 
 MIN_SLEEP = 0.001  # s; shorter sleeps take longer than requested
 MAX_ROUNDS = 10  # of service calls in one tick of lockstep, by callers that call again at once
@@ -34,8 +34,6 @@ def simulate():
     settings = read_settings()
     try:
         simulation = Simulation(settings)
-    except NoScreenError as error:
-        raise ParameterError('~gui', True, f'false: {error}') from None
     except WorldFileError as error:
         raise ParameterError('~world', settings.world, error) from None
     Simulator(simulation, settings).run()
@@ -51,22 +49,12 @@ class Simulator:
         self._begun = self._stopping = False  # begun: time zero has been published
         self._requests = RequestQueue()
         rospy.on_shutdown(self._stop)
-        self._lockstep = None
-        if settings.lockstep:  # its import takes a tenth of the start
-            try:
-                from sim_turtlebot.lockstep.lockstep import STABLE_TIME, Lockstep
-            except ModuleNotFoundError as error:
-                raise StartError(f'lockstep needs {error.name}: install python3-{error.name}') from None
-            self._lockstep = Lockstep(lambda: self._stopping, 1 / settings.clock_rate, settings.cpu_budget)
-            # The caller has waited for the nodes.
-            self._stable_time = 0.0 if settings.paused else STABLE_TIME
-        numbers = range(1, settings.robots + 1)
-        self._namespaces = [f'robot_{number}/' for number in numbers] if settings.robots > 1 else ['']
-        self._topics = SimulationTopics(simulation, settings, self._namespaces)
-        self._reports = Reports(simulation.robots, self._namespaces, settings, self._topics.warn)
+        self._nodes = synchronise(settings, lambda: self._stopping)
+        self._topics = SimulationTopics(simulation, settings)
+        self._reports = Reports(simulation.robots, settings, self._topics.warn)
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
-        self._inputs = Inputs(simulation, self._namespaces, self._requests, self._topics.warn)
-        self._inputs.obeys = not self._lockstep
+        self._inputs = Inputs(simulation, self._requests, self._topics.warn)
+        self._inputs.obeys = not settings.lockstep
         self._warn_of_models_left_out()
         if settings.use_sim_time:
             warn_of_conflicts('/clock', 'stop all but one; for two robots use robots:=2')
@@ -77,8 +65,8 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown."""
-        namespaces = dict.fromkeys([self._namespaces[0], self._namespaces[-1]])
-        odometry, commands = (' to '.join(rospy.resolve_name(namespace + topic) for namespace in namespaces)
+        robots = dict.fromkeys([self._simulation.robots[0], self._simulation.robots[-1]])
+        odometry, commands = (' to '.join(rospy.resolve_name(robot.namespace + topic) for robot in robots)
                               for topic in ('odom', 'cmd_vel'))
         rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
@@ -107,46 +95,43 @@ class Simulator:
                 self._advance()
 
     def _wait_and_serve(self):
-        if self._lockstep:
-            self._lockstep.check_senders(self._requests.nodes, self._timeline.now / 1e9, unprompted=True)
-            self._lockstep.wait()
+        self._nodes.check_senders(self._requests.nodes, self._timeline.now / 1e9, unprompted=True)
+        self._nodes.wait()
         self._serve()
 
     def _serve(self):
-        """Serve the waiting requests; in lockstep also the calls that follow an answer."""
-        for _ in range(MAX_ROUNDS if self._lockstep else 1):
-            if not self._requests.serve_all(by_name=bool(self._lockstep)):
+        """Serve the waiting requests, and the calls that follow an answer."""
+        for _ in range(MAX_ROUNDS):
+            if not self._requests.serve_all(by_name=self._settings.lockstep):
                 break
-            if self._lockstep:
-                self._lockstep.wait()
+            self._nodes.wait()
 
     def _begin(self):
         """Start time; in lockstep, once the graph is stable."""
-        if self._lockstep and not self._lockstep.is_graph_stable(self._stable_time):
-            if self._requests.wait(GRAPH_PERIOD):
-                self._requests.serve_all()
-        else:
+        is_stable = self._nodes.is_graph_stable
+        # Whoever has unpaused the simulation has waited for the nodes.
+        if is_stable(0.0) if self._settings.paused else is_stable():
             self._start_time()
+        elif self._requests.wait(GRAPH_PERIOD):
+            self._requests.serve_all()
 
     def _start_time(self):
         self._begun = self._inputs.obeys = True
         self._publish()
-        if self._lockstep:
-            self._serve()
+        self._serve()
         self._pacer.restart(self._timeline.now)
 
     def _advance(self):
         """Simulate to the next tick of the clock, and publish what is due."""
         # Paced by the wall clock, apply commands at the next step.
-        is_paced = self._settings.real_time_factor and not self._lockstep
+        is_paced = self._settings.real_time_factor and not self._settings.lockstep
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
         unprompted = self._requests.nodes
         self._publish(new_odometry)
-        if self._lockstep:
-            now = self._timeline.now / 1e9
-            self._lockstep.check_senders(unprompted, now, unprompted=True)
-            self._lockstep.check_senders(self._requests.nodes - unprompted, now, unprompted=False)
-            self._serve()
+        now = self._timeline.now / 1e9
+        self._nodes.check_senders(unprompted, now, unprompted=True)
+        self._nodes.check_senders(self._requests.nodes - unprompted, now, unprompted=False)
+        self._serve()
         if new_odometry and self._settings.gui:
             self._simulation.world.look_at(self._simulation.robots[0].body)
 
@@ -158,10 +143,9 @@ class Simulator:
         due = [self._topics.publish_clock] if self._timeline.clock_is_due else []
         if new_odometry:
             due.append(self._publish_robots)
-        for publish in reversed(due) if self._lockstep else due:
+        for publish in reversed(due) if self._settings.lockstep else due:
             publish()
-            if self._lockstep:
-                self._lockstep.wait(only_clock=publish == self._topics.publish_clock)
+            self._nodes.wait(only_clock=publish == self._topics.publish_clock)
 
     def _publish_robots(self):
         self._topics.publish_robots()
@@ -179,21 +163,15 @@ class Simulator:
         """Advance to the next odometry while paused; return success, and its stamp (s) or why not."""
         if not self._paused:
             return False, 'call ~pause_physics first'
-        # In lockstep, requests are served in between; these would move the time of this step.
-        with self._requests.holding(*map(rospy.resolve_name, ('~step', '~reset_simulation'))):
-            self._advance_to_odometry()
-        return True, f'{self._timeline.now / 1e9:.9f}'
-
-    def _advance_to_odometry(self):
-        if self._lockstep:
-            self._lockstep.wait()  # until the commands that were sent before are here
-            self._serve()
+        self._nodes.wait()  # until the commands that were sent before are here
+        self._serve()
         count = self._timeline.odometry_count
         if not self._begun:
             self._start_time()
         else:
             while self._timeline.odometry_count == count:
                 self._advance()
+        return True, f'{self._timeline.now / 1e9:.9f}'
 
     def _reset(self, seed):
         """Reset time and robots to the start, with this seed.
@@ -204,10 +182,9 @@ class Simulator:
         self._simulation.reset(seed)
         self._pacer.restart(self._timeline.now)
         self._publish()
-        if self._lockstep:
-            self._lockstep.forget_reports()
-            if self._paused:
-                self._begun = self._inputs.obeys = False
+        self._nodes.forget_reports()
+        if self._settings.lockstep and self._paused:
+            self._begun = self._inputs.obeys = False
 
     def _stop(self):
         self._stopping = True

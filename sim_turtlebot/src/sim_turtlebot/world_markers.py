@@ -11,12 +11,11 @@ TYPES = {BOX: Marker.CUBE, CYLINDER: Marker.CYLINDER, SPHERE: Marker.SPHERE, MES
 
 
 def publish_world(world):
-    """Publish a World's shapes once, latched, where they stand at the start; return the publisher."""
+    """Publish a World's shapes once, latched, where they stand at the start."""
     publisher = rospy.Publisher('~world_markers', MarkerArray, queue_size=1, latch=True)
     # RViz keeps the markers of an earlier simulator until they are deleted.
     publisher.publish([Marker(action=Marker.DELETEALL)] + [
         _marker(number, shape) for number, shape in enumerate(read_shapes(world))])
-    return publisher
 
 
 def _marker(number, shape):

@@ -21,6 +21,15 @@ from robot_view.steering import (
 )
 
 
+def send(steering, now):
+    """Return the commands; each zero arrives."""
+    commands = steering.commands(now)
+    for robot, shares in commands.items():
+        if shares == STANDSTILL:
+            steering.confirm_stop(robot)
+    return commands
+
+
 @pytest.mark.parametrize('events', [
     # Two pages that hold the same button do not double it; one that closes releases none of the other's.
     [('+page forward', {'': (1, 0)}), ('+other forward', {'': (1, 0)}), ('+page left', {'': (1, 1)}),
@@ -38,8 +47,8 @@ def test_held_buttons_add_up_until_they_are_released(events):
             steering.release(client, *held)
         else:
             steering.hold(client, held[0], ''.join(held[1:]), 0.0)
-        assert list(steering.commands(0.0).items()) == list(expected.items()), event
-    assert steering.is_driving == bool(expected)
+        assert list(send(steering, 0.0).items()) == list(expected.items()), event
+    assert steering.is_driving == any(shares != STANDSTILL for shares in expected.values())
 
 
 def test_a_page_that_hangs_drives_until_its_hold_expires():
@@ -52,7 +61,7 @@ def test_a_page_that_hangs_drives_until_its_hold_expires():
         now = COMMAND_PERIOD * step
         if step <= hangs_after and step % steps_between_holds == 0:
             steering.hold('page', FORWARD, '', now)
-        sent.append(steering.commands(now))
+        sent.append(send(steering, now))
     last = sent.index({'': STANDSTILL})
     assert (last - hangs_after) * COMMAND_PERIOD == pytest.approx(HOLD_TIMEOUT, abs=COMMAND_PERIOD)
     assert sent[:last] == [{'': (1, 0)}] * last
@@ -90,7 +99,7 @@ def test_a_robot_gets_no_more_commands_than_it_can_take(master):
 
 def test_a_robot_that_does_not_listen_keeps_no_other_one_driving(master, monkeypatch):
     """The last command of that one would stand."""
-    monkeypatch.setattr(pad, 'CONNECTING_TIMEOUT', math.inf)
+    monkeypatch.setattr('robot_view.steering.STOP_TIMEOUT', math.inf)
     received = Recorder('/heard/cmd_vel', Twist)
     chosen = ['/heard/']
     driver = pad.Pad(lambda: chosen[0], lambda: (0.2, 1.0))
@@ -103,7 +112,7 @@ def test_a_robot_that_does_not_listen_keeps_no_other_one_driving(master, monkeyp
 @pytest.mark.parametrize('button', [STOP, FORWARD])
 def test_a_button_released_before_the_robot_subscribes_stops_it(master, monkeypatch, button):
     """To connect takes a moment, on a busy machine longer than a click."""
-    monkeypatch.setattr(pad, 'CONNECTING_TIMEOUT', math.inf)
+    monkeypatch.setattr('robot_view.steering.STOP_TIMEOUT', math.inf)
     namespace = f'/late_for_{button}/'
     driver = pad.Pad(lambda: namespace, lambda: (0.2, 1.0))
 

@@ -13,8 +13,6 @@ directions the line is missed by up to 1.5 mm, without constraint force mixing b
     iterative, 50 iterations, 240 Hz               1.9   0.19   4.9   35 to 58
 """
 
-import os
-
 from odometry_common.native_output import suppressed_output
 
 from sim_turtlebot.physics.turtlebot import LARGEST_OVERLAP, TurtleBot
@@ -37,10 +35,6 @@ FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
 
 
-class NoScreenError(RuntimeError):
-    """There is no display for a window."""
-
-
 class World:
     """A floor, whatever a world file adds, and TurtleBots that stand at their starts."""
 
@@ -49,14 +43,11 @@ class World:
 
         :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
-        :raises NoScreenError: if DISPLAY is not set for the GUI; PyBullet ends the process if it cannot use it
         :raises sim_turtlebot.physics.world_file.WorldFileError: if the file cannot be loaded, or leaves no
             room for a robot at its start
         """
         self._step_rate = step_rate
         self._world_file = world_file
-        if gui and not os.environ.get('DISPLAY'):
-            raise NoScreenError('no display; set DISPLAY')
         with suppressed_output():
             self.client = BulletClient(pybullet.GUI if gui else pybullet.DIRECT)
         # Bound once, as those of a TurtleBot are.

@@ -10,18 +10,14 @@ with suppressed_output():
     import pybullet
 
 FLOORS = 1  # the first body is the floor, the last ones are the robots
-BOX, CYLINDER, SPHERE, MESH = range(4)
-# By PyBullet's number: the kind, and its size along x, y and z (m), of PyBullet's dimensions; a mesh is scaled.
-KINDS = {pybullet.GEOM_BOX: (BOX, lambda x, y, z: (x, y, z)),
-         pybullet.GEOM_CYLINDER: (CYLINDER, lambda length, radius, _: (2 * radius, 2 * radius, length)),
-         pybullet.GEOM_SPHERE: (SPHERE, lambda radius, *_: (2 * radius,) * 3),
-         pybullet.GEOM_MESH: (MESH, lambda x, y, z: (x, y, z))}
+BOX, CYLINDER = pybullet.GEOM_BOX, pybullet.GEOM_CYLINDER
+SPHERE, MESH = pybullet.GEOM_SPHERE, pybullet.GEOM_MESH
 
 
 class VisibleShape(NamedTuple):
     """A shape, with its pose in the world."""
 
-    kind: int
+    kind: int  # BOX, CYLINDER, SPHERE or MESH
     size: tuple  # along its x, y and z (m); of a mesh the scale
     mesh: str  # the path of a mesh
     position: tuple  # x, y, z (m)
@@ -34,14 +30,24 @@ def read_shapes(world):
     client = world.client
     bodies = range(FLOORS, client.getNumBodies() - len(world.robots))
     return [_shape(client, *data[:8]) for body in bodies
-            for data in client.getVisualShapeData(client.getBodyUniqueId(body)) if data[2] in KINDS]
+            for data in client.getVisualShapeData(client.getBodyUniqueId(body))
+            if data[2] in (BOX, CYLINDER, SPHERE, MESH)]
 
 
-def _shape(client, body, link, number, dimensions, mesh, position, rotation, colour):
-    kind, size = KINDS[number]
+def _shape(client, body, link, kind, dimensions, mesh, position, rotation, colour):
     origin, turned = _frame(client, body, link)
     position = tuple(map(sum, zip(origin, rotate(turned, position))))
-    return VisibleShape(kind, size(*dimensions), mesh.decode(), position, compose(turned, rotation), colour)
+    return VisibleShape(kind, _size(kind, *dimensions), mesh.decode(), position, compose(turned, rotation), colour)
+
+
+def _size(kind, first, second, third):
+    """Return the size along x, y and z (m) for PyBullet's dimensions of a shape."""
+    if kind == CYLINDER:
+        length, radius = first, second
+        return 2 * radius, 2 * radius, length
+    if kind == SPHERE:
+        return (2 * first,) * 3
+    return first, second, third
 
 
 def _frame(client, body, link):

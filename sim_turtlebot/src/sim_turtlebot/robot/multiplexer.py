@@ -5,7 +5,7 @@ import math
 # Priorities by topic, and the timeout of each: turtlebot_bringup/param/mux.yaml in
 # github.com/turtlebot/turtlebot, without the safety controller, which needs bumpers.
 INPUTS = {'cmd_vel_mux/input/teleop': 7, 'cmd_vel_mux/input/navi': 5}
-TIMEOUT = 10**9  # ns
+TIMEOUT = 1.0  # s
 
 
 class VelocityMux:
@@ -15,13 +15,21 @@ class VelocityMux:
     yocs_cmd_vel_mux/src/cmd_vel_mux_nodelet.cpp in github.com/yujinrobot/yujin_ocs.
     """
 
-    def __init__(self):
+    def __init__(self, step_rate):
+        """Count time in steps, so many in a second."""
+        self._timeout = TIMEOUT * step_rate
+        self.reset()
+
+    def reset(self):
+        """Block no input."""
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):
-        """Return whether a command from an input at a time (ns) reaches the base."""
-        priority = INPUTS[name]
+        """Return whether a command reaches the base in this step: on an input, or straight on another topic."""
+        priority = INPUTS.get(name)
+        if priority is None:
+            return True
         if now < self._end and priority < self._priority:
             return False
-        self._priority, self._end = priority, now + TIMEOUT
+        self._priority, self._end = priority, now + self._timeout
         return True

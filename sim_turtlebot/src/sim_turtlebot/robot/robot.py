@@ -6,6 +6,7 @@ import random
 from sim_turtlebot import kobuki
 from sim_turtlebot.geometry import height_of_z
 from sim_turtlebot.robot.drive_geometry import DriveGeometry
+from sim_turtlebot.robot.multiplexer import VelocityMux
 from sim_turtlebot.robot.odometry import STILL, EncoderOdometry, WorldOdometry, true_motion
 from sim_turtlebot.robot.scanner import Scanner
 from sim_turtlebot.robot.sensors import Encoders, Gyro
@@ -33,12 +34,12 @@ class Robot:
         :param settings: of sim_turtlebot.settings.read_settings()
         :param index: of the robot; each has its own random numbers
         """
-        self.body = body
+        self.body, self.index = body, index
+        self.namespace = f'robot_{index + 1}/' if settings.robots > 1 else ''  # of its topics and frames
         self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
-        timeout = settings.cmd_vel_timeout
-        self._timeout = _whole_steps(timeout, step_rate) if timeout else math.inf
+        self._timeout = _whole_steps(settings.cmd_vel_timeout, step_rate) if settings.cmd_vel_timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
-        self._index = index
+        self._mux = VelocityMux(step_rate)
         self._rng = random.Random()
         self._geometry = DriveGeometry(settings)
         self.gyro = Gyro(settings, self._rng)
@@ -46,8 +47,7 @@ class Robot:
             self._encoders, self._estimator = None, WorldOdometry()
         else:
             self._encoders = Encoders(settings, self._rng)
-            self._estimator = EncoderOdometry(self._encoders, self.gyro, self._geometry,
-                                              settings.gyro)
+            self._estimator = EncoderOdometry(self._encoders, self.gyro, self._geometry, settings.gyro)
         self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
         self.twist_covariance = self._estimator.twist_covariance  # of the same, per second
         self.scanner = Scanner(body, settings, index) if settings.scan else None
@@ -63,17 +63,19 @@ class Robot:
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         return self._anchor[1] if self._anchor else self.body.wheels()
 
-    def command(self, linear, angular, now):
+    def command(self, linear, angular, now, topic=None):
         """Move at `linear` m/s and `angular` rad/s, within the limits of the base.
 
+        :param topic: on which the command has come; the multiplexer may block it
         :raises ValueError: if one of them is not finite; the robot then stops
         """
+        if not self._mux.passes(topic, now):
+            return
         if not (math.isfinite(linear) and math.isfinite(angular)):
             self.stop()
             raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
         self._watchdog_expires = now + self._timeout
-        self._obey(_clamp(linear, kobuki.MAX_LINEAR_SPEED),
-                   _clamp(angular, kobuki.MAX_ANGULAR_SPEED))
+        self._obey(_clamp(linear, kobuki.MAX_LINEAR_SPEED), _clamp(angular, kobuki.MAX_ANGULAR_SPEED))
 
     def stop(self):
         """Command zero."""
@@ -115,8 +117,7 @@ class Robot:
         self._forget_commands()
         self.body.put(position, orientation, wheel_angles)
         self.ground_truth = true_motion(self.body)
-        stands = (abs(position[2]) <= STANDING_HEIGHT
-                  and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z)
+        stands = abs(position[2]) <= STANDING_HEIGHT and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z
         self._anchor = self._standing() if stands else None
         self.gyro.teleport(self.ground_truth.orientation)
         self.odometry = self._estimator.teleport(self.ground_truth)
@@ -128,9 +129,10 @@ class Robot:
 
     def begin(self, seed):
         """Start at rest where the body is, and seed the random numbers."""
-        self._rng.seed(seed + self._index)
+        self._rng.seed(seed + self.index)
         if self.scanner:
             self.scanner.seed = seed
+        self._mux.reset()
         self._forget_commands()
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()

@@ -31,13 +31,13 @@ class BrowserPage:
     def __init__(self, address, robots):
         """Show Robots."""
         self._robots = robots
-        self._models = {}  # RobotModel by namespace
+        self._models = {}  # RobotModel by RobotMonitor
         self._views = {}  # ClientView by the client's id
         self._server = start_server(address)
         scene = self._server.scene
         add_world(scene)
-        self._shapes = WorldModel(scene, WORLD)
-        self._navigation = NavigationModel(scene, WORLD)
+        WorldModel(scene, WORLD)
+        NavigationModel(scene, WORLD)
         self._build()
         self._server.on_client_connect(self._on_connect)
         self._server.on_client_disconnect(self._on_disconnect)
@@ -50,7 +50,7 @@ class BrowserPage:
         self._choice = gui.add_dropdown('robot', ('',), visible=False)
         self._simulation = SimulationButtons(gui, self._robots)
         with gui.add_folder('drive: hold a button or an arrow key') as self._drive:
-            self._pad = Pad(lambda: self.chosen if self._models else None, self._speeds)
+            self._pad = Pad(lambda: self._chosen and self._chosen.namespace, self._speeds)
             add_pad(gui, self._pad)
             self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
             self._angular = gui.add_slider(
@@ -77,63 +77,54 @@ class BrowserPage:
             time.sleep(FRAME_PERIOD)
 
     @property
-    def chosen(self):
-        """Namespace of the robot that the readings show, the camera follows and the pad drives."""
+    def _chosen(self):
+        """The RobotMonitor that the readings show, the camera follows and the pad drives; None without robots."""
+        monitors, name = self._robots.monitors, self._choice.value
         # viser also accepts a value that is not an option.
-        options = self._choice.options
-        name = self._choice.value if self._choice.value in options else options[0]
-        return name and f'{name}/'
+        return monitors.get(name and f'{name}/', next(iter(monitors.values()), None))
 
     def _move(self):
         """Draw the robots at their current poses, and let the views follow the chosen one."""
-        chosen = []
         with self._server.atomic():
-            for namespace, monitor, model in self._known():
-                with monitor.lock:
-                    model.move(monitor)
-                    if namespace == self.chosen:
-                        chosen.append(monitor.pose[0][:2])
-            for x, y in chosen:
-                for view in list(self._views.values()):
+            for robot, model in self._known():
+                with robot.lock:
+                    model.move()
+                    x, y, _ = robot.pose[0]
+                for view in list(self._views.values()) if robot is self._chosen else ():
                     view.follow(x, y)
 
     def _draw(self):
-        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots, world."""
+        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots."""
         self._find_models()
         self._simulation.update()
         self._placing.visible = self._robots.is_simulated
-        self._shapes.draw(self._robots.world)
-        self._navigation.draw()
-        for namespace, monitor, model in self._known():
-            with monitor.lock:
-                model.draw_path(monitor)
-                if namespace == self.chosen:
-                    self._readings.show(monitor.readings())
-                    self._plots.draw(monitor.trace.history.array(), monitor.targets.distance)
+        for robot, model in self._known():
+            with robot.lock:
+                model.draw_path()
+                if robot is self._chosen:
+                    self._readings.show(robot.readings())
+                    self._plots.draw(robot.trace.history.array(), robot.targets.distance)
 
     def _find_models(self):
         """Show the robots that are recorded, and no others."""
-        namespaces = list(self._robots.monitors)
-        for namespace in self._models.keys() - set(namespaces):
-            self._models.pop(namespace).close()
-        for namespace in namespaces:
-            if namespace not in self._models:
-                self._models[namespace] = RobotModel(
-                    self._server.scene, namespace.strip('/') or 'robot', len(namespaces) > 1)
-        names = tuple(namespace.strip('/') for namespace in namespaces) or ('',)
+        robots = list(self._robots.monitors.values())
+        for robot in self._models.keys() - set(robots):
+            self._models.pop(robot).close()
+        for robot in robots:
+            if robot not in self._models:
+                self._models[robot] = RobotModel(self._server.scene, robot, labelled=len(robots) > 1)
+        names = tuple(robot.name for robot in robots) or ('',)
         if self._choice.options != names:
             self._choice.options = names
         self._choice.visible = len(names) > 1
 
     def _known(self):
-        """Return the namespaces, monitors and models of the robots with odometry."""
-        return [(namespace, monitor, self._models[namespace])
-                for namespace, monitor in self._robots.monitors.items()
-                if monitor.is_known and namespace in self._models]
+        """Return the robots with odometry, each with its model."""
+        return [(robot, model) for robot, model in self._models.items() if robot.is_known]
 
     def _put(self, *pose):
-        if self._models:
-            self._robots.monitors[self.chosen].put(*pose)
+        if self._chosen:
+            self._chosen.put(*pose)
 
     def _speeds(self):
         return _clamped(self._linear), math.radians(_clamped(self._angular))
@@ -141,10 +132,10 @@ class BrowserPage:
     def _find_places(self):
         """Return x, y (m) in the world of the chosen robot, of its start, and of what else robots have shown."""
         places = []
-        for namespace, monitor in self._robots.monitors.items():
-            with monitor.lock:
-                found = monitor.places() if monitor.is_known else []
-            places = [*found, *places] if namespace == self.chosen else [*places, *found]
+        for robot in self._robots.monitors.values():
+            with robot.lock:
+                found = robot.places() if robot.is_known else []
+            places = [*found, *places] if robot is self._chosen else [*places, *found]
         return places
 
     def _on_connect(self, client):

@@ -4,6 +4,7 @@ To follow a robot, the page moves the world, not the cameras: viser would interr
 """
 
 import math
+from itertools import product
 
 import numpy
 
@@ -15,22 +16,23 @@ DISTANCE = 4.0  # m, from the robot
 MARGIN = 0.5  # m around the places that are shown
 TOP = 0.45  # m, above each place; higher than a robot
 HEIGHT = 0.15  # m, at which it looks
+FROM_ROBOT = DISTANCE * DIRECTION + [0.0, 0.0, HEIGHT]  # x, y, z (m) of a camera that looks at the robot
 
 
 def look_at_robot(camera):
     """Point a camera at the robot that the world follows."""
-    _place(camera, _from_robot())
+    _place(camera, FROM_ROBOT)
 
 
 def shows(camera, place):
     """Return whether a camera that looks at the robot shows a place, x, y (m) from there."""
-    right, up, forward = AXES @ ([*place, 0.0] - _from_robot())
+    right, up, forward = AXES @ ([*place, 0.0] - FROM_ROBOT)
     return abs(right) < TANGENT * camera.aspect * forward and abs(up) < TANGENT * forward
 
 
 def look_at_all(camera, places):
     """Move a client's camera as close as it can be with all places, rows of x, y (m) in the scene, in view."""
-    corners = numpy.array([(x, y, z) for x in (-MARGIN, MARGIN) for y in (-MARGIN, MARGIN) for z in (0.0, TOP)])
+    corners = numpy.array(list(product((-MARGIN, MARGIN), (-MARGIN, MARGIN), (0.0, TOP))))
     places = numpy.column_stack([places, numpy.zeros(len(places))])
     right, up, forward = AXES @ (places[:, None] + corners).reshape(-1, 3).T
     across, back = _fit(right, forward, TANGENT * camera.aspect)
@@ -42,10 +44,6 @@ def _fit(sideways, forward, tangent):
     """Return the two coordinates of the foremost camera that sees these points between its edges."""
     one, other = (sideways - tangent * forward).max(), (-sideways - tangent * forward).max()
     return (one - other) / 2, -(one + other) / (2 * tangent)
-
-
-def _from_robot():
-    return numpy.array([0.0, 0.0, HEIGHT]) + DISTANCE * DIRECTION
 
 
 def _place(camera, position):

@@ -12,6 +12,7 @@ from nav_msgs.msg import Odometry
 from odometry_common.angles import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 from sensor_msgs.msg import JointState, LaserScan
+from sim_turtlebot.frames import read_pose
 from sim_turtlebot.geometry import PlanarPose, about_z
 from sim_turtlebot.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from std_msgs.msg import Empty, Float64
@@ -27,10 +28,11 @@ RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 class RobotMonitor:
     """The latest state of one robot. Once it `is_known`, hold its `lock` to read it.
 
-    A pose is a pair: x, y, z (m) and a quaternion w, x, y, z. The namespace is '' or ends in a slash.
+    A pose is a pair: x, y, z (m) and a quaternion x, y, z, w of length 1. The namespace is '' or ends in a slash.
     """
 
     def __init__(self, namespace):
+        self.namespace, self.name = namespace, namespace.strip('/')
         self.lock = threading.Lock()
         self.trace = PathTrace()
         self.wheels = {}  # angles (rad) by joint
@@ -149,10 +151,8 @@ class RobotMonitor:
 
 
 def _pose_3d(message):
-    position, orientation = message.pose.pose.position, message.pose.pose.orientation
-    wxyz = orientation.w, orientation.x, orientation.y, orientation.z
-    length = math.hypot(*wxyz)
-    return (position.x, position.y, position.z), tuple(part / length for part in wxyz)
+    position, rotation = read_pose(message.pose.pose)
+    return position, rotation / numpy.linalg.norm(rotation)
 
 
 def _planar_pose(message):

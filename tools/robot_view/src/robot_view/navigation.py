@@ -1,11 +1,12 @@
 """What navigation knows: a map, the plan to the goal, and where amcl believes the robot to be."""
 
-from functools import partial
-
 import numpy
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid, Path
+from sim_turtlebot.frames import read_pose
+
+from robot_view.looks import wxyz
 
 OCCUPIED = 65  # per cent, from which map_server counts a cell as occupied
 CELL_SIZE = 0.05  # m, gmapping's default
@@ -20,37 +21,29 @@ class NavigationModel:
     def __init__(self, scene, root):
         """Draw below the scene node `root`, the frame `world`."""
         self._scene, self._root = scene, root
-        self._latest = {}  # numbers that are not drawn yet, by the function that draws them
-        for topic, kind, read, draw in (
-                ('map', OccupancyGrid, occupied_cells, self._draw_map),
-                ('move_base/NavfnROS/plan', Path, _points, self._draw_plan),
-                ('amcl_pose', PoseWithCovarianceStamped, _pose, self._draw_pose)):
-            rospy.Subscriber(topic, kind, partial(self._receive, read, draw))
+        rospy.Subscriber('map', OccupancyGrid, self._draw_map)
+        rospy.Subscriber('move_base/NavfnROS/plan', Path, self._draw_plan)
+        rospy.Subscriber('amcl_pose', PoseWithCovarianceStamped, self._draw_pose)
 
-    def draw(self):
-        """Draw what has arrived since the last call."""
-        while self._latest:
-            draw, numbers = self._latest.popitem()
-            draw(numbers)
+    def _draw_map(self, message):
+        cells = occupied_cells(message)
+        if numpy.isfinite(cells).all():
+            self._scene.add_point_cloud(f'{self._root}/map', cells, MAP_COLOUR, CELL_SIZE, point_shape='square',
+                                        precision='float32', point_shading='flat')
 
-    def _receive(self, read, draw, message):
-        # Read here, where rospy only reports a message that contradicts itself.
-        numbers = read(message)
-        if numpy.isfinite(numbers).all():
-            self._latest[draw] = numbers
-
-    def _draw_map(self, cells):
-        self._scene.add_point_cloud(f'{self._root}/map', cells, MAP_COLOUR, CELL_SIZE, point_shape='square',
-                                    precision='float32', point_shading='flat')
-
-    def _draw_plan(self, points):
+    def _draw_plan(self, message):
+        points = numpy.array([_on_floor(pose.pose) for pose in message.poses]).reshape(-1, 3)
         segments = numpy.stack([points[:-1], points[1:]], axis=1)
-        self._scene.add_line_segments(f'{self._root}/plan', segments, PLAN_COLOUR, thickness=3.0,
-                                      thickness_units='screen')
+        if numpy.isfinite(segments).all():
+            self._scene.add_line_segments(f'{self._root}/plan', segments, PLAN_COLOUR, thickness=3.0,
+                                          thickness_units='screen')
 
-    def _draw_pose(self, pose):
-        self._scene.add_frame(f'{self._root}/amcl', axes_length=AXES_LENGTH, axes_radius=AXES_RADIUS,
-                              position=pose[:3], wxyz=pose[3:])
+    def _draw_pose(self, message):
+        pose = message.pose.pose
+        position, rotation = _on_floor(pose), wxyz(read_pose(pose)[1])
+        if numpy.isfinite([*position, *rotation]).all():
+            self._scene.add_frame(f'{self._root}/amcl', axes_length=AXES_LENGTH, axes_radius=AXES_RADIUS,
+                                  position=position, wxyz=rotation)
 
 
 def occupied_cells(message):
@@ -62,13 +55,5 @@ def occupied_cells(message):
                                numpy.full(len(rows), HEIGHT)])
 
 
-def _points(message):
-    """Return the way of a Path: rows of x, y, z (m)."""
-    places = [(pose.pose.position.x, pose.pose.position.y, HEIGHT) for pose in message.poses]
-    return numpy.array(places).reshape(-1, 3)
-
-
-def _pose(message):
-    """Return x, y, z (m) and the quaternion w, x, y, z."""
-    position, turn = message.pose.pose.position, message.pose.pose.orientation
-    return numpy.array([position.x, position.y, HEIGHT, turn.w, turn.x, turn.y, turn.z])
+def _on_floor(pose):
+    return pose.position.x, pose.position.y, HEIGHT

@@ -9,7 +9,6 @@ from odometry_common.velocity import VelocityPublisher
 
 from robot_view import steering
 
-CONNECTING_TIMEOUT = 10.0  # s; a robot that takes longer gets no zero
 # viser reports key presses, but no releases: the page maps the arrow keys to the buttons.
 SCRIPT = Path(__file__).with_name('arrow_keys.js')
 MIN_PERIOD = 0.01  # s between two commands, however many pages send holds
@@ -31,7 +30,6 @@ class Pad:
         self._speeds = speeds
         self._steering = steering.Steering()
         self._publishers = {}  # by namespace; None until the master answers
-        self._unstopped = {}  # deadlines (s) for the zero of robots that are not connected yet
         self._lock = threading.Lock()
         self._changed = threading.Event()
         threading.Thread(target=self._drive, daemon=True).start()
@@ -52,20 +50,16 @@ class Pad:
 
     def _drive(self):
         while True:
-            is_idle = not (self._steering.is_driving or self._unstopped)
-            self._changed.wait(None if is_idle else steering.COMMAND_PERIOD)
+            self._changed.wait(steering.COMMAND_PERIOD if self._steering.is_driving else None)
             self._changed.clear()
-            now = time.monotonic()
             with self._lock:
-                commands = self._steering.commands(now)
-            self._unstopped = {robot: until for robot, until in self._unstopped.items() if until > now}
-            zeros = dict.fromkeys(self._unstopped.keys() - commands.keys(), steering.STANDSTILL)
-            for namespace, shares in {**commands, **zeros}.items():
-                self._command(namespace, shares, now)
+                commands = self._steering.commands(time.monotonic())
+            for namespace, shares in commands.items():
+                self._command(namespace, shares)
             time.sleep(MIN_PERIOD)
 
-    def _command(self, namespace, shares, now):
-        """Publish; keep a zero until the robot is connected. The other robots do not wait for that."""
+    def _command(self, namespace, shares):
+        """Publish if the robot is connected. The other robots do not wait for that."""
         if namespace not in self._publishers:
             self._publishers[namespace] = None
             threading.Thread(target=self._advertise, args=[namespace], daemon=True).start()
@@ -73,9 +67,8 @@ class Pad:
         if publisher and publisher.get_num_connections():
             (forward, left), (linear, angular) = shares, self._speeds()
             publisher.publish(forward * linear, left * angular)
-            self._unstopped.pop(namespace, None)
-        elif shares == steering.STANDSTILL:
-            self._unstopped.setdefault(namespace, now + CONNECTING_TIMEOUT)
+            if shares == steering.STANDSTILL:
+                self._steering.confirm_stop(namespace)
 
     def _advertise(self, namespace):
         self._publishers[namespace] = VelocityPublisher(f'{namespace}cmd_vel')

@@ -35,7 +35,7 @@ class Samples:
             self._spacing *= 2
 
     def array(self):
-        """Return all rows."""
+        """Return all rows; NaN for None."""
         return numpy.array(self._rows, dtype=float).reshape(-1, self._width)
 
 
@@ -55,7 +55,6 @@ class PathTrace:
         self.trail = Samples(TRAIL_SPACING, 2)  # x, y (m)
         self.history = Samples(HISTORY_SPACING, 5)  # as add_history() adds them
         self._travelled = 0.0
-        self._last_traced = None
         self._odometry = self._ground_truth = None  # stamp and pose
 
     @property
@@ -67,12 +66,12 @@ class PathTrace:
         """Add the odometry's PlanarPose at `stamp` (s)."""
         if _is_reset(self._odometry, stamp, pose):
             self._restart()
-        self._odometry = stamp, pose
         if self.heading is None:
             self.heading = pose.yaw
         self.heading += wrap_to_pi(pose.yaw - self.heading)
         if self._ground_truth is None:
-            self._trace(pose)
+            self._trace(self._odometry, pose)
+        self._odometry = stamp, pose
         self._compare()
 
     def add_ground_truth(self, stamp, pose):
@@ -81,11 +80,10 @@ class PathTrace:
             self._restart()
         if self._ground_truth is None:
             self.trail = Samples(TRAIL_SPACING, 2)
-            self._last_traced = None
         elif self.true_distance is not None:
             self.true_distance += _distance(self._ground_truth[1], pose)
+        self._trace(self._ground_truth, pose)
         self._ground_truth = stamp, pose
-        self._trace(pose)
         self._compare()
 
     def add_history(self, time, moved, target):
@@ -97,13 +95,11 @@ class PathTrace:
         heading = math.degrees(self.heading)
         if target is not None:
             target = heading + math.remainder(target - heading, 360)
-        row = [time, moved, self.true_distance, heading, target]
-        self.history.add(time, [math.nan if value is None else value for value in row])
+        self.history.add(time, [time, moved, self.true_distance, heading, target])
 
-    def _trace(self, pose):
-        if self._last_traced is not None:
-            self._travelled += _distance(self._last_traced, pose)
-        self._last_traced = pose
+    def _trace(self, last, pose):
+        if last is not None:
+            self._travelled += _distance(last[1], pose)
         self.trail.add(self._travelled, (pose.x, pose.y))
 
     def _compare(self):

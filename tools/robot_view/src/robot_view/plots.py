@@ -1,7 +1,5 @@
 """The live plots: distance and heading over time."""
 
-import math
-
 import numpy
 
 HEIGHT = 150  # pixels
@@ -29,7 +27,7 @@ class Plots:
         if len(history) < 2:
             return
         time, moved, true, heading, target = history.T
-        goal = numpy.full(len(time), math.nan if wanted is None else wanted)
+        goal = numpy.full(len(time), wanted, dtype=float)  # NaN for None
         self._distance.draw(time, [moved, true, goal])
         self._heading.draw(time, [heading, target])
 

@@ -6,7 +6,6 @@ import threading
 import rosgraph
 import rospy
 from std_msgs.msg import String
-from visualization_msgs.msg import MarkerArray
 
 from robot_view.monitor import SIMULATOR, RobotMonitor
 
@@ -23,12 +22,10 @@ class Robots:
         self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
         self.is_simulated = False
         self.complaint = ''  # for the status line
-        self.world = None  # the simulator's MarkerArray
         self._warning = ''
         self.found = threading.Event()  # set with the first robot, or at shutdown
         rospy.on_shutdown(self.found.set)
         self._warnings = rospy.Subscriber(f'{SIMULATOR}/warning', String, self._on_warning)
-        rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._on_world)
         threading.Thread(target=self._search_until_shutdown, daemon=True).start()
 
     def _search_until_shutdown(self):
@@ -64,9 +61,6 @@ class Robots:
 
     def _on_warning(self, message):
         self._warning = message.data
-
-    def _on_world(self, message):
-        self.world = message
 
 
 def find_robots(topics):

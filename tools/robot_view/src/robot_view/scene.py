@@ -26,29 +26,28 @@ DUSK_COLOUR = (110, 110, 120)  # of the light from below
 
 
 def add_world(scene):
-    """Add lights and a world, a floor with a line at each metre, to an empty viser scene; return its frame."""
+    """Add lights and a world, a floor with a line at each metre, to an empty viser scene."""
     scene.set_up_direction('+z')
     # With reflections and shadows, a computer without a graphics card draws one frame a second.
     scene.configure_environment_map(None)
     scene.configure_default_lights(cast_shadow=False)
     scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)
-    world = scene.add_frame(WORLD, show_axes=False)
+    scene.add_frame(WORLD, show_axes=False)
     scene.add_grid(f'{WORLD}/floor', infinite_grid=True, cell_size=0.25, cell_color=(215, 215, 220),
                    section_size=1.0, section_color=(170, 170, 178), fade_distance=20.0,
                    plane_color=(248, 248, 250), plane_opacity=1.0)
-    return world
 
 
 class RobotModel:
     """The 3-D model of one robot, with its trail, its scan, its start and its goal."""
 
-    def __init__(self, scene, name, labelled):
-        """Add the model to viser's scene.
+    def __init__(self, scene, robot, labelled):
+        """Add the model of a RobotMonitor to viser's scene.
 
-        :param name: of the scene node, without slashes
-        :param labelled: whether to show the name beside the robot
+        :param labelled: whether to show its name beside the robot
         """
-        self._scene = scene
+        self._robot, self._scene = robot, scene
+        name = robot.name or 'robot'
         self._root = f'{WORLD}/robots/{name}'
         self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
@@ -75,27 +74,27 @@ class RobotModel:
         """Remove the model from the scene."""
         self._node.remove()
 
-    def move(self, robot):
-        """Draw the robot at the pose of a RobotMonitor."""
-        origin, drift = robot.trace.origin, robot.trace.drift
-        self._body.position, self._body.wxyz = robot.pose
-        self._odometry.position = (origin.x, origin.y, 0.0)
-        self._odometry.wxyz = wxyz(about_z(origin.yaw))
-        goal = robot.targets.goal
+    def move(self):
+        """Draw the robot at its pose, and its marks."""
+        robot = self._robot
+        _place(self._body, *robot.pose)
+        _place(self._odometry, *_on_floor(robot.trace.origin))
+        goal, drift = robot.targets.goal, robot.trace.drift
         self._goal.visible = goal is not None
         if goal is not None:
-            self._goal.position, self._goal.wxyz = (goal.x, goal.y, 0.0), wxyz(about_z(goal.yaw))
+            _place(self._goal, *_on_floor(goal))
             self._goal_label.text = f'{robot.targets.distance:g} m'
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
-            self._ghost.position, self._ghost.wxyz = robot.odometry_pose
+            _place(self._ghost, *robot.odometry_pose)
         for frame, joint in self._wheels:
             if joint.name in robot.wheels:
                 frame.wxyz = wxyz(joint.rotation_at(robot.wheels[joint.name]))
 
-    def draw_path(self, robot):
+    def draw_path(self):
         """Draw the trail and the latest scan."""
+        robot = self._robot
         points = robot.trace.trail.array()
         if len(points) < 2:
             points = numpy.zeros((2, 2))
@@ -103,8 +102,10 @@ class RobotModel:
         self._trail.points = numpy.stack([line[:-1], line[1:]], axis=1)
         if robot.scan is not self._drawn_scan:
             self._drawn_scan = robot.scan
-            (self._scan.position, self._scan.wxyz), self._scan.points = robot.scan
-            self._scan.visible = len(self._scan.points) > 0
+            pose, points = robot.scan
+            _place(self._scan, *pose)
+            self._scan.points = points
+            self._scan.visible = len(points) > 0
 
     def _add_marks(self):
         node = self._odometry.name
@@ -112,3 +113,12 @@ class RobotModel:
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
         self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
         self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
+
+
+def _place(node, position, rotation):
+    node.position, node.wxyz = position, wxyz(rotation)
+
+
+def _on_floor(pose):
+    """Return the position and the quaternion of a PlanarPose."""
+    return (pose.x, pose.y, 0.0), about_z(pose.yaw)

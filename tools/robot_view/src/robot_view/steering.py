@@ -3,6 +3,7 @@
 HOLD_RATE = 10.0  # Hz, at which a page repeats its holds
 HOLD_TIMEOUT = 0.5  # s; without a repetition the button counts as released
 COMMAND_PERIOD = 0.05  # s
+STOP_TIMEOUT = 10.0  # s; a robot that takes longer to connect gets no zero
 
 FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
 # Shares of the maximum speed, forwards and to the left.
@@ -13,18 +14,18 @@ DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
 class Steering:
     """Decides what the held buttons command to which robot; times in seconds.
 
-    A robot gets commands while you hold a button for it, then one zero. Stop disables every button
-    that is held for the robot until it is released.
+    A robot gets commands while you hold a button for it, then zeros until it has received one. Stop
+    disables every button that is held for the robot until it is released.
     """
 
     def __init__(self):
         self._held = {}  # robot and deadline by client and button, until the release
         self._stopped = set()  # clients and buttons
-        self._driven = set()
+        self._driven = {}  # by robot that has not received its zero yet: until when it gets some
 
     @property
     def is_driving(self):
-        """Whether a robot has a command that no zero has followed yet."""
+        """Whether a robot has not received its zero yet."""
         return bool(self._driven)
 
     def hold(self, client, button, robot, now):
@@ -50,10 +51,15 @@ class Steering:
         for held, (robot, until) in self._held.items():
             if until > now and held not in self._stopped:
                 buttons.setdefault(robot, set()).add(held[1])
+        self._driven.update(dict.fromkeys(buttons, now + STOP_TIMEOUT))
+        self._driven = {robot: until for robot, until in self._driven.items() if until > now}
         # Stops first: no robot starts before the other one has its zero.
-        stopped = {robot: STANDSTILL for robot in self._driven - set(buttons)}
-        self._driven = set(buttons)
-        return {**stopped, **{robot: _shares(held) for robot, held in buttons.items()}}
+        stops = dict.fromkeys(self._driven.keys() - buttons.keys(), STANDSTILL)
+        return {**stops, **{robot: _shares(held) for robot, held in buttons.items()}}
+
+    def confirm_stop(self, robot):
+        """Record that a robot has received a zero."""
+        self._driven.pop(robot, None)
 
 
 def _shares(buttons):

@@ -18,8 +18,9 @@ class Targets:
         self.distance = None  # moved distance at which the mover stops (m)
         self.goal = None  # where that is: a PlanarPose in the odometry's frame
         self._namespace = namespace
-        self._sign = None  # of the speed of a running mover
-        self._is_relative = False  # whether that counts from its start
+        self._running = set()  # which of the two nodes run
+        self._sign = 1.0  # of the mover's speed
+        self._is_relative = False  # whether the mover counts from its start
         self._rest = None  # pose and moved distance when the robot was last at rest
 
     def find(self, nodes):
@@ -28,16 +29,18 @@ class Targets:
         :param nodes: the names of all that run
         :raises rosgraph.MasterException, OSError: if the master does not answer
         """
-        if not self._runs(ROTATOR, nodes):
+        running = {node for node in (MOVER, ROTATOR) if rospy.resolve_name(self._namespace + node) in nodes}
+        started = running - self._running
+        if ROTATOR not in running:
             self.heading = None
-        elif self.heading is None:
+        if ROTATOR in started:
             self.heading = self._read(ROTATOR, 'target', None)
-        if not self._runs(MOVER, nodes):
-            self._sign = None
-        elif self._sign is None:
+        if MOVER in started:
             self.distance = self._read(MOVER, 'distance', DISTANCE)
+            self._sign = math.copysign(1.0, self._read(MOVER, 'speed', SPEED))
             self._is_relative = bool(rospy.get_param(self._name(MOVER, 'relative'), False))
-            self.goal, self._sign = None, math.copysign(1.0, self._read(MOVER, 'speed', SPEED))
+            self.goal = None
+        self._running = running
 
     def aim(self, pose, moved, speed):
         """Find the goal once: ahead of a robot at a PlanarPose that has moved this far (m), at a speed (m/s).
@@ -46,7 +49,7 @@ class Targets:
         """
         if speed == 0:
             self._rest = pose, moved
-        if self.goal is not None or None in (self._sign, self.distance, moved):
+        if self.goal is not None or MOVER not in self._running or moved is None:
             return
         if self._is_relative:
             pose, moved = self._rest or (None, None)
@@ -54,9 +57,6 @@ class Targets:
                 return
             self.distance += moved
         self.goal = pose.then(PlanarPose(self._sign * (self.distance - moved), 0.0, 0.0))
-
-    def _runs(self, node, nodes):
-        return rospy.resolve_name(self._namespace + node) in nodes
 
     def _read(self, node, name, default):
         value = as_number(rospy.get_param(self._name(node, name), default))
