@@ -142,12 +142,15 @@ def depends():
 
     A name that rosdep's table lacks, such as Debian's own, is only reported.
     """
-    known, (packages, _, taken, _) = {*sys.stdin.read().split()}, read_packages()
+    known = {*sys.stdin.read().split()}
+    packages, _, taken, _ = read_packages()
     table = yaml.safe_load(Path(__file__).with_name('rosdep.yaml').read_text())
-    needed = {name: package.name for package in packages.values() for name in names_of_depends(package)}
-    if any('gtest' in Path(folder, 'CMakeLists.txt').read_text(errors='replace') for folder in packages
-           if Path(folder, 'CMakeLists.txt').exists()):
-        needed['gtest'] = 'catkin'  # its catkin_add_gtest() has no effect without that
+    needed = {}
+    for folder, package in packages.items():
+        needed.update(dict.fromkeys(names_of_depends(package), package.name))
+        lists = Path(folder, 'CMakeLists.txt')
+        if lists.exists() and 'gtest' in lists.read_text(errors='replace'):
+            needed['gtest'] = 'catkin'  # its catkin_add_gtest() has no effect without that
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
         parts = known.intersection(table.get(name, ()))
         print(*sorted(parts))

@@ -24,12 +24,11 @@ class TurtleBot:
     """One TurtleBot 2 in a world: its motors, its pose and its wheels."""
 
     def __init__(self, client, x, y, yaw, flags):
-        """Load the robot into the World of a PyBullet client, at x, y (m) and yaw (rad)."""
+        """Take a start in the World of a PyBullet client: x, y (m) and yaw (rad); load() puts the robot there."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
         self._flags = flags
         self._settled_height = 0.0
-        self.load()
 
     def load(self):
         """Load the robot at its start, into a world without it."""

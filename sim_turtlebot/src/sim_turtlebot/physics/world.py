@@ -59,11 +59,10 @@ class World:
             self.client.configureDebugVisualizer(pybullet.COV_ENABLE_GUI, 0)
         if world_file:
             check_world_file(world_file)
-        self._build()
         # Without a window nothing shows the shapes, and they take most of the loading time.
         flags = 0 if gui else pybullet.URDF_IGNORE_VISUAL_SHAPES
         self.robots = [TurtleBot(self.client, *start, flags) for start in starts]
-        self._settle()
+        self._build()
 
     def step(self, steps=1):
         """Let 1/step_rate seconds pass `steps` times, in few calls of PyBullet."""
@@ -92,16 +91,13 @@ class World:
         """
         self.client.resetSimulation()
         self._build()
-        for robot in self.robots:
-            robot.load()
-        self._settle()
 
     def look_at(self, robot):
         """Let the window's camera follow the robot."""
         self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
 
     def _build(self):
-        """Add the floor and the world file."""
+        """Load the floor, the world file and the robots, and let these settle."""
         self._draw(False)
         self._steps_at_once = 1
         self._configure()
@@ -111,6 +107,10 @@ class World:
         if self._world_file:
             with suppressed_output():
                 load(self.client, self._world_file)
+        for robot in self.robots:
+            robot.load()
+        self._settle()
+        self._draw(True)
 
     def _draw(self, whether):
         """Draw the window or not; while it is drawn, loading a shape waits for a frame."""
@@ -143,7 +143,6 @@ class World:
         self.step(round(SETTLING_TIME * self._step_rate))
         for robot in self.robots:
             robot.settle_here()
-        self._draw(True)
 
     def _check_starts(self):
         self.client.performCollisionDetection()

@@ -16,12 +16,14 @@ def add_robot(scene, root, **look):
     :return: the viser.FrameHandle and the Joint of each link that turns
     """
     text = URDF.read_text()
-    urdf, joints = ElementTree.fromstring(text), {joint.child: joint for joint in read_joints(text)}
+    urdf = ElementTree.fromstring(text)
+    joints = {joint.child: joint for joint in read_joints(text)}
     colours = {material.get('name'): numbers_in(material.find('color').get('rgba'))[:3]
                for material in urdf.iterfind('material')}
     nodes, wheels = {}, []  # nodes by link
     for link in urdf.iterfind('link'):
-        name, joint, visuals = link.get('name'), joints.get(link.get('name')), link.findall('visual')
+        name = link.get('name')
+        joint, visuals = joints.get(name), link.findall('visual')
         if joint is None:
             nodes[name] = root
         elif visuals:

@@ -89,19 +89,25 @@ class RobotMonitor:
         return self._odometry.header.stamp.to_sec()
 
     def places(self):
-        """Return x, y (m) of the robot, of its start, of the goal if there is one, and along the path."""
+        """Return x, y (m) of the robot, of its start, along the path, and of the goal if there is one."""
         start, goal = self.trace.origin, self.targets.goal
-        return [self.pose[0][:2], start[:2], *([start.then(goal)[:2]] if goal else []), *self.trace.trail.array()]
+        places = [self.pose[0][:2], start[:2], *self.trace.trail.array()]
+        if goal:
+            places.append(start.then(goal)[:2])
+        return places
 
     def readings(self):
         """Return the current values for panel.Readings by name; None if unknown."""
         heading = self.trace.heading
-        return {'moved_distance': self._moved, 'true_distance': self.trace.true_distance,
-                'true_from_start': self.trace.true_from_start, 'true_since': self.trace.since,
-                'speed': self._odometry.twist.twist.linear.x,
-                'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
-                'simulated_time': self.stamp if self.stamp < EPOCH else None,
-                'real_time_factor': self._real_time_factor()}
+        return {
+            'moved_distance': self._moved,
+            'true_distance': self.trace.true_distance,
+            'true_from_start': self.trace.true_from_start,
+            'true_since': self.trace.since,
+            'speed': self._odometry.twist.twist.linear.x,
+            'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
+            'simulated_time': self.stamp if self.stamp < EPOCH else None,
+            'real_time_factor': self._real_time_factor()}
 
     def _real_time_factor(self):
         """Return the robot's seconds per second; None if unknown, as after a reset."""
@@ -141,7 +147,8 @@ class RobotMonitor:
                 self.scan = self.pose, points
 
     def _on_moved(self, message):
-        before, self._moved = self._moved, message.data if math.isfinite(message.data) else None
+        before = self._moved
+        self._moved = message.data if math.isfinite(message.data) else None
         if None not in (before, self._moved) and self._moved < before:  # counting starts again
             self.targets.goal = None
 

@@ -49,10 +49,11 @@ class NavigationModel:
 def occupied_cells(message):
     """Return the middles of an OccupancyGrid's occupied cells: rows of x, y, z (m)."""
     info = message.info
-    rows, columns = numpy.nonzero(numpy.array(message.data).reshape(info.height, info.width) >= OCCUPIED)
-    x, y = info.origin.position.x, info.origin.position.y
-    return numpy.column_stack([x + (columns + 0.5) * info.resolution, y + (rows + 0.5) * info.resolution,
-                               numpy.full(len(rows), HEIGHT)])
+    cells = numpy.array(message.data).reshape(info.height, info.width)
+    rows, columns = numpy.nonzero(cells >= OCCUPIED)
+    x = info.origin.position.x + (columns + 0.5) * info.resolution
+    y = info.origin.position.y + (rows + 0.5) * info.resolution
+    return numpy.column_stack([x, y, numpy.full(len(rows), HEIGHT)])
 
 
 def _on_floor(pose):

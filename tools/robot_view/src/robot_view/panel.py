@@ -26,10 +26,12 @@ class Readings:
         """Show the known values, by their names in ROWS; `true_since` (s) goes beside the label."""
         since = values.get('true_since')
         notes = {'true_distance': '' if since is None else f' since {since:.1f} s'}
-        rows = ''.join(
-            f'<tr><td>{label}{notes.get(name, "")}</td><td id="{name}">{_format(values[name], *form)}</td></tr>'
-            for name, label, *form in ROWS if values.get(name) is not None)
-        self._html.content = f'<table id="readings">{rows}</table>'
+        rows = []
+        for name, label, decimals, unit in ROWS:
+            if values.get(name) is not None:
+                value = _format(values[name], decimals, unit)
+                rows.append(f'<tr><td>{label}{notes.get(name, "")}</td><td id="{name}">{value}</td></tr>')
+        self._html.content = f'<table id="readings">{"".join(rows)}</table>'
 
 
 class SimulationButtons:

@@ -38,10 +38,16 @@ class _Plot:
     def __init__(self, gui, place, title, least_range, series, order):
         self._gui, self._place, self._series = gui, place, series
         lowest, highest = least_range
-        y_range = {'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
-                   'max': {'pad': MARGIN, 'soft': highest, 'mode': 1}}
-        self._options = {'order': order, 'title': title, 'height': HEIGHT, 'padding': PADDING,
-                         'legend': {'live': False}, 'scales': {'x': {'time': False}, 'y': {'range': y_range}}}
+        y_range = {
+            'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
+            'max': {'pad': MARGIN, 'soft': highest, 'mode': 1}}
+        self._options = {
+            'order': order,
+            'title': title,
+            'height': HEIGHT,
+            'padding': PADDING,
+            'legend': {'live': False},
+            'scales': {'x': {'time': False}, 'y': {'range': y_range}}}
         self._shown = self._plot = None
 
     def draw(self, time, columns):

@@ -18,8 +18,10 @@ class WorldModel:
     def __init__(self, scene, root):
         """Draw below the scene node `root`, the frame `world`."""
         self._root = root
-        self._adders = {Marker.CUBE: scene.add_box, Marker.SPHERE: partial(scene.add_icosphere, radius=0.5),
-                        Marker.CYLINDER: partial(scene.add_cylinder, radius=0.5)}
+        self._adders = {
+            Marker.CUBE: scene.add_box,
+            Marker.SPHERE: partial(scene.add_icosphere, radius=0.5),
+            Marker.CYLINDER: partial(scene.add_cylinder, radius=0.5)}
         self._handles = []
         rospy.Subscriber(f'{SIMULATOR}/world_markers', MarkerArray, self._draw)
 
@@ -34,5 +36,9 @@ class WorldModel:
         position, rotation = read_pose(marker.pose)
         size, colour = marker.scale, marker.color
         self._handles.append(self._adders[marker.type](
-            name, color=(colour.r, colour.g, colour.b), opacity=OPACITY * colour.a,
-            position=position, wxyz=wxyz(rotation), scale=(size.x, size.y, size.z)))
+            name,
+            color=(colour.r, colour.g, colour.b),
+            opacity=OPACITY * colour.a,
+            position=position,
+            wxyz=wxyz(rotation),
+            scale=(size.x, size.y, size.z)))
