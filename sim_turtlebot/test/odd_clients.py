@@ -3,7 +3,6 @@
 usage: odd_clients.py KIND
 """
 
-import asyncio
 import os
 import queue
 import signal
@@ -47,23 +46,6 @@ def wall(robot, seconds):
         robot.drive()
         rospy.loginfo('commanded')
         time.sleep(float(seconds))
-
-
-def queue_timeout(robot):
-    while not rospy.is_shutdown():
-        try:
-            queue.Queue().get(timeout=0.1)
-        except queue.Empty:
-            robot.drive()
-
-
-def coroutine(robot):
-    async def drive():
-        while not rospy.is_shutdown():
-            robot.drive()
-            await asyncio.sleep(0.1)
-
-    asyncio.run(drive())
 
 
 def wall_timer(robot):

@@ -45,7 +45,7 @@ class Episodes:
     """Two robots side by side, and all that there is to see of them."""
 
     def __init__(self, source, world):
-        self._simulation = Simulation(
+        self.simulation = Simulation(
             settings_of(robots=2, odometry_source=source, world=world, **NOISE))
 
     def play(self, episode):
@@ -56,26 +56,23 @@ class Episodes:
             self._look()
         return self._seen
 
-    def reset(self, seed):
-        self._simulation.reset(seed)
-
     def _command(self, robot, linear, angular, mux_input=None):
         try:
-            self._simulation.command(linear, angular, robot, mux_input)
+            self.simulation.command(linear, angular, robot, mux_input)
         except ValueError:
             assert not (math.isfinite(linear) and math.isfinite(angular))
         else:
             assert mux_input or (math.isfinite(linear) and math.isfinite(angular)), 'the multiplexer keeps some out'
 
     def _run(self, steps):
-        timeline = self._simulation.timeline
+        timeline = self.simulation.timeline
         end = timeline.steps + steps
         while timeline.steps < end:
-            if self._simulation.advance(end):
+            if self.simulation.advance(end):
                 self._look()
 
     def _set_pose(self, number, x, y, z, yaw):
-        robot = self._simulation.robots[number]
+        robot = self.simulation.robots[number]
         before = robot.body.pose()[0]
         try:
             robot.set_pose((x, y, z), about_z(yaw))
@@ -87,18 +84,18 @@ class Episodes:
             assert robot.ground_truth.position[:2] == (x, y)
 
     def _reset_odometry(self, number):
-        robot = self._simulation.robots[number]
+        robot = self.simulation.robots[number]
         robot.reset_odometry()
         assert robot.odometry.position[:2] == (0.0, 0.0)
 
     def _look(self):
-        timeline = self._simulation.timeline
+        timeline = self.simulation.timeline
         number = timeline.odometry_count
         # As text: two zeros may differ in their sign.
         self._seen.append(repr((timeline.now, number, [
             (robot.odometry, robot.ground_truth, robot.wheels, robot.gyro.heading, robot.gyro.rate,
-             robot.scanner.scan(number).tolist()) for robot in self._simulation.robots])))
-        for robot in self._simulation.robots:
+             robot.scanner.scan(number).tolist()) for robot in self.simulation.robots])))
+        for robot in self.simulation.robots:
             truth = robot.ground_truth
             assert all(math.isfinite(number) for part in (*truth, *robot.odometry, *robot.wheels) for number in part)
             assert truth.position[2] >= LOWEST
@@ -120,8 +117,8 @@ def test_after_any_other_episode_one_repeats_itself(worlds, source, world, episo
     """Time, poses, odometry, gyro, scan and their noise, the multiplexer, and a pushed crate."""
     simulated = Episodes(source, worlds[world])
     first = simulated.play(episode)
-    simulated.reset(seed=1)
+    simulated.simulation.reset(seed=1)
     simulated.play(other)
-    simulated.reset(seed=0)
+    simulated.simulation.reset(seed=0)
     for before, after in zip(first, simulated.play(episode)):
         assert after == before

@@ -119,7 +119,7 @@ BUSY, SLEEPS, STOPPED = 'it has been busy for', 'it acts by wall time', 'it has 
 NAMED = {
     'odd busy': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
     'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 0.7': SLEEPS,
-    'odd wall 2': SLEEPS, 'odd queue_timeout': SLEEPS, 'odd coroutine': SLEEPS, 'odd wall_timer': SLEEPS, 'odd alarm': SLEEPS, 'C++ usleep': SLEEPS,
+    'odd wall 2': SLEEPS, 'odd wall_timer': SLEEPS, 'odd alarm': SLEEPS, 'C++ usleep': SLEEPS,
     'odd stopped': STOPPED}
 NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
 

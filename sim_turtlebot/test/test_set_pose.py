@@ -21,7 +21,6 @@ from tf2_msgs.msg import TFMessage
 ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
 LEVEL = about_z(0.0)
 ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
-UPSIDE_DOWN = 1.0, 0.0, 0.0, 0.0
 THERE = 3.0, -1.0, 1.2  # m, m, rad
 START = 1.0, 2.0, 0.5
 
@@ -50,9 +49,8 @@ def test_it_stands_where_it_was_put(source):
 
 
 @pytest.mark.parametrize('position, orientation', [
-    ((2.0, 0.0, 0.0), LEVEL), ((0.0, 0.0, 0.0), ON_ITS_SIDE), ((0.0, 0.0, 0.0), UPSIDE_DOWN),
-    ((0.0, 0.0, -0.06), LEVEL), ((0.0, 0.0, -100.0), LEVEL), ((-0.7, 0.0, 0.0), LEVEL)],
-    ids=['wall', 'side', 'upside down', 'floor', 'depth', 'other robot'])
+    ((2.0, 0.0, 0.0), LEVEL), ((0.0, 0.0, 0.0), ON_ITS_SIDE), ((0.0, 0.0, -0.06), LEVEL), ((-0.7, 0.0, 0.0), LEVEL)],
+    ids=['wall', 'side', 'floor', 'other robot'])
 def test_where_there_is_no_room_it_is_not_put(position, orientation):
     simulation = Simulation((0, 0, 0), (-1.0, 0, 0), world=ROOM)
     simulation.drive(0.3, 0.0, 1.0)
@@ -124,25 +122,18 @@ def test_a_robot_on_its_side_is_warned_of_until_it_stands(simulated_time, ns):
     # Without a pace nobody is warned that the machine is too slow for it.
     with simulator('_robots:=2', '_odometry_source:=encoder', '_real_time_factor:=0') as node:
         warnings = Recorder(f'{ns}sim_turtlebot/warning', String)
-        warnings.wait_for(lambda m: m.data == '', what='no warning')
-        first, second = (rospy.Publisher(f'{ns}sim_turtlebot/{robot}/set_pose', PoseStamped, queue_size=10)
-                         for robot in ('robot_1', 'robot_2'))
-        for publisher in first, second:
-            wait_for_subscribers(publisher)
-        second.publish(pose(-0.001, 3.0, 0.3, orientation=Quaternion(*ON_ITS_SIDE)))
-        alone = warnings.wait_for(lambda m: m.data, what='a warning').data
-        assert alone == 'robot_2 lies on its side at x 0, y 3; ~reset_simulation brings it back'
-        Truth(f'{ns}robot_2/').wait_seconds(1.0)
-        first.publish(pose(0.0, -2.0, 0.3, orientation=Quaternion(*ON_ITS_SIDE)))
-        both = warnings.wait_for(lambda m: 'robot_1' in m.data, what='a second one').data
-        assert both == f'{alone}; {alone.replace("robot_2", "robot_1").replace("y 3", "y -2")}'
-        second.publish(pose(2.0, 3.0))
-        warnings.wait_for(lambda m: 'robot_1' in m.data and 'robot_2' not in m.data,
-                          what='robot_1 alone')
-        call('pause_physics', ns)
-        warnings.clear()
-        call('reset_simulation', ns)
-        warnings.wait_for(lambda m: m.data == '', what='no warning')
+        publisher = rospy.Publisher(f'{ns}sim_turtlebot/robot_2/set_pose', PoseStamped, queue_size=10)
+        wait_for_subscribers(publisher)
+        for bring_back in (lambda: publisher.publish(pose(2.0, 3.0)), lambda: call('reset_simulation', ns)):
+            publisher.publish(pose(-0.001, 3.0, 0.3, orientation=Quaternion(*ON_ITS_SIDE)))
+            warning = warnings.wait_for(lambda m: m.data, what='a warning').data
+            assert warning == 'robot_2 lies on its side at x 0, y 3; ~reset_simulation brings it back'
+            Truth(f'{ns}robot_2/').wait_seconds(1.0)
+            call('pause_physics', ns)
+            warnings.clear()
+            bring_back()
+            warnings.wait_for(lambda m: m.data == '', what='no warning')
+            warnings.clear()
+            call('unpause_physics', ns)
         assert node.end() == 0, node.output
-    assert node.output.count('robot_2 lies on its side') == 1
-    assert node.output.count('robot_1 lies on its side') == 1
+    assert node.output.count('robot_2 lies on its side') == 2

@@ -29,8 +29,7 @@ def test_the_rate_of_the_clock_changes_nothing_else(odom_rate, clock_rate):
 
 @pytest.mark.parametrize('stride', [1, 5, math.inf])
 @pytest.mark.parametrize('odom_rate, clock_rate, expected', [
-    (20.0, 200.0, 200), (20.0, 1000.0, 1000), (20.0, 20.0, 20), (20.0, 50.0, 60), (30.0, 100.0, 120),
-    (1.0, 5.0, 5), (50.0, 200.0, 200), (1000.0, 1000.0, 1000)])
+    (20.0, 200.0, 200), (20.0, 20.0, 20), (20.0, 50.0, 60), (30.0, 100.0, 120), (1000.0, 1000.0, 1000)])
 def test_the_clock_ticks_as_often_as_asked_or_just_more(odom_rate, clock_rate, expected, stride):
     """Evenly, however far the simulation goes at once."""
     timeline = Timeline(odom_rate, clock_rate)

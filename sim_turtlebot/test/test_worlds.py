@@ -39,7 +39,6 @@ INCLUDES = '<sdf version="1.6"><world name="w">{}</world></sdf>'.format(''.join(
     ('folder.urdf', None, 'is a folder'),
     ('', None, 'the name of a .urdf or .sdf file'),
     ('unclosed.urdf', '<robot name="r">\n<link name="a">\n</robot>', 'Line number=2'),
-    ('empty.urdf', '', 'Cannot load URDF file'),
     ('text.sdf', 'hello', 'Line number=1'),
     ('playground.world', WITHOUT_INERTIA, '(add an <inertia> to the link board)'),
     ('two_roots.urdf', TWO_ROOTS, 'multiple root links found: a b'),

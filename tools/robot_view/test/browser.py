@@ -31,7 +31,7 @@ PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take the
 FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow").control'
 
 
-class Page:
+class Page(webdriver.Chrome):
     """The page in a window of its own Chromium.
 
     One that drew two pages without a graphics card would make them wait for each other.
@@ -42,39 +42,33 @@ class Page:
         options.binary_location = CHROMIUM
         for switch in SWITCHES:
             options.add_argument(switch)
-        self.driver = webdriver.Chrome(options=options, service=Service(DRIVER))
+        super().__init__(options=options, service=Service(DRIVER))
         # A browser that draws on a busy processor answers late, to whatever it is asked.
-        self.driver.command_executor.client_config.timeout = ANSWER_TIMEOUT
-        self.driver.set_page_load_timeout(ANSWER_TIMEOUT)
-        self.driver.set_script_timeout(ANSWER_TIMEOUT)
-        self.driver.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DRAW_SELDOM})
+        self.command_executor.client_config.timeout = ANSWER_TIMEOUT
+        self.set_page_load_timeout(ANSWER_TIMEOUT)
+        self.set_script_timeout(ANSWER_TIMEOUT)
+        self.execute_cdp_cmd('Page.addScriptToEvaluateOnNewDocument', {'source': DRAW_SELDOM})
 
     def open(self, url):
         """Return the page once it has the panel."""
-        self.driver.get(url)
+        self.get(url)
         self._wait_for_readings()
         return self
 
     def reload(self):
         """Open it again."""
-        self.driver.refresh()
+        self.refresh()
         self._wait_for_readings()
 
     @contextlib.contextmanager
     def resized(self, metrics):
         """Give the window another size for a while; see Emulation.setDeviceMetricsOverride."""
-        self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', metrics)
+        self.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', metrics)
         yield
-        self.driver.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.driver.quit()
+        self.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
 
     def run(self, script, *arguments):
-        return self.driver.execute_script(script, *arguments)
+        return self.execute_script(script, *arguments)
 
     @property
     def text(self):
@@ -113,16 +107,14 @@ class Page:
                         'return [box.left, box.top, box.width, box.height]', self._button(label))
 
     def hold(self, label):
-        ActionChains(self.driver, duration=0).click_and_hold(self._button(label)).perform()
-
-    def release(self):
-        ActionChains(self.driver, duration=0).release().perform()
+        ActionChains(self, duration=0).click_and_hold(self._button(label)).perform()
 
     def press_key(self, name):
-        ActionChains(self.driver, duration=0).key_down(getattr(Keys, name)).perform()
+        ActionChains(self, duration=0).key_down(getattr(Keys, name)).perform()
 
     def let_go(self):
-        ActionChains(self.driver).reset_actions()
+        """Release the button or the key."""
+        ActionChains(self).reset_actions()
 
     def dismiss_notices(self):
         """Close what viser says, for instance of the lack of a graphics card."""
@@ -133,7 +125,7 @@ class Page:
             'a page without notices')
 
     def picture(self):
-        return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert('RGB')
+        return Image.open(io.BytesIO(self.get_screenshot_as_png())).convert('RGB')
 
     def scene(self):
         """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""

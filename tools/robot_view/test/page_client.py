@@ -24,8 +24,7 @@ class PageClient:
     """A websocket to the page, in viser's wire format."""
 
     def __init__(self, port, origin=None):
-        self._inputs = {}  # properties by label
-        self._texts = {}  # by id
+        self._shown = {}  # properties by id
         self._websocket = connect(
             f'ws://localhost:{port}', origin=origin, compression=None, max_size=None,
             subprotocols=[f'viser-v{viser.__version__}'])
@@ -56,30 +55,21 @@ class PageClient:
 
     def find(self, label):
         """Return the id of an input once the page shows it."""
-        wait_until(lambda: self._inputs.get(label, {}).get('visible'), TIMEOUT,
-                   lambda: f'{label!r} in the page, which has {self._inputs}')
-        return self._inputs[label]['uuid']
+        return wait_until(lambda: next((uuid for uuid, shown in list(self._shown.items())
+                                        if shown.get('label') == label and shown.get('visible')), None),
+                          TIMEOUT, lambda: f'{label!r} in the page, which has {self._shown}')
 
     def wait_for_text(self, text):
-        wait_until(lambda: any(text in shown for shown in list(self._texts.values())), TIMEOUT,
-                   lambda: f'{text!r} in the page, which shows {self._texts}')
+        wait_until(lambda: any(text in shown.get('content', '') for shown in list(self._shown.values())),
+                   TIMEOUT, lambda: f'{text!r} in the page, which has {self._shown}')
 
     def _read(self):
         with contextlib.suppress(ConnectionClosed):
             for data in self._websocket:
                 for message in _decode(data)['messages']:
-                    self._note(message)
-
-    def _note(self, message):
-        changed = message.get('props') or message.get('updates') or {}
-        if 'content' in changed:
-            self._texts[message['uuid']] = changed['content']
-        if 'label' in message.get('props', {}):
-            self._inputs[message['props']['label']] = {**message['props'], 'uuid': message['uuid']}
-        elif message['type'] == 'GuiUpdateMessage':
-            for properties in self._inputs.values():
-                if properties['uuid'] == message['uuid']:
-                    properties.update(message['updates'])
+                    if 'uuid' in message:
+                        changed = message.get('props') or message.get('updates') or {}
+                        self._shown.setdefault(message['uuid'], {}).update(changed)
 
 
 def _decode(data):

@@ -109,12 +109,11 @@ def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
 
 def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
     """Nothing but a command stops this robot; test_page_clients closes a page and the viewer in mid-drive."""
-    for sign, begin, end in [(1, lambda: page.hold('forward'), page.release),
-                             (-1, lambda: page.press_key('ARROW_DOWN'), page.let_go)]:
+    for sign, press, key in (1, page.hold, 'forward'), (-1, page.press_key, 'ARROW_DOWN'):
         page.wait_for_reading('speed', lambda speed: speed == 0)
-        begin()
+        press(key)
         assert sign * robot.wait_until_moving().twist.twist.linear.x > 0
-        end()
+        page.let_go()
         robot.wait_until_resting()
 
 
@@ -144,7 +143,7 @@ def test_a_scan_and_odometry_that_is_off_are_drawn(master, open_page):
         assert page.count_pixels(2, 0) < ROBOT_PIXELS / 10
         page.hold('forward')
         page.wait_for_reading('true_distance', lambda metres: metres > 0.5)
-        page.release()
+        page.let_go()
         truth.wait_until_resting()
         wait_until(lambda: page.count_pixels(2, 0) > ROBOT_PIXELS, TIMEOUT,
                    'a blue robot beside the dark one')

@@ -100,11 +100,11 @@ def test_a_map_is_drawn(page):
 
 @pytest.mark.parametrize('scheme', ['light', 'dark'])
 def test_the_page_follows_the_browsers_colours_and_can_be_read(page, scheme):
-    page.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {
+    page.execute_cdp_cmd('Emulation.setEmulatedMedia', {
         'features': [{'name': 'prefers-color-scheme', 'value': scheme}]})
     wait_until(lambda: page.run(SCHEME) == scheme, TIMEOUT, lambda: f'{scheme} colours, not {page.run(SCHEME)}')
     page.wait_for_text('forward')
-    assert page.driver.title == 'TurtleBot 2'
+    assert page.title == 'TurtleBot 2'
     wait_until(lambda: not page.run(NAMELESS), TIMEOUT, lambda: f'a name for {page.run(NAMELESS)}')
     low = {text: contrast(*colours) for text, *colours in page.run(BUTTONS) if contrast(*colours) < LEAST_CONTRAST}
     assert not low, 'white on these is hard to read'

@@ -18,8 +18,6 @@ from viewer import viewing
 pytest.importorskip('page_client', reason='viser is not installed')
 from page_client import ROBOTS, PageClient, open_page, published
 
-NAN, INFINITY = math.nan, math.inf
-
 
 @pytest.fixture(scope='module')
 def view(master):
@@ -76,9 +74,8 @@ def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
 
 @pytest.mark.parametrize('slider, button, value, expected', [
     ('speed (m/s)', 'forward', 1e9, (0.7, 0.0)), ('speed (m/s)', 'forward', -5, (0.05, 0.0)),
-    ('speed (m/s)', 'forward', NAN, (0.0, 0.0)), ('speed (m/s)', 'forward', INFINITY, (0.0, 0.0)),
-    ('speed (m/s)', 'forward', '[]', (0.2, 0.0)), ('turn (deg/s)', 'left', 1e9, (0.0, math.pi)),
-    ('turn (deg/s)', 'left', NAN, (0.0, math.pi / 4))])
+    ('speed (m/s)', 'forward', math.nan, (0.0, 0.0)), ('speed (m/s)', 'forward', '[]', (0.2, 0.0)),
+    ('turn (deg/s)', 'left', 1e9, (0.0, math.pi))])
 def test_a_command_stays_within_the_ends_of_the_slider(view, commands, slider, button, value, expected):
     """NaN never drives; a value that viser cannot convert changes nothing."""
     with open_page(view) as page:

@@ -1,10 +1,8 @@
 """A sweep on a Dask cluster gives the rows that this machine gives, also if a worker is killed."""
 
 import contextlib
-import os
 import re
 import signal
-from pathlib import Path
 
 import pytest
 from odometry_tests.processes import Process, hold_port
@@ -18,17 +16,13 @@ CAMPAIGN = ['move', '--set', 'distance=0.4321', '--set', 'odometry_source=encode
 LOCAL = ['--host', '127.0.0.1', '--no-dashboard']
 
 
-def ws(*arguments):
-    return Process(ROOT / 'ws', *arguments)
+def ws(*arguments, **options):
+    return Process(ROOT / 'ws', *arguments, **options)
 
 
-def lines_in(folder):
-    return (folder / 'runs.csv').read_text().splitlines()[1:]
-
-
-def folders():
-    files = Path(os.environ['ODOMETRY_RUNS']).glob('sweep-*/runs.csv')
-    return {file.parent for file in files if lines_in(file.parent)}
+def rows_below(folder):
+    """Return the lines of the sweep in a folder so far, without the heading."""
+    return [line for file in folder.glob('sweep-*/runs.csv') for line in file.read_text().splitlines()[1:]]
 
 
 @pytest.fixture
@@ -49,36 +43,37 @@ def workers(scheduler):
         yield processes
 
 
-@contextlib.contextmanager
-def sweeping(scheduler, runs):
-    before = folders()
-    with ws('sweep', *CAMPAIGN, str(runs), '--cluster', scheduler.address) as run:
-        folder, = wait_until(lambda: folders() - before, TIMEOUT, 'the folder of the sweep')
-        yield run, folder
+@pytest.fixture
+def start_sweep(scheduler, tmp_path):
+    """Return a function that starts a sweep of so many runs, which writes into tmp_path."""
+    return lambda runs: ws('sweep', *CAMPAIGN, str(runs), '--cluster', scheduler.address,
+                           env={'ODOMETRY_RUNS': str(tmp_path)})
 
 
 @pytest.mark.nightly
-def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(scheduler, workers):
+def test_a_worker_is_killed_and_no_row_is_lost_or_there_twice(workers, start_sweep, tmp_path):
     killed, other = workers
-    with sweeping(scheduler, RUNS) as (run, folder):
-        wait_until(lambda: len(lines_in(folder)) >= SOME, TIMEOUT, f'{SOME} rows')
+    with start_sweep(RUNS) as run:
+        wait_until(lambda: len(rows_below(tmp_path)) >= SOME, TIMEOUT, lambda: run.output)
         killed.send(signal.SIGKILL)
-        assert len(lines_in(folder)) < RUNS, 'too late'
+        assert len(rows_below(tmp_path)) < RUNS, 'too late'
         assert run.wait(TIMEOUT) == 0, run.output
     assert killed.wait() == 128 + signal.SIGKILL and other.running
-    rows = lines_in(folder_of(sweep(*CAMPAIGN, str(RUNS)).stdout))
-    assert lines_in(folder) == rows and len(rows) == RUNS
+    alone = folder_of(sweep(*CAMPAIGN, str(RUNS)).stdout)
+    assert rows_below(tmp_path) == (alone / 'runs.csv').read_text().splitlines()[1:]
+    assert len(rows_below(tmp_path)) == RUNS
 
 
 @pytest.mark.nightly
 @pytest.mark.usefixtures('workers')
-def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler):
-    with sweeping(scheduler, MANY) as (run, folder):
+def test_a_scheduler_that_is_killed_ends_the_sweep_with_one_line(scheduler, start_sweep, tmp_path):
+    with start_sweep(MANY) as run:
+        wait_until(lambda: rows_below(tmp_path), TIMEOUT, lambda: run.output)
         scheduler.send(signal.SIGKILL)
         assert run.wait(TIMEOUT) == 1, run.output
     found = re.fullmatch(rf'sweep: the scheduler of the cluster is gone after (\d+) of {MANY} runs, '
                          r'which are in \S+', run.stderr)
-    assert found and len(lines_in(folder)) == int(found[1]) > 0, run.stderr
+    assert found and len(rows_below(tmp_path)) == int(found[1]) > 0, run.stderr
 
 
 @pytest.mark.parametrize('address', [
