@@ -1,12 +1,15 @@
-"""A pytest plugin: which files ./ws test runs, and on how many workers."""
+"""A pytest plugin: which files ./ws test runs, on how many workers, and the line that it closes with."""
 
 import os
 from pathlib import Path
+
+import pytest
 
 from odometry_tests.scripts import TESTS
 
 WORKERS_PER_PROCESSOR = 3  # most tests wait most of the time, for each other's processes
 BY_DAY = 'not nightly'  # of pytest.ini
+OUTCOMES = {'passed': ['passed'], 'failed': ['failed', 'error'], 'skipped': ['skipped']}
 
 
 def pytest_configure(config):
@@ -40,3 +43,12 @@ def pytest_xdist_auto_num_workers(config):
     """Start so many workers for `-n auto`, and no more than there are files to run."""
     workers = WORKERS_PER_PROCESSOR * len(os.sched_getaffinity(0))
     return workers if has_folder(config) else min(workers, len(config.args))
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config):
+    reporter = config.pluginmanager.get_plugin('terminalreporter')
+    if reporter and not hasattr(config, 'workerinput') and not config.option.collectonly:
+        counts = [f'{sum(len(reporter.stats.get(key, [])) for key in keys)} {word}'
+                  for word, keys in OUTCOMES.items()]
+        reporter.write_line(', '.join(counts))
