@@ -14,6 +14,8 @@ Parameters:
     ~time (float, 5.05 s, from 0): when to send it; at once if move_base takes goals later
 """
 
+import threading
+
 import rospy
 from geometry_msgs.msg import PoseStamped
 from odometry_common.node import run_node, spin
@@ -35,7 +37,9 @@ def main():
     message.header.frame_id = 'map'
     fill_pose(message.pose.position, message.pose.orientation, (goal.x, goal.y, 0.0), about_z(goal.yaw))
     publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
-    rospy.wait_for_message('move_base/status', rospy.AnyMsg)  # an earlier goal would be lost
+    ready = threading.Event()
+    rospy.Subscriber('move_base/status', rospy.AnyMsg, lambda _: ready.set())
+    ready.wait()  # an earlier goal would be lost
     rospy.sleep(rospy.Time.from_sec(goal.time) - rospy.Time.now())
     message.header.stamp = rospy.Time.now()
     publisher.publish(message)

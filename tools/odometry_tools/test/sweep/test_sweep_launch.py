@@ -200,6 +200,8 @@ def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
     (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
     (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
+    (('guest', 'nodes.launch', 1), {'scan_rate': [5], 'clock_rate': [10], 'odom_rate': [20]},
+     'parameter ~clock_rate is 10, but must be a number 0 or from ~odom_rate (20) to 1000 Hz'),
     (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
     (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but the sweep does that'),
     (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
