@@ -8,6 +8,7 @@ import threading
 import time
 
 import pytest
+from odometry_tests.waiting import TIMEOUT, wait_until
 from sim_turtlebot.lockstep.idle import IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
 from sim_turtlebot.lockstep.threads import Thread
@@ -162,6 +163,24 @@ def test_a_thread_that_always_polls_is_awake_while_it_works(waiter, start):
     assert process.awake_thread() is thread
     thread.ignored = True
     assert process.awake_thread() is None
+
+
+def test_a_thread_of_roscpp_that_sleeps_by_wall_time_may_run_between_two_looks(waiter, start):
+    """On a busy machine ros::Rate polls more often than all others can be looked at; not while it waits otherwise."""
+    child = start('import sys, time\nprint("ready", flush=True)\n'
+                  'for _ in range(2000): time.sleep(0.001)\nsys.stdin.readline()')
+    assert child.stdout.readline() == 'ready\n'
+    process = waiter.processes[child.pid]
+    process.is_cpp = True
+    process.list_threads()
+    wait_until(process.check_idle, TIMEOUT, 'a thread that sleeps')
+    thread, = process.threads.values()
+    before = thread.sleeps
+    wait_until(lambda: thread.sleeps > before, TIMEOUT, 'a poll')
+    wait_until(process.check_asleep, TIMEOUT, 'a thread that sleeps')
+    assert thread.sleeps_by_wall_time and process.is_still_idle()
+    wait_until(lambda: process.check_asleep() and not thread.sleeps_by_wall_time, TIMEOUT, 'a thread that reads')
+    assert not process.is_still_idle()
 
 
 def test_a_process_that_ends_is_forgotten(waiter, start):

@@ -20,6 +20,7 @@ OUT_OF_RANGE = {
     'test_movement.py': {'distance': [0, -1], 'speed': [0], 'timeout': [-1, 1e6]},
     'rotate.py': {'kp': [0, -0.5], 'rate': [0, -10, 1e6], 'max_angular_speed': [0, -1],
                   'tolerance': [-1, 180], 'timeout': [-1, 1e6]},
+    'send_goal.py': {'time': [-1]},
     'sim_turtlebot_node.py': {
         'robots': [0, -1, 100000], 'x': [1e5], 'y': [-1e5], 'yaw': [360], 'odom_rate': [0, 1e5],
         'clock_rate': [-1, 10, 2000], 'cpu_budget': [0, 3601], 'odometry_source': ['gps', ''], 'wheel_slip': [-0.1, 1],

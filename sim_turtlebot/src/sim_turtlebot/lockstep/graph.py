@@ -89,9 +89,12 @@ class GraphProcesses:
             if self._newest == before:
                 return
             self._remove_independent()
+            known = {*self._children}
             for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
                 with contextlib.suppress(psutil.NoSuchProcess):
                     self._add_child(self._waiter.processes.get(psutil.Process(pid).ppid()), pid)
+            if known.issuperset(self._children):
+                return
             self._waiter.wait()
 
     def _newest_pid(self):

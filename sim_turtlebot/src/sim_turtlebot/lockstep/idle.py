@@ -24,6 +24,8 @@ STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugge
 STALL_TIMEOUT = 60.0  # s of wall time, for one that neither computes nor sleeps
 SPIN_TIME = 0.001  # s of wall time
 CHECK_PERIOD = 2e-5  # s of wall time, after that
+BUDGET_PERIOD = 0.02  # s of wall time between two looks at the budgets, which take as long as a check
+CHECKS = 3  # in a row: a busy machine may leave no other time between two naps of threads that wake in vain
 
 
 class IdleWaiter:
@@ -56,13 +58,17 @@ class IdleWaiter:
         :param only_clock: whether the processes received only a tick of the clock, each on one thread
         """
         begin, first_cpu_times, usage, polls = time.monotonic(), {}, None, {}
+        next_look = begin
         while not self.is_over():
             check_begin = time.monotonic()
             try:
                 self._await_continued()
                 # Before the check: a thread that sleeps later may have received work in between.
                 polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
-                busy = self._find_busy()
+                for _ in range(CHECKS):
+                    busy = self._find_busy()
+                    if not busy:
+                        break
                 if not busy:
                     before, (usage, polling) = usage, self._classify(check_begin, int(only_clock))
                     polls = {thread: polls.get(thread, sleeps) for thread, sleeps in polling.items()
@@ -78,8 +84,10 @@ class IdleWaiter:
                 first_cpu_times = first_cpu_times or {
                     thread: thread.usage[0] for process in self._awaited
                     for thread in process.threads.values()}
-                if self._gives_up(busy, first_cpu_times, check_begin - begin):
-                    begin, first_cpu_times = check_begin, {}
+                if check_begin >= next_look:
+                    next_look = check_begin + BUDGET_PERIOD
+                    if self._gives_up(busy, first_cpu_times, check_begin - begin):
+                        begin, first_cpu_times = check_begin, {}
             except OSError as error:
                 if error.errno == errno.EMFILE:
                     raise

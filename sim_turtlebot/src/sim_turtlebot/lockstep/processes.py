@@ -103,4 +103,4 @@ class Process:
             self.threads.pop(tid).close()
         for tid in tids - self.threads.keys():
             with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # it has ended
-                self.threads[tid] = Thread(self.pid, tid)
+                self.threads[tid] = Thread(self.pid, tid, self.is_cpp)

@@ -20,8 +20,8 @@ _wait_functions = set()  # kernel functions in which threads have been seen asle
 class Thread:
     """A thread of any process; every query raises OSError once the thread has ended."""
 
-    def __init__(self, pid, tid):
-        self.pid, self.tid = pid, tid
+    def __init__(self, pid, tid, is_cpp=False):
+        self.pid, self.tid, self._is_cpp = pid, tid, is_cpp
         self._path, self._function = f'/proc/{pid}/task/{tid}', None
         with contextlib.ExitStack() as opened:  # the thread may end in between
             # Functions, since each check calls them for every thread of the graph.
@@ -73,8 +73,8 @@ class Thread:
 
     @property
     def may_run(self):
-        """Whether nobody waits until it is idle."""
-        return self.always_polls or self.ignored
+        """Whether nobody waits until it is idle; ros::Rate polls every millisecond."""
+        return self.always_polls or self.ignored or self._is_cpp and self.sleeps_by_wall_time
 
     @property
     def may_poll(self):
@@ -97,8 +97,8 @@ class Thread:
         return int(self._read('status').partition(SWITCHES)[2].split(maxsplit=1)[0])
 
     def sample_polling(self):
-        """Set `always_polls`, once, while all other threads are idle."""
-        if self.always_polls is not None:
+        """Set `always_polls`, once, while all other threads are idle; not of ros::Rate, which may work later."""
+        if self.always_polls is not None or self.sleeps_by_wall_time:
             return
         begin, (_, waited, runs), passed, runs_now = time.monotonic(), self.usage, 0.0, 0
         while runs_now < MIN_POLLS and passed <= SAMPLE_TIME:

@@ -96,15 +96,16 @@ def _check_node(file, node):
 
 
 def _check_values(subject, values, known, left_out=frozenset()):
-    """Check each value alone: no range depends on another parameter of a sweep.
+    """Check each value, beside the first value of each other parameter.
 
     :param known: Parameters by name; None for what may have any value
     """
     known = {name: row for name, row in known.items() if name not in NOT_SET | left_out}
+    robot = PARAMETERS.read({name: several[0] for name, several in values.items()})
     for name, several in values.items():
         row = choose(name, known, f'parameter {name} cannot be set in a sweep of {subject.name}')
         for value in several if row else ():
-            row.check(value)
+            row.check(value, robot)
 
 
 def choose(name, known, complaint):

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""Send a goal to move_base at a simulated time, so that in lockstep each run has it at the same moment.
+
+Subscribes:
+    move_base/status (actionlib_msgs/GoalStatusArray): once it arrives, move_base takes goals
+
+Publishes:
+    move_base_simple/goal (geometry_msgs/PoseStamped): once, in the frame map
+
+Parameters:
+    ~x (float, 0 m): where to drive to
+    ~y (float, 0 m): where to drive to
+    ~yaw (float, 0 rad): the heading there
+    ~time (float, 5.05 s, from 0): when to send it; at once if move_base takes goals later
+"""
+
+import threading
+
+import rospy
+from geometry_msgs.msg import PoseStamped
+from odometry_common.node import run_node, spin
+from odometry_common.parameters import ANY, Parameter, Parameters, at_least
+from sim_turtlebot.frames import fill_pose
+from sim_turtlebot.geometry import about_z
+
+PARAMETERS = Parameters(
+    Parameter('~x', 0.0, 'm', ANY, 'where to drive to'),
+    Parameter('~y', 0.0, 'm', ANY, 'where to drive to'),
+    Parameter('~yaw', 0.0, 'rad', ANY, 'the heading there'),
+    Parameter('~time', 5.05, 's', at_least(0), 'when to send it; at once if move_base takes goals later'))
+
+
+def main():
+    """Send the goal, and stay until move_base has received it."""
+    goal = PARAMETERS.read()
+    message = PoseStamped()
+    message.header.frame_id = 'map'
+    fill_pose(message.pose.position, message.pose.orientation, (goal.x, goal.y, 0.0), about_z(goal.yaw))
+    publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
+    ready = threading.Event()
+    rospy.Subscriber('move_base/status', rospy.AnyMsg, lambda _: ready.set())
+    ready.wait()  # an earlier goal would be lost
+    rospy.sleep(rospy.Time.from_sec(goal.time) - rospy.Time.now())
+    message.header.stamp = rospy.Time.now()
+    publisher.publish(message)
+    spin()
+
+
+if __name__ == '__main__':
+    run_node('send_goal', main, __doc__, PARAMETERS)
