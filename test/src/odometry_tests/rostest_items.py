@@ -47,7 +47,3 @@ class Rostest(pytest.Item):
                 sys.executable, '-c', ROSTEST, '--results-base-dir', folder, file, cwd=folder) as run:
             status = run.wait(TIMEOUT)
         assert status == 0 and 'RESULT: SUCCESS' in run.stdout, run.output
-
-    def repr_failure(self, excinfo):
-        failed = isinstance(excinfo.value, AssertionError)
-        return str(excinfo.value) if failed else super().repr_failure(excinfo)
