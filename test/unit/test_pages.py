@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from odometry_tests.scripts import DOCUMENTS, ROOT, load_script
+from odometry_tests.scripts import DOCUMENTS, ROOT, SCRIPTS, load_script
 
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
 EXAMPLE = ROOT / 'docs' / 'example'
@@ -44,3 +44,11 @@ def test_the_tutorials_launch_files_have_the_few_arguments_that_a_learner_change
         shared = {name: value for name, value in reference._arguments(tutorial).items() if name in base}
         assert all(default == base[name][0] for name, (default, _) in shared.items())
         assert 'params' in shared and len(shared) <= 13
+
+
+def test_every_node_and_launch_file_has_a_heading():
+    """But what ./ws demo, check and sweep start, what stands in for ROS's rosout, and what is only included."""
+    nodes = {path.name for path in SCRIPTS} - {'check.py', 'demo.py', 'sweep.py', 'rosout.py'}
+    launched = {path.name for path in ROOT.glob('launch/*.launch')} - {'house.launch', 'move_base.launch', 'movers.launch'}
+    headings = {found[1] for found in reference.GENERATED.finditer(reference.PAGE.read_text())}
+    assert nodes | launched | {*reference.PARSERS} <= headings
