@@ -71,12 +71,23 @@ rospy.init_node('tidy')
 assert not rospy.has_param('/left'), 'left'
 rospy.set_param('/left', True)
 '''
+# Commands once, before time begins: the simulator ignores that.
+EARLY = '''#!{python}
+import time
+import rospy
+from geometry_msgs.msg import Twist
+rospy.init_node('early')
+publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+while publisher.get_num_connections() < 2:
+    time.sleep(0.01)
+publisher.publish(Twist())
+rospy.spin()
+'''
 FILES = {
     'package.xml': '<package><name>guest</name></package>', 'node.py': NODE, 'nodes.launch': NODES,
     'napper.py': NAPPER, 'naps.launch': NAPS, 'tidy.py': TIDY, 'tidy.launch': ONE_NODE.format('tidy', ''),
     'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
-    'silent.py': '#!{python}\nimport rospy\nrospy.init_node("silent")\nrospy.spin()\n',
-    'silent.launch': ONE_NODE.format('silent', ''), 'plain.launch': ONE_NODE.format('plain', ''),
+    'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
     'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
     'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}
 
@@ -153,7 +164,7 @@ def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_
 
 
 def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
-    printed = sweep('guest', 'silent.launch', '--until', '1', command=SCRIPT).stdout
+    printed = sweep('guest', 'early.launch', '--until', '1', command=SCRIPT).stdout
     assert 'no commands     reached the robot, with all runs: ' in printed, printed
 
 

@@ -5,6 +5,7 @@ import itertools
 import math
 from pathlib import Path
 
+import numpy
 import rosbag
 import yaml
 from nav_msgs.msg import Odometry
@@ -112,11 +113,13 @@ def _launch_metrics(recorded):
     run = read_run(recorded.bag)
     truth, error = run.ground_truth, run.error
     travel = truth.at(truth.time[0]).inverse().then(truth.at(truth.time[-1]))
+    # An earlier command is ignored, and lost unless its connection has been made by then.
+    commands = numpy.count_nonzero(run.commands[:, 0] > 0)
     moving = (abs(truth.speed) > REST_SPEED) | (abs(truth.turn_rate) > REST_ANGULAR_SPEED)
     return {'distance': truth.distance[-1], 'from_start': math.hypot(travel.x, travel.y),
             'sideways': travel.y, 'heading': degrees(travel.yaw), 'heading_error': degrees(error.yaw),
             'odometry_error': math.hypot(error.x, error.y), 'time': truth.time[moving].max(initial=0.0),
-            'commands': len(run.commands), 'ended': _ended(recorded)}
+            'commands': commands, 'ended': _ended(recorded)}
 
 
 def _ended(recorded):
