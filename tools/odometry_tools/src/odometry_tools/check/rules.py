@@ -76,6 +76,8 @@ NOTES = (
     Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
          'your node ended {how} after it had done all: {said}'),
     Rule('ctrl_c', lambda m: not m.run.ends and m.run.interrupted is None, 'Ctrl-C did not end your node within 20 s'),
+    Rule('leaves_process', lambda m: m.run.leaves_process,
+         'after Ctrl-C a program that your node had started still ran'),
     Rule('luck', lambda m: m.passed and m.run.looks > 1 and not m.run.unawaited,
          'it passed only when it was looked at again. What a program publishes as it ends can be lost: '
          'rospy.sleep(0.5) after it gives it time to arrive'),

@@ -72,6 +72,7 @@ class Run:
         self.unawaited = None  # why lockstep does not wait for the node
         self.interrupted = None  # index of the command after Ctrl-C
         self.ends = True  # whether Ctrl-C ends the node
+        self.leaves_process = False  # whether another program that it started goes on
         self.nodes = set()  # names of the nodes that the learner's process contains
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
         self.refuses = False  # whether the node that is to publish is there, and sends nothing

@@ -69,8 +69,7 @@ class Runner:
                        has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self.exercise.topic))
         finally:
             if run.interrupted is None:
-                run.ends = self._press_ctrl_c(node)
-            self._is_stubborn = not run.ends
+                self._press_ctrl_c(node, run)
             node.end()
             forget(run.nodes)
         return run
@@ -97,7 +96,7 @@ class Runner:
         self._note_unawaited(run, log)
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
             run.finish(interrupted=len(run.commands), over=False)
-            run.ends = self._press_ctrl_c(node)
+            self._press_ctrl_c(node, run)
             self._await_last_commands()
 
     def _note_unawaited(self, run, log):
@@ -111,11 +110,16 @@ class Runner:
         while not self._bench.has_left() and time.monotonic() < end:
             time.sleep(LOOK_PERIOD)
 
-    def _press_ctrl_c(self, node):
-        """Return whether Ctrl-C ends a node, which may sleep by simulated time before it ends."""
+    def _press_ctrl_c(self, node, run):
+        """Press Ctrl-C; note whether that ends the node, and all that it has started."""
         node.interrupt()
-        if node.wait(HOOK_PATIENCE) or self._is_stubborn:
-            return node.wait(0.0)
+        has_ended = node.wait(HOOK_PATIENCE) or not self._is_stubborn and self._ends_in_time(node)
+        run.ends = has_ended or node.status is not None and not any(map(self._bench.ask, run.nodes))
+        run.leaves_process = run.ends and not has_ended
+        self._is_stubborn = not run.ends
+
+    def _ends_in_time(self, node):
+        """Return whether a node ends that may sleep by simulated time before."""
         self._bench.call('unpause_physics')
         try:
             return node.wait(INTERRUPT_PATIENCE)
