@@ -31,7 +31,7 @@ TABLE = Parameters(
 
 def test_defaults_and_values_are_of_the_type_of_the_default():
     """Numbers may be written in several ways; parameters are read by their names without ~."""
-    values = vars(TABLE.read({'speed': 1, 'robots': 2.0, 'step': '1e-1', 'world': 'x'}))
+    values = vars(TABLE.read({'speed': 1, 'robots': 2.0, 'step': '1e-1'}, world='x'))
     assert values == {'speed': 1.0, 'slow': 0.1, 'step': 0.1, 'target': 90.0, 'robots': 2,
                       'gui': False, 'world': 'x', 'source': 'a'}
     assert [type(values[name]) for name in ('speed', 'robots')] == [float, int]

@@ -14,12 +14,11 @@ Parameters:
     ~time (float, 5.05 s, from 0): when to send it; at once if move_base takes goals later
 """
 
-import threading
-
 import rospy
 from geometry_msgs.msg import PoseStamped
 from odometry_common.node import run_node, spin
 from odometry_common.parameters import ANY, Parameter, Parameters, at_least
+from odometry_common.subscribing import Subscriber
 from sim_turtlebot.frames import fill_pose
 from sim_turtlebot.geometry import about_z
 
@@ -31,15 +30,14 @@ PARAMETERS = Parameters(
 
 
 def main():
-    """Send the goal, and stay until move_base has received it."""
+    """Send the goal; it stays for a move_base that starts again."""
     goal = PARAMETERS.read()
     message = PoseStamped()
     message.header.frame_id = 'map'
     fill_pose(message.pose.position, message.pose.orientation, (goal.x, goal.y, 0.0), about_z(goal.yaw))
     publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
-    ready = threading.Event()
-    rospy.Subscriber('move_base/status', rospy.AnyMsg, lambda _: ready.set())
-    ready.wait()  # an earlier goal would be lost
+    status = Subscriber('move_base/status', rospy.AnyMsg, lambda _: None, 'move_base')
+    status.wait()  # an earlier goal would be lost
     rospy.sleep(rospy.Time.from_sec(goal.time) - rospy.Time.now())
     message.header.stamp = rospy.Time.now()
     publisher.publish(message)

@@ -1,4 +1,4 @@
-"""Robot clients that compute, or let other processes work for them.
+"""Robot clients that let other processes and threads work for them.
 
 usage: computing_clients.py KIND
 """
@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 from clients import main
 
@@ -52,6 +53,12 @@ def processes(robot):
     pool = multiprocessing.Pool(2)
     for x in iter(robot.seen.get, None):
         robot.drive(pool.apply(work, [x]))
+
+
+def threads(robot):
+    pool = ThreadPoolExecutor(2)
+    for x in iter(robot.seen.get, None):
+        robot.drive(pool.submit(work, x).result())
 
 
 if __name__ == '__main__':

@@ -3,8 +3,10 @@
 usage: odd_clients.py KIND
 """
 
+import asyncio
 import os
 import queue
+import select
 import signal
 import threading
 import time
@@ -19,6 +21,12 @@ from std_srvs.srv import Empty
 
 def busy(_robot):
     while not rospy.is_shutdown():
+        pass
+
+
+def busy_after_one_command(robot):
+    robot.drive(robot.seen.get())
+    while robot.x < 1.0:
         pass
 
 
@@ -46,6 +54,35 @@ def wall(robot, seconds):
         robot.drive()
         rospy.loginfo('commanded')
         time.sleep(float(seconds))
+
+
+def event(robot):
+    while not rospy.is_shutdown():
+        threading.Event().wait(0.1)
+        robot.drive()
+
+
+def queue_timeout(robot):
+    while not rospy.is_shutdown():
+        try:
+            queue.Queue().get(timeout=0.1)
+        except queue.Empty:
+            robot.drive()
+
+
+def selecting(robot):
+    while not rospy.is_shutdown():
+        select.select([], [], [], 0.1)
+        robot.drive()
+
+
+def coroutine(robot):
+    async def drive():
+        while not rospy.is_shutdown():
+            robot.drive()
+            await asyncio.sleep(0.1)
+
+    asyncio.run(drive())
 
 
 def wall_timer(robot):

@@ -27,12 +27,16 @@ from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
 # The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
-# test_random_graphs has rospy's rates, timers, sleeps, topics and services.
 CLIENTS = {
-    'rospy.wait_for_message': ['wait_for_message'], 'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'],
-    'actionlib': ['action', 'action_server'], 'rosbag record': ['rate 20', 'bag'],
-    'subprocess': ['computing program'], 'os.fork': ['computing fork'], 'multiprocessing': ['computing processes'],
-    'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'], 'ros::MultiThreadedSpinner': ['C++ spinners']}
+    'rospy.Rate(30)': ['rate 30'], 'rospy.Timer': ['timer'],
+    'rospy.sleep': ['sleep'], 'rospy.wait_for_message': ['wait_for_message'],
+    'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'], 'message_filters': ['synchronizer'],
+    'service': ['service'], 'latched topic': ['latched', 'latching'],
+    'actionlib': ['action', 'action_server'], 'dynamic_reconfigure': ['reconfigure', 'tuner'],
+    'rosbag record': ['rate 20', 'bag'], 'subprocess': ['computing program'], 'os.fork': ['computing fork'],
+    'multiprocessing': ['computing processes'], 'ThreadPoolExecutor': ['computing threads'],
+    'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
+    'ros::MultiThreadedSpinner': ['C++ spinners']}
 BY_DAY = 'tf2_ros', 'os.fork'
 FAMILIES = 'computing', 'odd'  # of clients, each in a file
 CLIENT_TIME = 3  # s of simulated time
@@ -117,9 +121,10 @@ def test_the_files_of_threads_that_have_ended_are_closed(seconds, start_client):
 BUSY, SLEEPS, STOPPED = 'it has been busy for', 'it acts by wall time', 'it has been stopped'
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
-    'odd busy': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
+    'odd busy': BUSY, 'odd busy_after_one_command': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
     'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 0.7': SLEEPS,
-    'odd wall 2': SLEEPS, 'odd wall_timer': SLEEPS, 'odd alarm': SLEEPS, 'C++ usleep': SLEEPS,
+    'odd wall 2': SLEEPS, 'odd event': SLEEPS, 'odd queue_timeout': SLEEPS, 'odd selecting': SLEEPS,
+    'odd coroutine': SLEEPS, 'odd wall_timer': SLEEPS, 'odd alarm': SLEEPS, 'C++ usleep': SLEEPS,
     'odd stopped': STOPPED}
 NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'
 

@@ -1,6 +1,8 @@
 """In which order requests are served."""
 
 import threading
+import types
+from concurrent import futures
 from functools import partial
 
 import pytest
@@ -25,6 +27,22 @@ def test_a_request_that_nobody_begins_to_serve_in_time_fails_and_never_takes_eff
         requests.call('/a', 's', lambda: served.append('late'))
     requests.serve_all()
     assert not served
+
+
+def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(requests, monkeypatch):
+    begun, failed = threading.Event(), threading.Event()
+
+    def wait_until_begun(answers, timeout):
+        assert begun.wait(PATIENCE)
+        return futures.wait(answers, timeout)
+
+    monkeypatch.setattr(request_queue, 'ANSWER_TIMEOUT', 0.01)
+    monkeypatch.setattr(request_queue, 'futures', types.SimpleNamespace(
+        Future=futures.Future, wait=wait_until_begun))
+    threading.Thread(target=lambda: requests.wait(PATIENCE) and requests.serve_all(), daemon=True).start()
+    with pytest.raises(TimeoutError, match='not finished within 0.01 s of wall time; it will'):
+        requests.call('/a', 's', lambda: begun.set() or failed.wait(PATIENCE))
+    failed.set()
 
 
 def test_of_a_topic_the_latest_message_of_each_sender_is_served(requests):

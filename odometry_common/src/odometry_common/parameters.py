@@ -120,10 +120,11 @@ class Parameters:
         """The part of --help that describes them; '' if there are none."""
         return '\n'.join(['Parameters:', *map(_help_of, self.rows)]) if self.rows else ''
 
-    def read(self, source=None):
+    def read(self, source=None, **defaults):
         """Return a namespace with all values, by their names without ~.
 
         :param source: dictionary of given values by these names; None: the ROS parameter server
+        :param defaults: replace defaults of the table
         :raises ParameterError: for the first value that the node cannot use
         """
         values = SimpleNamespace()
@@ -131,7 +132,8 @@ class Parameters:
         for row in self.rows:
             name = row.name.lstrip('~/')
             given = source.get(name, UNSET)
-            setattr(values, name, row.default if given is UNSET else row.check(given, values))
+            value = defaults.get(name, row.default) if given is UNSET else row.check(given, values)
+            setattr(values, name, value)
         return values
 
 

@@ -39,7 +39,8 @@ class Subscriber:
         while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
             topics = ask(rosgraph.get_master_uri(), 'getPublishedTopics', '') or ()
             other = dict(topics).get(self._name)
-            rospy.loginfo(f'waiting for {self._what} on {self._name}' if other in (None, self._type) else
+            is_right = other is None or self._type in (other, rospy.AnyMsg._type)
+            rospy.loginfo(f'waiting for {self._what} on {self._name}' if is_right else
                           f'waiting for {self._what}: {self._name} has the type {other}, not {self._type}')
         return not rospy.core.is_shutdown_requested()
 

@@ -109,7 +109,7 @@ class Simulator:
     def _begin(self):
         """Start time; in lockstep, once the graph is stable."""
         is_stable = self._nodes.is_graph_stable
-        # Whoever has unpaused the simulation has waited for the nodes.
+        # The caller of ~unpause_physics has waited for the nodes.
         if is_stable(0.0) if self._settings.paused else is_stable():
             self._start_time()
         elif self._requests.wait(GRAPH_PERIOD):

@@ -8,6 +8,8 @@ import sys
 import pytest
 from odometry_common.parameters import StartError
 from odometry_tests.scripts import ROOT
+from odometry_tools.runs.output import RunError
+from odometry_tools.sweep import session_process
 from odometry_tools.sweep.campaign import Campaign
 from odometry_tools.sweep.subjects import Launched
 from sweeps import SCRIPT, folder_of, rows_in, sweep
@@ -154,6 +156,32 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
 def test_a_run_leaves_no_parameter_to_the_next_in_its_session():
     printed = sweep('guest', 'tidy.launch', '--until', '0.1', '--seeds', '2', '--jobs', '1', command=SCRIPT).stdout
     assert [row['ended'] for row in rows_in(folder_of(printed))] == ['until', 'until'], printed
+
+
+def test_a_session_that_breaks_is_replaced_once(monkeypatch):
+    class Broken:
+        """A session whose second run fails, and each without a value."""
+
+        made = runs = 0
+
+        def __init__(self):
+            Broken.made += 1
+
+        def run(self, _subject, parameters):
+            self.runs += 1
+            if self.runs > 1 or parameters['x'] is None:
+                raise RunError('broken')
+            return self.runs
+
+        def close(self):
+            pass
+
+    monkeypatch.setattr(session_process, 'SessionProcess', Broken)
+    subject = Launched(['guest', 'nodes.launch'], 1.0)
+    assert [session_process.run_in_session(subject, {'x': 1, 'seed': seed}) for seed in range(3)] == [1, 1, 1]
+    assert Broken.made == 3
+    with pytest.raises(RunError):
+        session_process.run_in_session(subject, {'x': None, 'seed': 0})
 
 
 def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_parameters_name():

@@ -18,7 +18,7 @@ PORTS = range(1, 65536)
 
 PARAMETERS = Parameters(
     Parameter('~port', 8080, '', between(1, 65535), 'port of the page'),
-    Parameter('~host', os.environ.get(HOST_VARIABLE) or 'localhost', '', ANY,
+    Parameter('~host', 'localhost', '', ANY,
               'name or address to listen on; 0.0.0.0 lets the whole network in; the environment '
               f'variable {HOST_VARIABLE} sets another default'),
     Parameter('~allowed_hosts', '', '', ANY,
@@ -41,7 +41,7 @@ def read_address(source=None):
 
     :param source: as for Parameters.read()
     """
-    parameters = PARAMETERS.read(source)
+    parameters = PARAMETERS.read(source, host=os.environ.get(HOST_VARIABLE) or 'localhost')
     host, port = parameters.host, parameters.port
     names = {*LOOPBACK, host.lower(), *_parse(parameters.allowed_hosts)}
     shown = host

@@ -27,8 +27,7 @@ def runs_of(exercise, scenarios, program):
     with concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context('fork')) as pool:
         try:
             futures = [pool.submit(_look_at_part, exercise, program, part) for part in parts]
-            for future in futures:
-                _show_progress(future, len(scenarios))
+            _show_progress(futures, len(scenarios))
             found = {run.scenario: run for future in futures for run in future.result()}
         except concurrent.futures.BrokenExecutor:
             raise RunError('a process of the check was killed') from None
@@ -44,13 +43,17 @@ def _look_at_part(exercise, program, scenarios):
         return look_at_all(Runner(bench, program), scenarios)
 
 
-def _show_progress(future, total):
-    """Show on a terminal how many scenarios are done, until one part of them is."""
+def _show_progress(futures, total):
+    """Show on a terminal how many scenarios are done, until all are; raise what ends a part of them."""
     line = Line(math.inf, math.inf)
-    while concurrent.futures.wait([future], PROGRESS_PERIOD).not_done:
+    while True:
+        ended, going = concurrent.futures.wait(futures, PROGRESS_PERIOD)
+        for future in ended:
+            future.result()
+        if not going:
+            break
         line.show(f'{bar(done.value / total)} {done.value} of {total} scenarios', 0.0)
     line.show('', 0.0)
-    future.result()  # or its exception, although other parts go on
 
 
 def look_at_all(runner, scenarios):

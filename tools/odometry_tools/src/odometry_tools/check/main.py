@@ -60,7 +60,7 @@ def _judge(options, program):
     use_writable_logs()
     exercise, words = EXERCISES[options.exercise], report.plain(' '.join(options.node))
     print(f'{options.exercise}  {words}', flush=True)
-    runs = _show(exercise, options.scenarios, program) if options.view else runs_of(
+    runs = _runs_in_browser(exercise, options.scenarios, program) if options.view else runs_of(
         exercise, options.scenarios, program)
     verdicts, folders = verdicts_on(runs, exercise), {}
     for run, verdict in zip(runs, verdicts):
@@ -77,7 +77,7 @@ def _judge(options, program):
     return verdicts
 
 
-def _show(exercise, scenarios, program):
+def _runs_in_browser(exercise, scenarios, program):
     """Return the Runs of a Program in Scenarios, as runs_of() does, one after the other and in a browser."""
     from odometry_tools.check.bench import Bench, Pace
     from odometry_tools.check.looking import look_at_all
