@@ -6,6 +6,7 @@ import statistics
 from odometry_common.angles import wrap_to_pi
 
 from odometry_tools.check.controller import find_controller
+from odometry_tools.check.quoting import listed
 from odometry_tools.check.run import ZERO
 from odometry_tools.check.scenarios import GOAL
 
@@ -29,8 +30,8 @@ def measure_drive(m, run):
     m.turned = math.degrees(m.end.turned)
     m.is_still = m.end.way < 0.03 and m.turned < 3
     m.at = '' if m.is_still else f' after {m.end.way:.2f} m and {m.turned:.0f} degrees'
-    m.useless = _words(name for command in m.commands for name in command.useless)
-    m.mux = _words(command.topic for command in m.commands if command.topic != 'cmd_vel')
+    m.useless = listed(name for command in m.commands for name in command.useless)
+    m.mux = listed(command.topic for command in m.commands if command.topic != 'cmd_vel')
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
@@ -53,10 +54,6 @@ def _measure_last_command(m, run):
     m.turned_at_last = math.degrees(m.at_last.turned - m.start.turned)
     m.seconds = run.now - m.moves[0].time
     m.driven = (m.stop or last).time - m.moves[0].time
-
-
-def _words(names):
-    return ', '.join(sorted(set(names)))
 
 
 def _pose_at(run, time):

@@ -67,12 +67,15 @@ def _judge(options, program):
         if not verdict.has_passed:
             name = '-'.join(['check', options.exercise, *_names(options.node), verdict.scenario])
             folders[verdict.scenario] = report.keep(run, exercise, name)
-    judged = {verdict.scenario for verdict in verdicts}
-    verdicts += [verdicts[-1]._replace(scenario=other.name) for other in options.scenarios if other.name not in judged]
+    # Scenarios are left out only after one in which the node did not begin.
+    not_begun = [verdict for run, verdict in zip(runs, verdicts) if not run.odometry]
+    by_name = {verdict.scenario: verdict for verdict in verdicts}
+    verdicts = [by_name.get(scenario.name) or not_begun[0]._replace(scenario=scenario.name)
+                for scenario in options.scenarios]
     report.show(verdicts, {name: folder for name, folder in folders.items() if folder})
     failed = [verdict.scenario for verdict in verdicts if not verdict.has_passed]
     example = (f' See one: ./ws check {options.exercise} {words} --scenario {failed[0]} --view'
-               if failed and runs[-1].odometry and not options.view else '')
+               if failed and not not_begun and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
 

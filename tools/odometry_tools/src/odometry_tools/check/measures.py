@@ -57,14 +57,10 @@ def _measure_messages(m):
 
 def _read_graph(m, publishes, subscribes):
     """Note which topics the node publishes and subscribes to; both are types by topic."""
-    m.outputs = _words(topic for topic, kind in publishes.items() if kind == m.type and topic != m.topic)
+    m.outputs = quoting.listed(topic for topic, kind in publishes.items() if kind == m.type and topic != m.topic)
     m.output_type = publishes.get(m.topic) or m.type
     heard = subscribes.keys() - {'/clock', '/rosout'}
-    m.inputs = _words(heard) or 'nothing'
+    m.inputs = quoting.listed(heard) or 'nothing'
     m.hears_robot = bool(heard & INPUTS.keys())
-    m.wrong_inputs = _words(f'{topic} as {subscribes[topic]}' for topic in heard & INPUTS.keys()
+    m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}' for topic in heard & INPUTS.keys()
                             if subscribes[topic] not in ('', '*', INPUTS[topic]))
-
-
-def _words(names):
-    return ', '.join(sorted(set(names)))

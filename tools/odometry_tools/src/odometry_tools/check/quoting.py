@@ -42,6 +42,11 @@ def last_line(output):
     return next((line.strip()[:MOST] for line in reversed(output.split('\n')) if line.strip()), '')
 
 
+def listed(names):
+    """Return names for a sentence: each once, in order."""
+    return ', '.join(sorted(set(names)))
+
+
 def how_ended(status):
     """Describe an exit status."""
     if status < 0:
