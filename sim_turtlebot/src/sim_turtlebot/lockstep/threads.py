@@ -13,6 +13,8 @@ MAX_LINE = 128  # bytes, of wchan and schedstat; in stat, the state is among the
 SWITCHES = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 SAMPLE_TIME = 0.05  # s of wall time, not counting the time that a thread waited for a processor
 MIN_POLLS = 20  # in SAMPLE_TIME, without work; ros::Rate and ros::Timer poll every millisecond
+SURE_SLEEPS = 2  # long ones in a row, after which the next is taken for one; timers of a virtual machine may be late
+MAX_LATE = 10.0  # times its longest poll: how long a single late one is awaited
 
 _wait_functions = set()  # kernel functions in which threads have been seen asleep
 
@@ -34,6 +36,7 @@ class Thread:
         self.idle_usage = None  # its usage when it was last seen asleep
         self.sleeps_seen = 0
         self._runs, self._sleep_begin, self._sleep_time, self._sleep_is_long = 0, 0.0, 0.0, False
+        self._long_sleeps = SURE_SLEEPS  # in a row; a thread is taken for one that polls once it has polled
 
     def close(self):
         """Close its files."""
@@ -109,18 +112,24 @@ class Thread:
         self.always_polls = runs_now >= MIN_POLLS
 
     def sleeps_longer_than(self, limit, asleep_at):
-        """Return whether its current sleep takes longer than `limit` (s).
+        """Return whether its current sleep takes longer than `limit` (s), and not only because a timer is late.
 
         :param asleep_at: a time at which it slept (monotonic, s)
         """
-        runs = self.usage[2]
+        runs, now = self.usage[2], time.monotonic()
         if runs != self._runs:
-            # If it only polled in between, this sleep takes as long as the one before.
-            self._sleep_is_long = runs - 1 == self._runs and self._sleep_time > 1.5 * limit
-            self._runs, self._sleep_begin = runs, time.monotonic()
+            has_only_polled = runs - 1 == self._runs
+            if self._sleep_time > limit:
+                self._long_sleeps += 1
+            elif has_only_polled and now - self._sleep_begin < limit:
+                self._long_sleeps = 0
+            # This sleep takes as long as the one before.
+            self._sleep_is_long = (has_only_polled and self._sleep_time > 1.5 * limit
+                                   and self._long_sleeps >= SURE_SLEEPS)
+            self._runs, self._sleep_begin = runs, now
             self.sleeps_seen += 1
         self._sleep_time = asleep_at - self._sleep_begin
-        self._sleep_is_long |= self._sleep_time > limit
+        self._sleep_is_long |= self._sleep_time > (limit if self._long_sleeps >= SURE_SLEEPS else MAX_LATE * limit)
         return self._sleep_is_long
 
     def _reader(self, opened, name):
