@@ -9,10 +9,10 @@ Publishes:
     moved_distance (std_msgs/Float64): metres travelled, once per odometry message
 
 Parameters:
-    ~min_step (float, 0 m, from 0): count the displacement from the last counted position only once
-        it reaches this
-    ~max_speed (float, 5 m/s, from 0): warn once of a faster step, a jump of the odometry, and do
-        not count it; 0 counts every step
+    ~min_step (float, 0 m, from 0): count the displacement from the last counted position once it
+        reaches this
+    ~max_speed (float, 5 m/s, from 0): warn of a faster step, a jump, and do not count it; 0 counts
+        every step
 """
 
 import rospy

@@ -1,11 +1,8 @@
 #!/usr/bin/env python3
-"""Print the robot's heading.
+"""Print the robot's yaw in radians and, once a second, its orientation as a quaternion [x y z w].
 
 Subscribes:
     odom (nav_msgs/Odometry): the robot's odometry
-
-Prints the yaw in radians for each message and, once a second, the quaternion [x y z w]
-computed back from roll, pitch and yaw.
 """
 
 import rospy

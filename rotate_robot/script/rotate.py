@@ -13,10 +13,10 @@ Parameters:
     ~kp (float, 0.5 1/s, above 0): gain
     ~rate (float, 10 Hz, from 0.1 to 1000): control rate
     ~max_angular_speed (float, 3.14 rad/s, above 0): the command is clamped to this
-    ~tolerance (float, 0 degrees, from 0 to below 180): exit once the heading stays this close and
-        the robot is at rest; 0 controls for ever
-    ~timeout (float, 1 s, from 0 to 3600): stop and warn after this long without odometry (ROS time,
-        and at least 0.2 s of wall time); continue when it returns; 0 turns it off
+    ~tolerance (float, 0 degrees, from 0 to below 180): exit once the robot is at rest this close to
+        the target; 0: never
+    ~timeout (float, 1 s, from 0 to 3600): stop and warn while no odometry arrives for this long
+        (ROS time, and at least 0.2 s of wall time); 0: never
 
 The node always sends zero before it exits.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Send a goal to move_base at a simulated time, so that in lockstep each run has it at the same moment.
+"""Send a goal to move_base at a simulated time, in lockstep the same in each run.
 
 Subscribes:
     move_base/status (actionlib_msgs/GoalStatusArray): once it arrives, move_base takes goals
@@ -11,7 +11,7 @@ Parameters:
     ~x (float, 0 m): where to drive to
     ~y (float, 0 m): where to drive to
     ~yaw (float, 0 rad): the heading there
-    ~time (float, 5.05 s, from 0): when to send it; at once if move_base takes goals later
+    ~time (float, 5.05 s, from 0): when to send it; later if move_base takes no goals yet
 """
 
 import rospy
@@ -26,7 +26,7 @@ PARAMETERS = Parameters(
     Parameter('~x', 0.0, 'm', ANY, 'where to drive to'),
     Parameter('~y', 0.0, 'm', ANY, 'where to drive to'),
     Parameter('~yaw', 0.0, 'rad', ANY, 'the heading there'),
-    Parameter('~time', 5.05, 's', at_least(0), 'when to send it; at once if move_base takes goals later'))
+    Parameter('~time', 5.05, 's', at_least(0), 'when to send it; later if move_base takes no goals yet'))
 
 
 def main():

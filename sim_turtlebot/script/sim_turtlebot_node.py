@@ -5,10 +5,10 @@ Subscribes:
     cmd_vel, mobile_base/commands/velocity (geometry_msgs/Twist): linear.x up to 0.7 m/s,
         angular.z up to 180 degrees/s; the rest is ignored
     cmd_vel_mux/input/teleop, cmd_vel_mux/input/navi (geometry_msgs/Twist): the same through a
-        TurtleBot 2's multiplexer: teleop blocks navi until one second after its last message
+        multiplexer: teleop blocks navi until one second after its last message
     mobile_base/commands/reset_odometry (std_msgs/Empty): odometry back to zero; the robot stays
-    ~set_pose (geometry_msgs/PoseStamped): places the robot there, at rest, or warns if something is
-        in the way; z is 0 on the floor, frame_id world or empty. Of several robots ~robot_k/set_pose
+    ~set_pose (geometry_msgs/PoseStamped): places the robot there, at rest, unless something is in
+        the way; z is 0 on the floor, frame_id world or empty. Of several robots ~robot_k/set_pose
 
 Publishes:
     odom (nav_msgs/Odometry): odom -> base_footprint
@@ -21,15 +21,14 @@ Publishes:
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
     ~world_markers (visualization_msgs/MarkerArray): latched; the world file's shapes
-    ~warning (std_msgs/String): latched; the machine is too slow, a robot lies on its side, or why
-        a pose was refused, until one is accepted; empty otherwise
+    ~warning (std_msgs/String): latched; the machine is too slow, a robot lies on its side, or a
+        pose was refused; empty otherwise
 
 Services:
     ~step (std_srvs/Trigger): while paused, advance to the next odometry; answers with its stamp
     ~pause_physics, ~unpause_physics (std_srvs/Empty): as Gazebo's
-    ~reset_simulation (std_srvs/Empty): back to the start: time and header.seq; poses and speeds, a
-        world file's too; odometry, gyro, noise, multiplexer, commands, and the ~warning of a robot
-        on its side. A paused simulation stays paused
+    ~reset_simulation (std_srvs/Empty): everything back to the start: time, header.seq, odometry,
+        noise, commands, and poses, a world file's too. A paused simulation stays paused
 """
 
 from odometry_common.node import run_node

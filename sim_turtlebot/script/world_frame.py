@@ -1,7 +1,5 @@
 #!/usr/bin/env python3
-"""Publish world -> odom, so that RViz shows the true pose together with the odometry.
-
-It also moves the simulated robot to each pose set with RViz's 2D Pose Estimate.
+"""Publish world -> odom, so that RViz shows the true pose.
 
 Subscribes:
     odom, base_pose_ground_truth (nav_msgs/Odometry): of the same robot
@@ -9,7 +7,7 @@ Subscribes:
 
 Publishes:
     /tf (tf2_msgs/TFMessage): world -> odom
-    sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose
+    sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose, which moves the robot there
 """
 
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, TransformStamped

@@ -10,12 +10,10 @@ Publishes:
 Parameters:
     ~distance (float, 2 m, above 0): where to stop
     ~speed (float, 0.1 m/s, other than 0): how fast; negative drives backwards
-    ~relative (bool, false): count from the first message, not from the detector's start: a second
-        run moves again
-    ~exit_when_done (bool, false): exit once the robot has stopped; otherwise command zero for ever
-    ~timeout (float, 1 s, from 0 to 3600): while the robot moves, stop and warn after this long
-        without a message (ROS time, and at least 0.2 s of wall time); continue when messages
-        return; 0 turns it off
+    ~relative (bool, false): count from the first message, not from the detector's start
+    ~exit_when_done (bool, false): exit once the robot has stopped; false: keep commanding zero
+    ~timeout (float, 1 s, from 0 to 3600): stop and warn while no message arrives for this long (ROS
+        time, and at least 0.2 s of wall time); 0: never
 
 The node always sends zero before it exits.
 """

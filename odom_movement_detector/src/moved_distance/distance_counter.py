@@ -11,10 +11,9 @@ MAX_STEP = 1e300  # m; longer steps could overflow the sum
 
 PARAMETERS = Parameters(
     Parameter('~min_step', 0.0, 'm', at_least(0),
-              'count the displacement from the last counted position only once it reaches this'),
+              'count the displacement from the last counted position once it reaches this'),
     Parameter('~max_speed', 5.0, 'm/s', at_least(0),
-              'warn once of a faster step, a jump of the odometry, and do not count it; 0 counts '
-              'every step'))
+              'warn of a faster step, a jump, and do not count it; 0 counts every step'))
 
 
 class Position(NamedTuple):

@@ -12,11 +12,10 @@ PARAMETERS = Parameters(
     Parameter('~max_angular_speed', 3.14, 'rad/s', above(0), 'the command is clamped to this'),
     Parameter('~tolerance', 0.0, 'degrees',
               Range('from 0 to below 180', lambda value, _: 0 <= value < 180),
-              'exit once the heading stays this close and the robot is at rest; 0 controls for '
-              'ever'),
+              'exit once the robot is at rest this close to the target; 0: never'),
     Parameter('~timeout', 1.0, 's', between(0, 3600),
-              'stop and warn after this long without odometry (ROS time, and at least 0.2 s of '
-              'wall time); continue when it returns; 0 turns it off'))
+              'stop and warn while no odometry arrives for this long (ROS time, and at least 0.2 s '
+              'of wall time); 0: never'))
 
 
 class Turn:

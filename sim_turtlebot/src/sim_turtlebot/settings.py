@@ -24,14 +24,13 @@ FROM_0_TO_1 = between(0, 1)
 FACTOR = between(0.5, 2)
 COORDINATE = between(-MAX_COORDINATE, MAX_COORDINATE)
 START = 'where the robot starts; odom is zero there'
-SEED = Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise, from the start or the last reset on')
+SEED = Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise; read at the start and at a reset')
 
 PARAMETERS = Parameters(
     Parameter('~gui', False, '', ANY, "open PyBullet's window"),
     Parameter('~world', '', '', ANY, 'URDF or SDF file to load beside the floor'),
     Parameter('~robots', 1, '', between(1, 1000),
-              'of more than one, robot k has namespace robot_k and starts one metre to the left '
-              'of the one before'),
+              'of several, robot k is in namespace robot_k and starts one metre left of the one before'),
     Parameter('~x', 0.0, 'm', COORDINATE, START),
     Parameter('~y', 0.0, 'm', COORDINATE, START),
     Parameter('~yaw', 0.0, 'rad',
@@ -42,42 +41,39 @@ PARAMETERS = Parameters(
     Parameter('~clock_rate', 0.0, 'Hz',
               Range('0 or from ~odom_rate to 1000',
                     lambda value, earlier: value == 0 or earlier.odom_rate <= value <= 1000),
-              'ticks of /clock per simulated second, rounded up to a multiple of ~odom_rate; 0 is '
-              '200, but at most about 1000 per second of wall time; 100 in lockstep; otherwise '
-              '~odom_rate if unpaced'),
+              'ticks of /clock, rounded up to a multiple of ~odom_rate; 0: 200 (at most about 1000 per '
+              'second of wall time), in lockstep 100, else unpaced ~odom_rate'),
     Parameter('~publish_tf', True, '', ANY,
-              'publish odom -> base_footprint on /tf; false where a filter publishes it'),
+              'publish odom -> base_footprint on /tf; false where a filter does'),
     Parameter('~odometry_source', 'world', '', one_of('world', 'encoder'),
-              'world is the true pose, encoder counts wheel ticks'),
+              'world: the true pose; encoder: wheel ticks'),
     Parameter('~gyro', True, '', ANY,
-              'encoder: take the yaw from the gyro, as a Kobuki does, not from the wheels'),
+              'encoder: yaw from the gyro, as on a Kobuki, not from the wheels'),
     Parameter('~wheel_slip', 0.0, '',
               Range('from 0 to below 1', lambda value, _: 0 <= value < 1),
-              "encoder: share of the wheels' travel that is lost"),
+              "encoder: lost share of the wheels' travel"),
     Parameter('~wheel_noise', 0.0, 'm', FROM_0_TO_1,
               "encoder: standard deviation of a wheel's travel after one metre"),
     Parameter('~gyro_noise', 0.0, 'rad', FROM_0_TO_1,
               "standard deviation of the gyro's yaw after one second"),
     Parameter('~gyro_drift', 0.0, 'rad/s', between(-1, 1), 'bias of the gyro, also at rest'),
     Parameter('~wheel_diameter_ratio', 1.0, '', FACTOR,
-              'E_d of UMBmark: diameter of the right wheel divided by that of the left; their mean is '
-              'what the driver assumes'),
+              "E_d of UMBmark: the right wheel's diameter over the left's; the driver assumes their mean"),
     Parameter('~wheel_separation_ratio', 1.0, '', FACTOR,
-              'E_b of UMBmark: true distance between the wheels divided by the one that the driver '
-              'assumes'),
+              "E_b of UMBmark: true distance between the wheels over the driver's"),
     Parameter('~gyro_scale_error', 0.0, '', between(-0.5, 0.5),
-              'relative error of the rate that the gyro measures'),
+              "relative error of the gyro's rate"),
     Parameter('~left_wheel_radius_multiplier', 1.0, '', FACTOR,
-              "the driver's correction of that wheel, as diff_drive_controller's"),
+              "the driver's correction, as diff_drive_controller's"),
     Parameter('~right_wheel_radius_multiplier', 1.0, '', FACTOR,
-              "the driver's correction of that wheel"),
+              "the driver's correction, as diff_drive_controller's"),
     Parameter('~wheel_separation_multiplier', 1.0, '', FACTOR,
-              "the driver's correction of the distance between the wheels"),
+              "the driver's correction, as diff_drive_controller's"),
     Parameter('~gyro_scale_correction', 1.0, '', FACTOR,
-              "the driver's correction of the gyro's rate, as turtlebot_node's"),
+              "the driver's correction, as turtlebot_node's"),
     Parameter('~speed_ratio', 1.0, '',
               Range('above 0 and up to 1', lambda value, _: 0 < value <= 1),
-              'share of the commanded speed that the base reaches, in truth and on its wheels'),
+              'share of the commanded speed that the base really reaches'),
     Parameter('~scan', False, '', ANY, 'publish scans'),
     # Rate and beams of turtlebot_description's camera in Gazebo (turtlebot_gazebo.urdf.xacro).
     Parameter('~scan_rate', 10.0, 'Hz', between(0.1, 1000), 'scans per simulated second, at most ~odom_rate'),
@@ -97,16 +93,16 @@ PARAMETERS = Parameters(
     Parameter('~scan_noise', 0.0, 'm', FROM_0_TO_1, 'standard deviation of a range'),
     SEED,
     Parameter('~cmd_vel_timeout', CMD_VEL_TIMEOUT, 's', between(0, 3600),
-              'stop when commands cease for this long; 0 turns it off'),
+              'stop this long after the last command; 0: never'),
     Parameter('~real_time_factor', 1.0, '',
               Range('0 or from 0.001 to 1000',
                     lambda value, _: value == 0 or 0.001 <= value <= 1000),
-              'simulated seconds per second; 0 is as fast as the machine can'),
+              'simulated seconds per second; 0: as fast as possible'),
     Parameter('~lockstep', False, '', ANY,
-              'time advances only when every node on this machine has finished its work'),
+              'time waits until every node on this machine has finished its work'),
     # With 80 particles gmapping computes for more than two seconds.
     Parameter('~cpu_budget', 20.0, 's', between(0.1, 3600),
-              'lockstep: CPU time after which a node that does not rest is not awaited any more'),
+              'lockstep: CPU time after which a node that does not rest is no longer awaited'),
     Parameter('~paused', False, '', ANY, 'time begins with ~unpause_physics'))
 USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
 

@@ -9,13 +9,12 @@ PARAMETERS = Parameters(
     Parameter('~speed', 0.1, 'm/s', Range('other than 0', lambda value, _: value != 0),
               'how fast; negative drives backwards'),
     Parameter('~relative', False, '', ANY,
-              "count from the first message, not from the detector's start: a second run moves "
-              'again'),
+              "count from the first message, not from the detector's start"),
     Parameter('~exit_when_done', False, '', ANY,
-              'exit once the robot has stopped; otherwise command zero for ever'),
+              'exit once the robot has stopped; false: keep commanding zero'),
     Parameter('~timeout', 1.0, 's', between(0, 3600),
-              'while the robot moves, stop and warn after this long without a message (ROS time, '
-              'and at least 0.2 s of wall time); continue when messages return; 0 turns it off'))
+              'stop and warn while no message arrives for this long (ROS time, and at least 0.2 s of '
+              'wall time); 0: never'))
 
 
 class Drive:

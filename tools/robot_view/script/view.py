@@ -4,23 +4,23 @@
 Everybody who opens the page can drive the robot.
 
 Subscribes:
-    odom (nav_msgs/Odometry): the odometry of each robot
-    base_pose_ground_truth (nav_msgs/Odometry): the true pose of a simulated robot
+    odom (nav_msgs/Odometry): each robot's odometry
+    base_pose_ground_truth (nav_msgs/Odometry): a simulated robot's true pose
     joint_states (sensor_msgs/JointState): the wheels
-    scan (sensor_msgs/LaserScan): what the depth camera sees, in the frame camera_depth_frame
-    moved_distance (std_msgs/Float64): metres travelled, from odom_movement_detector
+    scan (sensor_msgs/LaserScan): in the frame camera_depth_frame
+    moved_distance (std_msgs/Float64): metres travelled
     rotate_robot/target (std_msgs/Float64): heading in degrees, for rotate.py
     sim_turtlebot/world_markers (visualization_msgs/MarkerArray): the world
-    map (nav_msgs/OccupancyGrid): its occupied cells, in the world
-    move_base/NavfnROS/plan (nav_msgs/Path): the way to move_base's goal
-    amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where amcl believes the robot to be
-    sim_turtlebot/warning (std_msgs/String): the simulator's warning, shown in the panel
+    map (nav_msgs/OccupancyGrid): its occupied cells
+    move_base/NavfnROS/plan (nav_msgs/Path): move_base's plan
+    amcl_pose (geometry_msgs/PoseWithCovarianceStamped): amcl's estimate of the pose
+    sim_turtlebot/warning (std_msgs/String): shown in the panel
 
 Publishes:
-    cmd_vel (geometry_msgs/Twist): while a button of the pad is held; zero when it is released
+    cmd_vel (geometry_msgs/Twist): while a button of the pad is held, then zero
     moved_distance/reset (std_msgs/Empty): reset
-    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): the pose at
-        which the panel's button places a simulated robot
+    sim_turtlebot/set_pose, sim_turtlebot/robot_k/set_pose (geometry_msgs/PoseStamped): from the
+        panel
 
 Calls:
     sim_turtlebot/pause_physics, sim_turtlebot/unpause_physics,

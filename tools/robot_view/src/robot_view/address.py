@@ -20,10 +20,10 @@ PARAMETERS = Parameters(
     Parameter('~port', 8080, '', between(1, 65535), 'port of the page'),
     Parameter('~host', 'localhost', '', ANY,
               'name or address to listen on; 0.0.0.0 lets the whole network in; the environment '
-              f'variable {HOST_VARIABLE} sets another default'),
+              f'variable {HOST_VARIABLE} sets the default'),
     Parameter('~allowed_hosts', '', '', ANY,
               'further names of the page, for a proxy, such as robots.example, lab:9000; without a '
-              'port, any port is valid'))
+              'port, any port'))
 
 
 class Address(NamedTuple):

@@ -47,8 +47,7 @@ def make_parser():
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")
     parser.add_argument('--view', action='store_true',
                         help=f'show the robot in a browser, at http://localhost:{PAGE_PORT} or the '
-                             'next free port; on a terminal the page stays after the run, until '
-                             'Ctrl-C')
+                             'next free port; on a terminal the page stays until Ctrl-C')
     return parser
 
 

@@ -46,7 +46,7 @@ def make_parser():
     parser.add_argument('--until', type=float, metavar='S',
                         help='how long a run of a launch file takes (simulated s)')
     parser.add_argument('--seeds', type=int, metavar='N',
-                        help='runs of each combination of values, each with its own seed (default: 1)')
+                        help='runs of each combination, each with its own seed (default: 1)')
     parser.add_argument('--set', type=_values, action='append', default=[],
                         metavar='NAME=VALUE[,VALUE...]',
                         help='values of a parameter of the nodes; each combination is run')
@@ -54,12 +54,11 @@ def make_parser():
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
     machine.add_argument('--jobs', type=int, metavar='N',
-                         help='number of processes (default: one for each processor)')
+                         help='processes (default: one for each processor)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
-                         help='run on the workers of a Dask cluster')
+                         help='run on a Dask cluster')
     source.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
-                        help='repeat a run in the folder of a sweep with the nodes in lockstep, '
-                             'record it, and compare to the last bit')
+                        help='repeat a run of a sweep with the nodes in lockstep, record it, and compare')
     return parser
 
 
