@@ -8,8 +8,8 @@ Publishes:
     move_base_simple/goal (geometry_msgs/PoseStamped): once, in the frame map
 
 Parameters:
-    ~x (float, 0 m): where to drive to
-    ~y (float, 0 m): where to drive to
+    ~x (float, 0 m): the goal
+    ~y (float, 0 m): the goal
     ~yaw (float, 0 rad): the heading there
     ~time (float, 5.05 s, from 0): when to send it; later if move_base takes no goals yet
 """
@@ -23,8 +23,8 @@ from sim_turtlebot.frames import fill_pose
 from sim_turtlebot.geometry import about_z
 
 PARAMETERS = Parameters(
-    Parameter('~x', 0.0, 'm', ANY, 'where to drive to'),
-    Parameter('~y', 0.0, 'm', ANY, 'where to drive to'),
+    Parameter('~x', 0.0, 'm', ANY, 'the goal'),
+    Parameter('~y', 0.0, 'm', ANY, 'the goal'),
     Parameter('~yaw', 0.0, 'rad', ANY, 'the heading there'),
     Parameter('~time', 5.05, 's', at_least(0), 'when to send it; later if move_base takes no goals yet'))
 

@@ -23,7 +23,7 @@ MAX_TICKS = 1000.0  # per second of wall time; more would keep clients busy with
 FROM_0_TO_1 = between(0, 1)
 FACTOR = between(0.5, 2)
 COORDINATE = between(-MAX_COORDINATE, MAX_COORDINATE)
-START = 'where the robot starts; odom is zero there'
+START = 'start position; odom is zero there'
 SEED = Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise; read at the start and at a reset')
 
 PARAMETERS = Parameters(
@@ -35,7 +35,7 @@ PARAMETERS = Parameters(
     Parameter('~y', 0.0, 'm', COORDINATE, START),
     Parameter('~yaw', 0.0, 'rad',
               Range('from -2 pi to 2 pi', lambda value, _: abs(value) <= 2 * math.pi),
-              'its heading there'),
+              'start heading'),
     Parameter('~odom_rate', 20.0, 'Hz', between(0.1, 1000),
               'odometry messages per simulated second'),
     Parameter('~clock_rate', 0.0, 'Hz',
@@ -102,7 +102,7 @@ PARAMETERS = Parameters(
               'time waits until every node on this machine has finished its work'),
     # With 80 particles gmapping computes for more than two seconds.
     Parameter('~cpu_budget', 20.0, 's', between(0.1, 3600),
-              'lockstep: CPU time after which a node that does not rest is no longer awaited'),
+              'lockstep: CPU time after which a busy node is no longer awaited'),
     Parameter('~paused', False, '', ANY, 'time begins with ~unpause_physics'))
 USE_SIM_TIME = Parameters(Parameter('/use_sim_time', False, '', ANY, 'stamps are simulated time'))
 

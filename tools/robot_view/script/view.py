@@ -4,8 +4,7 @@
 Everybody who opens the page can drive the robot.
 
 Subscribes:
-    odom (nav_msgs/Odometry): each robot's odometry
-    base_pose_ground_truth (nav_msgs/Odometry): a simulated robot's true pose
+    odom, base_pose_ground_truth (nav_msgs/Odometry): each robot's odometry, and true pose
     joint_states (sensor_msgs/JointState): the wheels
     scan (sensor_msgs/LaserScan): in the frame camera_depth_frame
     moved_distance (std_msgs/Float64): metres travelled
