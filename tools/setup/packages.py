@@ -28,7 +28,10 @@ DEVEL = WORKSPACE / 'devel'
 BUILD = 'cd "$1" && . "$0/devel/setup.bash" && cmake -DCMAKE_BUILD_TYPE=Release "${@:2}" && make -k -j"$(nproc)"'
 # The folders of a package's own devel space are linked into the common one, the set-up files are not.
 LINK = 'shopt -s nullglob; for folder in "$0"/devel/*/; do cp -rsf "$folder" "$1"; done'
-ERROR = re.compile(r'CMake Error.*\n\s*((?:.+\n)+)|(\S+: (?:fatal )?error: .*|.*\bld: .*(?:undefined reference|cannot find).*)')
+ERROR = re.compile(
+    r'CMake Error.*\n\s*((?:.+\n)+)'
+    r'|(\S+: (?:fatal )?error: .*'
+    r'|.*\bld: .*(?:undefined reference|cannot find).*)')
 IGNORED = {'AMENT_IGNORE', 'CATKIN_IGNORE', 'COLCON_IGNORE'}
 KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
 
@@ -94,8 +97,9 @@ def read_packages():
 def build():
     """Build what has changed, from nothing, and write the errors to the file left_out."""
     packages, checksums, _, errors = read_packages()
-    places = {folder: WORKSPACE / 'build' / os.path.relpath(folder, WORKSPACE).replace('/', '+')
-              for folder in packages}
+    places = {
+        folder: WORKSPACE / 'build' / os.path.relpath(folder, WORKSPACE).replace('/', '+')
+        for folder in packages}
     for place in {*(WORKSPACE / 'build').glob('src*')} - {*places.values()}:
         shutil.rmtree(place)
     keys, failed = {}, set()
@@ -108,10 +112,10 @@ def build():
             hashlib.sha256(keys[name].encode()).hexdigest() for name in depends if name in keys)
         error = build_package(folder, places[folder], keys[package.name])
         if error:
+            missing = ', '.join(name for name in depends if name in failed)
+            reason = f'it depends on {missing}' if missing else error
+            errors.append(f'{package.name} is not built, or only in part: {reason}')
             failed.add(package.name)
-            waits = ', '.join(name for name in depends if name in failed)
-            errors.append(f'{package.name} is not built, or only in part: '
-                          + (f'it depends on {waits}' if waits else error))
         subprocess.run(['bash', '-c', LINK, places[folder], DEVEL], check=True)
     subprocess.run(['find', DEVEL, '-xtype', 'l', '-delete'], check=True)  # links to what is gone
     (DEVEL / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
@@ -131,10 +135,17 @@ def build_package(folder, place, key):
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     print(run.stdout, flush=True)
     if run.returncode:
-        error = ERROR.search(run.stdout)
-        return error[1] or error[2] if error else f'see {WORKSPACE}/setup.log'
+        return find_error(run.stdout)
     built.write_text(key)
     return None
+
+
+def find_error(output):
+    """Return the first error of CMake, the compiler or the linker."""
+    error = ERROR.search(output)
+    if not error:
+        return f'see {WORKSPACE}/setup.log'
+    return error[1] or error[2]
 
 
 def depends():
@@ -155,16 +166,23 @@ def depends():
         parts = known.intersection(table.get(name, ()))
         print(*sorted(parts))
         if not parts and not Path('/usr/share', name, 'package.xml').exists() and not is_installed(name):
-            how = (f"which is Debian's, not ROS's: sudo apt-get install --no-remove {name}" if name in known
-                   else "which apt does not know" if name in table
-                   else "which neither ROS nor rosdep's table knows")
-            print(f'./ws: {needed[name]} depends on {name}, {how}', file=sys.stderr)
+            print(f'./ws: {needed[name]} depends on {name}, {describe(name, known, table)}', file=sys.stderr)
+
+
+def describe(name, known, table):
+    """Return what to know about a dependency that has no package for ROS."""
+    if name in known:
+        return f"which is Debian's, not ROS's: sudo apt-get install --no-remove {name}"
+    if name in table:
+        return 'which apt does not know'
+    return "which neither ROS nor rosdep's table knows"
 
 
 def is_installed(name):
     """Return whether Debian's package of this name is."""
-    query = subprocess.run(['dpkg-query', '-W', '-f', '${db:Status-Status}\n', '--', name], check=False,
-                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    query = subprocess.run(
+        ['dpkg-query', '-W', '-f', '${db:Status-Status}\n', '--', name],
+        check=False, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     return 'installed' in query.stdout.split()
 
 

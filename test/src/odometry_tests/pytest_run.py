@@ -23,7 +23,7 @@ def choose_tests(config):
     """Run named files whole, with their nightly tests; at night, try new random sequences, too."""
     by_day = config.option.markexpr == BY_DAY
     config.option.hypothesis_profile = 'ci' if by_day else 'nightly'
-    if by_day and not has_folder(config):
+    if by_day and not has_folder(config) and '-m' not in config.invocation_params.args:
         config.option.markexpr = ''
 
 

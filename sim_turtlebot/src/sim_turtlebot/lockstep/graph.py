@@ -1,7 +1,5 @@
 """Find the processes of a graph's nodes."""
 
-import contextlib
-import os
 import time
 
 import psutil
@@ -9,18 +7,16 @@ import rosgraph
 from odometry_common.connections import ANSWER, node_at
 from rosgraph.names import ns_join
 
+from sim_turtlebot.lockstep.children import Children
 from sim_turtlebot.lockstep.idle import LONGEST_POLL
 from sim_turtlebot.lockstep.links import is_refused, links, missing_links
 from sim_turtlebot.lockstep.listeners import pids_at
-from sim_turtlebot.lockstep.threads import MAX_LINE
 
 PUBLISHERS, SUBSCRIBERS = 0, 1  # their places in the master's state
 CONNECT_TIMEOUT = 5.0  # s of wall time, for a connection while all nodes are idle
-MAX_GENERATIONS = 10  # of children, in one wait: other programs may start some all the time
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
 ROSLAUNCHED = '__name:='  # in the command line of a node that roslaunch has started
-CHILD_CPU_BUDGET = 10.0  # s of CPU time until a child is idle; it may be a node that starts
 STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
 
@@ -42,9 +38,7 @@ class GraphProcesses:
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
         self._state = [], [], []  # of the master at the last call: publishers, subscribers, services
-        self._loadavg = os.open('/proc/loadavg', os.O_RDONLY)
-        self._newest = self._newest_pid()
-        self._children = {}  # id of the parent, by id
+        self._children = Children(waiter, self._add)
         self._master_usage = None  # of its threads, at the last call
         self._find({MASTER: self._master_uri})
 
@@ -68,7 +62,7 @@ class GraphProcesses:
         :raises OSError: if the master does not answer
         """
         self._waiter.wait(only_clock)
-        self._await_children()
+        self._children.await_new(self._pids.values())
         if self._master_has_worked():
             try:
                 self._await_connections()
@@ -81,25 +75,6 @@ class GraphProcesses:
         published, subscribed, _ = map(dict, self._state)
         return any(name in subscribed.get(topic, ()) and not names.isdisjoint(publishers)
                    for topic, publishers in published.items())
-
-    def _await_children(self):
-        """Add the processes that nodes have started to work for them, and wait until they are idle."""
-        for _ in range(MAX_GENERATIONS):
-            before, self._newest = self._newest, self._newest_pid()
-            if self._newest == before:
-                return
-            self._remove_independent()
-            known = {*self._children}
-            for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
-                with contextlib.suppress(psutil.NoSuchProcess):
-                    self._add_child(self._waiter.processes.get(psutil.Process(pid).ppid()), pid)
-            if known.issuperset(self._children):
-                return
-            self._waiter.wait()
-
-    def _newest_pid(self):
-        """Return the id of the process or thread that this machine started last."""
-        return int(os.pread(self._loadavg, MAX_LINE, 0).split()[-1])
 
     def _master_has_worked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
@@ -191,34 +166,11 @@ class GraphProcesses:
         try:
             polls = name not in (MASTER, self._own_name)
             self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, cpu_budget)
-            for child in psutil.Process(pid).children():
-                self._add_child(self._waiter.processes[pid], child.pid)
+            self._children.add_of(pid)
         except PermissionError:
             self._on_unseen(name)
         except (FileNotFoundError, ProcessLookupError, psutil.Error):  # it has ended
             pass
-
-    def _add_child(self, parent, pid):
-        """Add a process that works for a node, unless it has a process group of its own."""
-        if (parent and parent.longest_poll and pid not in self._waiter.processes
-                and _are_one_group(pid, parent.pid)):
-            self._children[pid] = parent.pid
-            self._add(parent.name, pid, max(CHILD_CPU_BUDGET, self._waiter.cpu_budget))
-
-    def _remove_independent(self):
-        """Remove the children that have ended, or have moved to a process group of their own."""
-        for pid, parent in list(self._children.items()):
-            if not _are_one_group(pid, parent):
-                del self._children[pid]
-                if pid in self._waiter.processes and pid not in self._pids.values():
-                    self._waiter.remove(pid)
-
-
-def _are_one_group(*pids):
-    try:
-        return len({os.getpgid(pid) for pid in pids}) == 1
-    except ProcessLookupError:
-        return False
 
 
 def _names(*states):

@@ -14,14 +14,13 @@ import errno
 import os
 import time
 
+from sim_turtlebot.lockstep.budgets import STALL_TIMEOUT, Budgets
+from sim_turtlebot.lockstep.polls import classify, has_news
 from sim_turtlebot.lockstep.processes import Process
 
 LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
 CPU_BUDGET = 20.0  # s of CPU time that a process may use before it is idle; a scan of gmapping's takes over 2
-FLOOD_BUDGET = 2.0  # s, of this process or the master: only nodes that send without a pause make these compute
-BUSY_SHARE = 0.1  # of that, for the main thread of a busy node; rospy.spin() uses nothing
 STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugger has stopped
-STALL_TIMEOUT = 60.0  # s of wall time, for one that neither computes nor sleeps
 SPIN_TIME = 0.001  # s of wall time
 CHECK_PERIOD = 2e-5  # s of wall time, after that
 BUDGET_PERIOD = 0.02  # s of wall time between two looks at the budgets, which take as long as a check
@@ -57,7 +56,7 @@ class IdleWaiter:
 
         :param only_clock: whether the processes received only a tick of the clock, each on one thread
         """
-        begin, first_cpu_times, usage, polls = time.monotonic(), {}, None, {}
+        begin, budgets, usage, polls = time.monotonic(), None, None, {}
         next_look = begin
         while not self.is_over():
             check_begin = time.monotonic()
@@ -65,14 +64,11 @@ class IdleWaiter:
                 self._await_continued()
                 # Before the check: a thread that sleeps later may have received work in between.
                 polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
-                for _ in range(CHECKS):
-                    busy = self._find_busy()
-                    if not busy:
-                        break
+                busy = self._find_busy()
                 if not busy:
-                    before, (usage, polling) = usage, self._classify(check_begin, int(only_clock))
+                    before, (usage, polling) = usage, classify(self._awaited, self.idle_usage, check_begin, int(only_clock))
                     polls = {thread: polls.get(thread, sleeps) for thread, sleeps in polling.items()
-                             if thread in polls or self._has_news(thread, usage, before)}
+                             if thread in polls or has_news(thread, usage, before)}
                     if not polls:
                         self.idle_usage = usage
                         return
@@ -81,13 +77,11 @@ class IdleWaiter:
                     # These checks may take the processor from those that have work.
                     os.sched_yield()
                     continue
-                first_cpu_times = first_cpu_times or {
-                    thread: thread.usage[0] for process in self._awaited
-                    for thread in process.threads.values()}
+                budgets = budgets or Budgets(self._awaited)
                 if check_begin >= next_look:
                     next_look = check_begin + BUDGET_PERIOD
-                    if self._gives_up(busy, first_cpu_times, check_begin - begin):
-                        begin, first_cpu_times = check_begin, {}
+                    if self._gives_up(busy, budgets, check_begin - begin):
+                        begin, budgets = check_begin, None
             except OSError as error:
                 if error.errno == errno.EMFILE:
                     raise
@@ -125,6 +119,13 @@ class IdleWaiter:
             self.remove(pid)
 
     def _find_busy(self):
+        """Return a Process that is not idle; None if none was in one of some checks."""
+        for _ in range(CHECKS):
+            if not (busy := self._check()):
+                return None
+        return busy
+
+    def _check(self):
         """Return a Process that is not idle, or None."""
         for is_idle in Process.check_idle, Process.check_asleep, Process.is_still_idle:
             for process in self._awaited:
@@ -135,86 +136,39 @@ class IdleWaiter:
                     return process
         return None
 
-    def _gives_up(self, process, first_cpu_times, passed):
+    def _gives_up(self, process, budgets, passed):
         """If a process exceeds its budget, stop waiting for the busiest; return True.
 
         :param process: is not idle
-        :param first_cpu_times: CPU time (ns) by Thread at the start of the wait; new ones are added
+        :param budgets: Budgets since the start of the wait
         :param passed: s of wall time since then
         """
-        def used(thread):
-            now = thread.usage[0]
-            return (now - first_cpu_times.setdefault(thread, now)) / 1e9
-
-        def used_by_main(process):
-            return sum(used(thread) for thread in process.threads.values() if thread.tid == process.pid)
-
-        def used_by(process):
-            return sum(map(used, process.threads.values()))
-
-        is_stopped = passed > STOPPED_TIMEOUT and process.is_stopped()
-        is_flood = any(used_by(other) > FLOOD_BUDGET for other in self._awaited if not other.longest_poll)
-        budget = FLOOD_BUDGET if is_flood else process.cpu_budget
-        is_within = used_by(process) <= budget and not is_flood and passed - used_by(process) <= STALL_TIMEOUT
-        if is_within and not is_stopped:
-            return False
-        busiest = max((node for node in self._awaited if node.longest_poll), key=used_by_main, default=None)
-        if is_stopped:
+        if passed > STOPPED_TIMEOUT and process.is_stopped():
             self.stopped.add(process)
-        elif busiest and used_by_main(busiest) > BUSY_SHARE * budget:
-            process = busiest
+            self._leave(process, process.cpu_budget)
+            return True
+        budget = budgets.exceeded_by(process)
+        if budget is None:
+            return False
+        if busiest := budgets.find_busy(budget):
+            self._leave(busiest, budget)
         elif not process.longest_poll or self._is_flooded(process):
             # It reads what another node sends without a pause: the fault is not its own.
-            max(process.threads.values(), key=used).ignored = True
-            return True
+            budgets.busiest_thread(process).ignored = True
+        else:
+            self._leave(process, budget)
+        return True
+
+    def _leave(self, process, budget):
         self._awaited.remove(process)
         self._on_busy(process, budget)
-        return True
 
     def _await_continued(self):
         continued = {process for process in self.stopped if not process.is_stopped()}
         self.stopped -= continued
         self._awaited += continued
 
-    def _classify(self, check_begin, receivers):
-        """Tell working threads from those that only poll.
-
-        :param check_begin: when the check began (monotonic, s)
-        :param receivers: how many threads of a process may have run without work for those that poll
-        :returns: the usage of the working threads, by Process; and, by thread that polls, how often
-            it has slept once it has polled again
-        """
-        usage, polling = {}, {}
-        for process in self._awaited:
-            limit, threads = process.longest_poll, process.threads.values()
-            for thread in threads if process.is_cpp else ():
-                thread.sample_polling()
-            usage[process] = process.usage()
-            # ros::Rate and ros::Timer poll for the clock.
-            if limit and (process.is_cpp or self._count_new(process, usage[process]) > receivers):
-                polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
-                                for thread in threads if not (
-                                    thread in usage[process] or thread.ignored or thread.is_asleep
-                                    and thread.sleeps_longer_than(limit, check_begin))})
-        return usage, polling
-
-    def _count_new(self, process, usages):
-        """Return how many threads of a process have run since all were last idle."""
-        earlier = self.idle_usage.get(process, {})
-        return 0 if usages is earlier else sum(
-            earlier.get(thread) != usage for thread, usage in usages.items())
-
-    def _has_news(self, thread, usage, before):
-        """Return whether another node, which may have sent something, has run since `before`."""
-        return before is None or any(
-            process.longest_poll and process.pid != thread.pid and usages != before.get(process)
-            for process, usages in usage.items())
-
     def _remove_ended(self):
         for pid, process in list(self.processes.items()):
-            try:
-                process.list_threads()
-                if pid != os.getpid():  # a thread of this process may have ended just now
-                    process.cpu_time()
-            except OSError:
+            if process.has_ended():
                 self.remove(pid)

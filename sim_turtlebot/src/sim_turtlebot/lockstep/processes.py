@@ -95,6 +95,16 @@ class Process:
         thread = self.awake_thread()
         return thread is not None and thread.state in STOPPED
 
+    def has_ended(self):
+        """Return whether it has ended; list its threads."""
+        try:
+            self.list_threads()
+            if not self._own_thread:  # whose other threads may have ended just now
+                self.cpu_time()
+        except OSError:
+            return True
+        return False
+
     def list_threads(self):
         """Add the threads that have started, and remove those that have ended."""
         self._usage = None

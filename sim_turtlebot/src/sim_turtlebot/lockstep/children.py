@@ -1,0 +1,77 @@
+"""Find the processes that nodes start to work for them."""
+
+import contextlib
+import os
+
+import psutil
+
+from sim_turtlebot.lockstep.threads import MAX_LINE
+
+MAX_GENERATIONS = 10  # of children, in one wait: other programs may start some all the time
+CPU_BUDGET = 10.0  # s of CPU time until a child is idle; it may be a node that starts
+
+
+class Children:
+    """Has an IdleWaiter wait for the children of its processes, unless they have a process group of their own."""
+
+    def __init__(self, waiter, add):
+        """Start without children.
+
+        :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
+        :param add: adds a process to it, by the name of its node, its id and a budget of CPU time (s)
+        """
+        self._waiter, self._add = waiter, add
+        self._parents = {}  # ids, by id of the child
+        self._loadavg = os.open('/proc/loadavg', os.O_RDONLY)
+        self._newest = self._newest_pid()
+
+    def add_of(self, pid):
+        """Add the children of a process.
+
+        :raises psutil.Error: if it has ended
+        """
+        for child in psutil.Process(pid).children():
+            self._add_child(self._waiter.processes[pid], child.pid)
+
+    def await_new(self, nodes):
+        """Add those that have been started since the last call, and wait until they are idle.
+
+        :param nodes: ids of the processes that are nodes themselves
+        """
+        for _ in range(MAX_GENERATIONS):
+            before, self._newest = self._newest, self._newest_pid()
+            if self._newest == before:
+                return
+            self._remove_independent(nodes)
+            known = {*self._parents}
+            for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
+                with contextlib.suppress(psutil.NoSuchProcess):
+                    self._add_child(self._waiter.processes.get(psutil.Process(pid).ppid()), pid)
+            if known.issuperset(self._parents):
+                return
+            self._waiter.wait()
+
+    def _newest_pid(self):
+        """Return the id of the process or thread that this machine started last."""
+        return int(os.pread(self._loadavg, MAX_LINE, 0).split()[-1])
+
+    def _add_child(self, parent, pid):
+        if (parent and parent.longest_poll and pid not in self._waiter.processes
+                and _are_one_group(pid, parent.pid)):
+            self._parents[pid] = parent.pid
+            self._add(parent.name, pid, max(CPU_BUDGET, self._waiter.cpu_budget))
+
+    def _remove_independent(self, nodes):
+        """Remove those that have ended, or have moved to a process group of their own and are no nodes."""
+        for pid, parent in list(self._parents.items()):
+            if not _are_one_group(pid, parent):
+                del self._parents[pid]
+                if pid in self._waiter.processes and pid not in nodes:
+                    self._waiter.remove(pid)
+
+
+def _are_one_group(*pids):
+    try:
+        return len({os.getpgid(pid) for pid in pids}) == 1
+    except ProcessLookupError:
+        return False

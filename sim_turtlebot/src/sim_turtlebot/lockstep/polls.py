@@ -1,0 +1,38 @@
+"""Which threads of idle processes may still have work, since they look for it by wall time."""
+
+
+def classify(processes, idle_usage, check_begin, receivers):
+    """Tell working threads from those that only poll.
+
+    :param processes: Processes, all idle
+    :param idle_usage: what this returned as usage when all were last idle
+    :param check_begin: when the check began that found them so (monotonic, s)
+    :param receivers: how many threads of a process may have run without work for those that poll
+    :returns: the usage of the working threads, by Process; and, by thread that polls, how often
+        it has slept once it has polled again
+    """
+    usage, polling = {}, {}
+    for process in processes:
+        limit, threads = process.longest_poll, process.threads.values()
+        for thread in threads if process.is_cpp else ():
+            thread.sample_polling()
+        usage[process] = process.usage()
+        # ros::Rate and ros::Timer poll for the clock.
+        if limit and (process.is_cpp or _count_new(usage[process], idle_usage.get(process, {})) > receivers):
+            polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
+                            for thread in threads if not (
+                                thread in usage[process] or thread.ignored or thread.is_asleep
+                                and thread.sleeps_longer_than(limit, check_begin))})
+    return usage, polling
+
+
+def has_news(thread, usage, before):
+    """Return whether another node, which may have sent something, has run between two usages that classify() returned."""
+    return before is None or any(
+        process.longest_poll and process.pid != thread.pid and usages != before.get(process)
+        for process, usages in usage.items())
+
+
+def _count_new(usages, earlier):
+    """Return how many threads of a process have run since all were last idle."""
+    return 0 if usages is earlier else sum(earlier.get(thread) != usage for thread, usage in usages.items())
