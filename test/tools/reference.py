@@ -93,7 +93,7 @@ def _node_part(heading):
                   for row in table.rows]
     options = _options_part(script.make_parser()) if hasattr(script, 'make_parser') else ''
     return '\n\n'.join(filter(None, [
-        *prose, options, _table(' | name | type | meaning', [*_topic_rows(documentation)]),
+        *prose, options, _table('direction | name | type | meaning', [*_topic_rows(documentation)]),
         _table('parameter | type | default | range | meaning', parameters)]))
 
 
@@ -155,7 +155,7 @@ def _table(heading, rows):
         return ''
     lines = [' | '.join(cell.replace('|', '\\|') for cell in row) for row in rows]
     rule = ' | '.join('---' for _ in heading.split('|'))
-    return '\n'.join(f'| {line} |' for line in [heading, rule, *lines])
+    return '\n'.join([heading, rule, *lines])
 
 
 if __name__ == '__main__':
