@@ -36,6 +36,13 @@ FASTER = """
 has_requirements() { true; }
 PACKAGES=(odometry_common test_movement)
 """
+RUN_MINE = FASTER + """
+set_up true
+set +u
+. "$WORKSPACE/devel/setup.bash"
+rosrun mine hello.py
+echo "$CMAKE_PREFIX_PATH $ROS_PACKAGE_PATH"
+"""
 
 
 def make_checkout(folder, made=('.venv',)):
@@ -62,6 +69,11 @@ def in_checkout(folder, commands, **variables):
     run = start_in_checkout(folder, commands, **variables)
     run.wait(TIMEOUT)
     return run
+
+
+def set_up(checkout, before=''):
+    """Set it up after these lines of bash; return the ended Process."""
+    return in_checkout(checkout, f'{FASTER}{before}set_up true')
 
 
 def make_package(folder, module):

@@ -11,7 +11,7 @@ from odometry_tools.check.runner import SLOWEST, Runner
 from odometry_tools.runs.output import Line, RunError, bar
 
 LOOKS = 3
-STUBBORN_LOOKS = 2  # each takes 20 s, and rospy locks itself out once in 250 times
+STUBBORN_LOOKS = 2  # each takes long, and rospy locks itself out once in 250 times
 PROGRESS_PERIOD = 0.1  # s of wall time
 done = multiprocessing.Value('i')  # scenarios, of all processes
 

@@ -20,7 +20,7 @@ DRIVE = (
     Rule('all_zero', lambda m: not m.moves,
          'from ({start.x:.1f}, {start.y:.1f}), heading {start_heading:.0f} degrees, all of your commands were zero'),
     Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
-         '20 s after Ctrl-C your node still ran'),
+         '30 simulated seconds after Ctrl-C your node still ran'),
     Rule('interrupt', lambda m: m.run.interrupted is not None,
          "after Ctrl-C your last command was {last_word}, and only the base's watchdog stopped the robot"))
 DISTANCE = (
@@ -75,7 +75,8 @@ NOTES = (
          'a callback failed, and the node went on: {callback_error}'),
     Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
          'your node ended {how} after it had done all: {said}'),
-    Rule('ctrl_c', lambda m: not m.run.ends and m.run.interrupted is None, 'Ctrl-C did not end your node within 20 s'),
+    Rule('ctrl_c', lambda m: not m.run.ends and m.run.interrupted is None,
+         'Ctrl-C did not end your node within 30 simulated seconds'),
     Rule('leaves_process', lambda m: m.run.leaves_process,
          'after Ctrl-C a program that your node had started still ran'),
     Rule('luck', lambda m: m.passed and m.run.looks > 1 and not m.run.unawaited,

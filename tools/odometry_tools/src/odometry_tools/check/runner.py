@@ -2,6 +2,8 @@
 
 import time
 
+import rospy
+
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.endings import Drive, Route
 from odometry_tools.check.processes import ChildProcess
@@ -15,7 +17,7 @@ QUIET, BUSY = 0.3, 2.0  # s of wall time
 # A node that has not registered after so long, without computing at the end or after so much computing, will not.
 REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0  # s of wall time, and of processor time
 HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
-INTERRUPT_PATIENCE = 20.0  # s of wall time, which even a busy machine does not need
+INTERRUPT_PATIENCE, INTERRUPT_TIME = 6.0, 30.0  # s of wall and simulated time; lockstep waits for a busy machine
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
 FASTEST = 5.0  # times real time, to begin with
 SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times real time
@@ -119,10 +121,14 @@ class Runner:
         self._is_stubborn = not run.ends
 
     def _ends_in_time(self, node):
-        """Return whether a node ends that may sleep by simulated time before."""
+        """Return whether a node ends that may sleep before, by simulated or by wall time."""
         self._bench.call('unpause_physics')
+        begin, latest = rospy.get_time(), time.monotonic() + STANDSTILL
         try:
-            return node.wait(INTERRUPT_PATIENCE)
+            has_ended = node.wait(INTERRUPT_PATIENCE)
+            while not has_ended and rospy.get_time() < begin + INTERRUPT_TIME and time.monotonic() < latest:
+                has_ended = node.wait(SIGNAL_PERIOD)
+            return has_ended
         finally:
             self._bench.call('pause_physics')
 
