@@ -25,7 +25,8 @@ NAMESPACES = (f'case_{number}' for number in itertools.count(1))
 # A run that a script starts in the background, or by nohup, ignores signals that the tests send.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)
-pytest_plugins = ['odometry_tests.fuzzing', 'odometry_tests.pytest_run', 'odometry_tests.rostest_items']
+pytest_plugins = [
+    'odometry_tests.fuzzing', 'odometry_tests.pytest_run', 'odometry_tests.rostest_items']
 
 
 @pytest.fixture(scope='session')
@@ -51,7 +52,8 @@ def master(master_port, own_variables):
         if not rospy.core.is_initialized():
             fix_rospy()
             wait_for_slow_subscribers(TIMEOUT * PATIENCE)  # unlike the nodes under test
-            rospy.init_node('system_test', anonymous=True, disable_signals=True, disable_rostime=True)
+            rospy.init_node(
+                'system_test', anonymous=True, disable_signals=True, disable_rostime=True)
             rospy.get_param('/use_sim_time')  # rospy keeps to the master that it asks first
         yield process
         leave_topics()
@@ -86,7 +88,7 @@ def pytest_runtest_makereport(item):
 
 @pytest.fixture(autouse=True)
 def closed_recorders():
-    """Close the recorders of each test: on a busy machine an earlier robot's messages arrive late."""
+    """Close the recorders of each test: on a busy machine earlier robots' messages arrive late."""
     earlier = len(open_recorders)
     yield
     for recorder in open_recorders[earlier:]:

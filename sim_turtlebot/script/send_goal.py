@@ -26,7 +26,8 @@ PARAMETERS = Parameters(
     Parameter('~x', 0.0, 'm', ANY, 'the goal'),
     Parameter('~y', 0.0, 'm', ANY, 'the goal'),
     Parameter('~yaw', 0.0, 'rad', ANY, 'the heading there'),
-    Parameter('~time', 5.05, 's', at_least(0), 'when to send it; later if move_base takes no goals yet'))
+    Parameter('~time', 5.05, 's', at_least(0),
+              'when to send it; later if move_base takes no goals yet'))
 
 
 def main():
@@ -34,7 +35,8 @@ def main():
     goal = PARAMETERS.read()
     message = PoseStamped()
     message.header.frame_id = 'map'
-    fill_pose(message.pose.position, message.pose.orientation, (goal.x, goal.y, 0.0), about_z(goal.yaw))
+    fill_pose(message.pose.position, message.pose.orientation, (goal.x, goal.y, 0.0),
+              about_z(goal.yaw))
     publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
     status = Subscriber('move_base/status', rospy.AnyMsg, lambda _: None, 'move_base')
     status.wait()  # an earlier goal would be lost

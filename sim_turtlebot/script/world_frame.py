@@ -7,7 +7,8 @@ Subscribes:
 
 Publishes:
     /tf (tf2_msgs/TFMessage): world -> odom
-    sim_turtlebot/set_pose (geometry_msgs/PoseStamped): each initialpose, which moves the robot there
+    sim_turtlebot/set_pose (geometry_msgs/PoseStamped):
+        each initialpose, which moves the robot there
 """
 
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, TransformStamped
@@ -41,7 +42,8 @@ class WorldFrame:
         travelled, turned = read_pose(self._odometry.pose.pose)
         rotation = compose(orientation, inverse(turned))
         origin = [there - way for there, way in zip(place, rotate(rotation, travelled))]
-        frame = TransformStamped(header=ground_truth.header, child_frame_id=self._odometry.header.frame_id)
+        frame = TransformStamped(header=ground_truth.header,
+                                 child_frame_id=self._odometry.header.frame_id)
         fill_pose(frame.transform.translation, frame.transform.rotation, origin, rotation)
         self._publisher.publish(TFMessage([frame]))
 

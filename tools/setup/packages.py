@@ -2,8 +2,8 @@
 
 usage: packages.py depends|build WORKSPACE SOURCES FOLDER...
 
-SOURCES is a regular expression: the names of the files that are compiled or configure that. FOLDERs are
-the packages of this project.
+SOURCES is a regular expression: the names of the files that are compiled or configure that. FOLDERs
+are the packages of this project.
 """
 
 import hashlib
@@ -15,7 +15,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C prints no traceback, during the next imports neither
+# Ctrl-C prints no traceback, during the next imports neither.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import yaml
 from catkin_pkg.package import InvalidPackage, parse_package
@@ -23,10 +24,11 @@ from catkin_pkg.topological_order import topological_order_packages
 
 WORKSPACE, SOURCES = Path(sys.argv[2]), re.compile(sys.argv[3])
 DEVEL = WORKSPACE / 'devel'
-# Without PWD, CMake would resolve the links in the path of its folder. Without a build type it would
-# not optimise: gmapping, amcl and move_base then take several times as long.
-BUILD = 'cd "$1" && . "$0/devel/setup.bash" && cmake -DCMAKE_BUILD_TYPE=Release "${@:2}" && make -k -j"$(nproc)"'
-# The folders of a package's own devel space are linked into the common one, the set-up files are not.
+# Without PWD, CMake would resolve the links in the path of its folder. Without a build type it
+# would not optimise: gmapping, amcl and move_base then take several times as long.
+BUILD = ('cd "$1" && . "$0/devel/setup.bash" && '
+         'cmake -DCMAKE_BUILD_TYPE=Release "${@:2}" && make -k -j"$(nproc)"')
+# The folders of a package's own devel space are linked into the common one, set-up files are not.
 LINK = 'shopt -s nullglob; for folder in "$0"/devel/*/; do cp -rsf "$folder" "$1"; done'
 ERROR = re.compile(
     r'CMake Error.*\n\s*((?:.+\n)+)'
@@ -41,7 +43,8 @@ def walk(top):
     seen = set()
     for folder, folders, files in os.walk(top, followlinks=True):
         real = os.path.realpath(folder)
-        folders[:] = [] if real in seen else sorted(name for name in folders if not name.startswith('.'))
+        folders[:] = [] if real in seen else sorted(
+            name for name in folders if not name.startswith('.'))
         if real not in seen:
             yield folder, folders, files
         seen.add(real)
@@ -58,7 +61,7 @@ def find_packages():
 
 
 def checksum(folder):
-    """Return one over the names of a package's sources and scripts, and the content of the sources."""
+    """Return one over the names of a package's sources and scripts, and the sources' content."""
     total = hashlib.sha256()
     for place, _, files in walk(folder):
         for name in sorted(files):
@@ -72,18 +75,20 @@ def checksum(folder):
 
 def names_of_depends(package):
     """Return all names of which the conditions hold."""
-    return {depend.name for kind in KINDS for depend in getattr(package, kind) if depend.evaluated_condition}
+    return {depend.name for kind in KINDS for depend in getattr(package, kind)
+            if depend.evaluated_condition}
 
 
 def read_packages():
-    """Return the valid packages and their checksums by folder, all names, and a line about each other."""
+    """Return valid packages and checksums by folder, all names, and a line for each left out."""
     packages, checksums, errors = {}, {}, []
     taken = {parse_package(folder).name: folder for folder in sys.argv[4:]}
     for folder in find_packages():
         try:
             package = parse_package(folder, warnings=[])
             if package.name in taken:
-                raise InvalidPackage(f'{taken[package.name]} has the name {package.name}, too: rename yours')
+                raise InvalidPackage(
+                    f'{taken[package.name]} has the name {package.name}, too: rename yours')
             package.evaluate_conditions({'ROS_VERSION': '1', 'ROS_PYTHON_VERSION': '3'})
             checksums[folder] = checksum(folder)
         except Exception as error:  # noqa: BLE001
@@ -119,7 +124,8 @@ def build():
         subprocess.run(['bash', '-c', LINK, places[folder], DEVEL], check=True)
     subprocess.run(['find', DEVEL, '-xtype', 'l', '-delete'], check=True)  # links to what is gone
     (DEVEL / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
-    (WORKSPACE / 'left_out').write_text(''.join(' '.join(error.split()).rstrip(':') + '\n' for error in errors))
+    lines = [' '.join(error.split()).rstrip(':') + '\n' for error in errors]
+    (WORKSPACE / 'left_out').write_text(''.join(lines))
 
 
 def build_package(folder, place, key):
@@ -165,8 +171,10 @@ def depends():
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
         parts = known.intersection(table.get(name, ()))
         print(*sorted(parts))
-        if not parts and not Path('/usr/share', name, 'package.xml').exists() and not is_installed(name):
-            print(f'./ws: {needed[name]} depends on {name}, {describe(name, known, table)}', file=sys.stderr)
+        if (not parts and not Path('/usr/share', name, 'package.xml').exists()
+                and not is_installed(name)):
+            print(f'./ws: {needed[name]} depends on {name}, {describe(name, known, table)}',
+                  file=sys.stderr)
 
 
 def describe(name, known, table):

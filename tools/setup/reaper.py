@@ -22,7 +22,7 @@ KILL_AFTER = 9.0  # s
 GIVE_UP_AFTER = 20.0  # s; on a busy machine a process may take some to die
 ORPHAN_PERIOD = 0.1  # s between two checks; SIGCHLD reports children
 STATUS_NO_COMMAND = 127
-# A terminal sends the first three to its foreground processes. An ignored signal would be inherited.
+# A terminal sends the first three to its foreground processes. An ignored one would be inherited.
 ENDING = signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM
 STANDARD_INPUT, STANDARD_OUTPUT, STANDARD_ERROR = range(3)
 # The numbers of prctl() in <linux/prctl.h>

@@ -18,7 +18,8 @@ def main():
 
     def on_scan(scan):
         # +inf counts as far away, -inf as too close; ignore NaN.
-        nearest = min((distance for distance in scan.ranges if not math.isnan(distance)), default=0.0)
+        distances = (distance for distance in scan.ranges if not math.isnan(distance))
+        nearest = min(distances, default=0.0)
         if nearest <= CLEARANCE:
             rospy.loginfo_throttle(10.0, f'stopping: something is {nearest:.2f} m ahead')
         velocity.publish(SPEED if nearest > CLEARANCE else 0.0)

@@ -75,9 +75,9 @@ class DistanceCounter:
     def _is_late(self, here):
         """Return whether to ignore this position because it is older than the last.
 
-        Other messages have overtaken it, or it is a copy. But if the next one continues from it, time
-        has restarted: a simulator was reset, a bag started again. Then only the step between these
-        two counts.
+        Other messages have overtaken it, or it is a copy. But if the next one continues from it,
+        time has restarted: a simulator was reset, a bag started again. Then only the step between
+        these two counts.
         """
         late, self._late = self._late, None
         if self._last is None or here.stamp >= self._last.stamp:
@@ -106,8 +106,8 @@ class DistanceCounter:
             interval = max(0.0, here.arrival - self._last.arrival)
         usual = self._period.mean
         self._period.add(interval)
-        # Messages that were delayed together have nearly the same stamp, but the robot has moved for
-        # as long as between any others.
+        # Messages that were delayed together have nearly the same stamp, but the robot has moved
+        # for as long as between any others.
         return max(interval, usual)
 
 

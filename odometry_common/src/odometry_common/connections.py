@@ -1,4 +1,4 @@
-"""XML-RPC calls with a timeout, and whether a connection is established: rospy counts it too early."""
+"""XML-RPC calls with a timeout, and whether connections exist: rospy counts them too early."""
 
 import http.client
 import xmlrpc.client
@@ -30,7 +30,8 @@ def ask(uri, call, *arguments):
     try:
         with node_at(uri) as node:
             return getattr(node, call)(rospy.get_name(), *arguments)[ANSWER]
-    except (OSError, http.client.HTTPException, xmlrpc.client.Error):  # it is shutting down, or has gone
+    # It is shutting down, or has gone.
+    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
         return None
 
 
@@ -39,4 +40,5 @@ def is_connected(subscriber):
     wanted = rospy.get_name(), SENDS, subscriber.resolved_name
     return any((listener, direction, topic) == wanted
                for connection in subscriber.impl.connections
-               for _, listener, direction, _, topic, *_ in ask(connection.endpoint_id, 'getBusInfo') or ())
+               for _, listener, direction, _, topic, *_
+               in ask(connection.endpoint_id, 'getBusInfo') or ())

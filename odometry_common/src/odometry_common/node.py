@@ -42,8 +42,8 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     :param parameters: the table of its Parameters
     :param init_node_options: passed on to rospy.init_node
 
-    The exit status is 0, or 2 with one line on stderr if the node cannot start, or 1 if main() fails.
-    However main() ends, rospy's shutdown hooks have run before the process exits.
+    The exit status is 0, or 2 with one line on stderr if the node cannot start, or 1 if main()
+    fails. However main() ends, rospy's shutdown hooks have run before the process exits.
     """
     threading.excepthook = _report_thread
     open_output()

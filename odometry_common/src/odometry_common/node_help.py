@@ -11,11 +11,12 @@ import yaml
 from odometry_common.parameters import ParameterError
 
 HELP = {'-h', '--help'}
-GIVEN = re.compile(r'_(?!_)(.*?):=(.*)', re.DOTALL)  # name and text of a parameter on the command line
+# Name and text of a parameter on the command line.
+GIVEN = re.compile(r'_(?!_)(.*?):=(.*)', re.DOTALL)
 
 
 def show_help_if_asked(documentation, parameters):
-    """If the command line contains --help, print a node's documentation and Parameters, once, and exit."""
+    """If --help is given, print a node's documentation and Parameters, once, and exit."""
     if HELP.intersection(sys.argv[1:]):
         program = os.path.basename(sys.argv[0])
         table = '' if parameters.help in documentation else parameters.help
@@ -31,7 +32,8 @@ def warn_of_unknown(parameters):
         rospy.logwarn(f'ignored: {", ".join(map(repr, arguments))}; see --help')
     values = rospy.get_param(rospy.get_name(), {})
     given = values.items() if isinstance(values, dict) else ()
-    unknown = sorted({f'~{name}' for name, value in given if not isinstance(value, dict)} - {*parameters.names})
+    names = {f'~{name}' for name, value in given if not isinstance(value, dict)}
+    unknown = sorted(names - {*parameters.names})
     if unknown:
         rospy.logwarn(f'unknown: {", ".join(unknown)}; the parameters of this node are '
                       f'{", ".join(parameters.names) or "none"}')

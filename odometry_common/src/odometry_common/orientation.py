@@ -4,7 +4,8 @@ import math
 
 from tf.transformations import euler_from_quaternion
 
-# Outside these lengths tf's square would be 0 or infinite; inside, normalising changes the last digits.
+# Outside these lengths tf's square would be 0 or infinite; inside, normalising changes the last
+# digits.
 SHORT, LONG = 1e-3, 1e3
 
 

@@ -86,7 +86,8 @@ class Parameter(NamedTuple):
         kind = type(self.default)
         is_number = kind in (float, int)
         value = as_number(given) if is_number else given
-        usable = value is not None and value == kind(value) if is_number else isinstance(value, kind)
+        usable = (value is not None and value == kind(value) if is_number
+                  else isinstance(value, kind))
         if not usable or not self.range.accepts(value, earlier):
             raise ParameterError(self.name, given, self._allowed(earlier))
         return kind(value)
@@ -138,7 +139,7 @@ class Parameters:
 
 
 def _on_server(names):
-    """Return the values that the parameter server has; the private ones by one call, which takes 0.4 ms."""
+    """Return the parameter server's values; the private ones by one call, which takes 0.4 ms."""
     import rospy  # here, since the arithmetic that declares parameters needs no ROS
     own = rospy.get_param(rospy.get_name(), {})
     # A global name, or one that is remapped.

@@ -10,7 +10,7 @@ import rospkg
 
 
 def open_output():
-    """Print each line at once; without a terminal, Python buffers the output until the node exits."""
+    """Print each line at once; without a terminal, Python buffers output until the node exits."""
     for name in 'stdout', 'stderr':
         if getattr(sys, name) is None:  # closed by the parent process
             setattr(sys, name, open(os.devnull, 'w', encoding='ascii'))  # noqa: SIM115

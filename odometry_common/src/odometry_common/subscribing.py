@@ -22,7 +22,8 @@ class Subscriber:
 
         :param callback: takes a message; if it raises ValueError, a throttled warning says so
         :param what: the messages in words, for the user; None: the topic's name
-        :param queue_size: of messages that arrive together, handle only the latest so many; None: all
+        :param queue_size: of messages that arrive together, handle only the latest so many;
+            None: all
         """
         self._name, self._type = rospy.resolve_name(topic), message_class._type
         self._callback, self._what = callback, what or topic
@@ -41,7 +42,8 @@ class Subscriber:
             other = dict(topics).get(self._name)
             is_right = other is None or self._type in (other, rospy.AnyMsg._type)
             rospy.loginfo(f'waiting for {self._what} on {self._name}' if is_right else
-                          f'waiting for {self._what}: {self._name} has the type {other}, not {self._type}')
+                          f'waiting for {self._what}: '
+                          f'{self._name} has the type {other}, not {self._type}')
         return not rospy.core.is_shutdown_requested()
 
     def _on_message(self, message):

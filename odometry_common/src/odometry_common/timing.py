@@ -6,7 +6,8 @@ from collections import deque
 
 WALL_SILENCE = 0.2  # s
 REST_DURATION = 0.5  # s
-JUMPS, JUMP_MEMORY = 2, 10.0  # so often time has gone back in so many s of wall time, as with two clocks
+# So often time has gone back in so many s of wall time, as with two clocks.
+JUMPS, JUMP_MEMORY = 2, 10.0
 
 
 class Watchdog:
@@ -15,9 +16,9 @@ class Watchdog:
     def __init__(self, timeout):
         """Allow `timeout` seconds between arrivals; 0 turns the watchdog off.
 
-        It also requires WALL_SILENCE of wall time, or a shorter timeout: simulated time can run a
-        hundred times as fast, and a subscriber may see it leap by seconds. While time goes back again
-        and again, as with two clocks, it requires `timeout` of wall time.
+        It also requires WALL_SILENCE of wall time, or a shorter timeout: simulated time can run
+        a hundred times as fast, and a subscriber may see it leap by seconds. While time goes back
+        again and again, as with two clocks, it requires `timeout` of wall time.
         """
         self._timeout = timeout
         self._fed = None  # time and wall time of the last arrival

@@ -72,7 +72,8 @@ class NonBlockingTransport(TCPROSTransport):
     def _queue(self, data):
         if len(self._backlog) == BACKLOG and not self._warned:
             self._warned = True
-            rospy.logwarn(f'{self.endpoint_id} does not keep up with {self.name}: it loses messages')
+            rospy.logwarn(
+                f'{self.endpoint_id} does not keep up with {self.name}: it loses messages')
         self._backlog.append(data)
 
     def _drain(self, data):

@@ -12,7 +12,7 @@ class VelocityPublisher(ClosingPublisher):
         super().__init__(topic, Twist, final_message=Twist())
 
     def publish(self, linear=0.0, angular=0.0):
-        """Command `linear` (m/s, forwards) and `angular` (rad/s, to the left); without them, zero."""
+        """Command `linear` (m/s, forwards) and `angular` (rad/s, to the left); by default zero."""
         command = Twist()
         command.linear.x = linear
         command.angular.z = angular

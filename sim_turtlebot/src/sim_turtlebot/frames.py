@@ -6,7 +6,7 @@ from sim_turtlebot.physics.description import URDF, WHEEL_JOINTS, read_joints
 
 
 class Frames:
-    """The transforms from odom to base_footprint, and from each link of the URDF to its children."""
+    """The transforms from odom to base_footprint, and from each URDF link to its children."""
 
     def __init__(self, robot):
         """Read the URDF; the robot's namespace is the prefix of all frames."""
@@ -19,7 +19,8 @@ class Frames:
 
     def fixed(self, stamp):
         """Return the transforms that never change."""
-        return [_filled(transform, stamp, joint.position, joint.rotation) for joint, transform in self._fixed]
+        return [_filled(transform, stamp, joint.position, joint.rotation)
+                for joint, transform in self._fixed]
 
     def base(self, stamp):
         """Return the transform from odom to base_footprint."""
@@ -33,7 +34,7 @@ class Frames:
 
 
 def _filled(transform, stamp, position, orientation):
-    """Return a TransformStamped, filled with a rospy.Time, a position and a quaternion (x, y, z, w)."""
+    """Return a TransformStamped with this rospy.Time, position and quaternion (x, y, z, w)."""
     transform.header.stamp = stamp
     fill_pose(transform.transform.translation, transform.transform.rotation, position, orientation)
     return transform

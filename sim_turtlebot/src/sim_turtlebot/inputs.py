@@ -1,4 +1,4 @@
-"""The simulator's subscribers and services: each message or call becomes a request to its main thread."""
+"""The simulator's inputs: each message or service call becomes a request to its main thread."""
 
 from functools import partial
 
@@ -35,8 +35,8 @@ class Inputs:
     def serve(self, name, action, kind=srv.Empty, prepare=tuple):
         """Offer a service: the main thread calls `action`, which returns the response's fields.
 
-        :param prepare: returns the arguments of the action; called on rospy's thread, since it may ask the
-            master
+        :param prepare: returns the arguments of the action; called on rospy's thread, since it may
+            ask the master
         """
         rospy.Service(name, kind, partial(self._answer, action, prepare))
 
@@ -48,8 +48,11 @@ class Inputs:
     def _subscribe(self, topic, message_class, action, *arguments):
         """Have the main thread call action(message, *arguments) for each message."""
         # Of messages that arrive together rospy reads only the latest, so a flood costs little.
-        rospy.Subscriber(topic, message_class, lambda message: self._requests.put(
-            *_sender_of(message), partial(action, message, *arguments)), queue_size=1, tcp_nodelay=True)
+        rospy.Subscriber(
+            topic, message_class,
+            lambda message: self._requests.put(
+                *_sender_of(message), partial(action, message, *arguments)),
+            queue_size=1, tcp_nodelay=True)
 
     def _answer(self, action, prepare, request):
         try:
@@ -61,7 +64,8 @@ class Inputs:
     def _command(self, twist, robot, topic):
         if not self.obeys:
             # Whether a command arrives so early depends on connection timing.
-            rospy.logwarn_once('lockstep ignores commands before time zero: wait for the first /odom')
+            rospy.logwarn_once(
+                'lockstep ignores commands before time zero: wait for the first /odom')
             return
         try:
             self._simulation.command(twist.linear.x, twist.angular.z, robot.index, topic)

@@ -6,8 +6,9 @@ WHEEL_RADIUS = 0.035  # m, kobuki_description
 WHEEL_SEPARATION = 0.230  # m, kobuki_description
 TICKS_PER_TURN = 2578.33  # of a wheel's encoder, Kobuki user guide
 
-# x, y, z (m) in base_footprint of the Asus Xtion Pro that a TurtleBot 2 carries: turtlebot_description,
-# urdf/turtlebot_properties.urdf.xacro and urdf/sensors/asus_xtion_pro.urdf.xacro.
+# x, y, z (m) in base_footprint of the Asus Xtion Pro that a TurtleBot 2 carries:
+# turtlebot_description, urdf/turtlebot_properties.urdf.xacro and
+# urdf/sensors/asus_xtion_pro.urdf.xacro.
 DEPTH_CAMERA = (-0.087, 0.0135, 0.2972)
 DEPTH_CAMERA_FRAME = 'camera_depth_frame'
 

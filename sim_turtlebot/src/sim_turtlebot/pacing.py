@@ -14,8 +14,8 @@ class Pacer:
     def __init__(self, real_time_factor, on_pace=lambda reached: None):
         """Run at `real_time_factor` simulated seconds per second; 0: as fast as possible.
 
-        :param on_pace: called with the factor that the machine reaches once it is too slow; with None
-            once it has caught up
+        :param on_pace: called with the factor that the machine reaches once it is too slow; with
+            None once it has caught up
         """
         self._factor = real_time_factor
         self._on_pace = on_pace

@@ -8,7 +8,7 @@ TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 
 
 class Reports:
-    """Reports robots that have fallen or that their watchdogs have stopped, and a simulation that is too slow."""
+    """Reports robots that fell or were stopped by watchdogs, and a simulation that is too slow."""
 
     def __init__(self, robots, settings, warn):
         """Take the robots, all upright.
@@ -24,7 +24,8 @@ class Reports:
         if reached is None:
             rospy.loginfo(f'the simulation keeps pace again: real-time factor {wanted}')
         else:
-            warning = f'the simulation is too slow: it reaches a real-time factor of {reached:.2g} instead of {wanted}'
+            warning = ('the simulation is too slow: it reaches a real-time factor '
+                       f'of {reached:.2g} instead of {wanted}')
             rospy.logwarn(warning)
         self._warn('pace', warning)
 
@@ -33,8 +34,9 @@ class Reports:
         for robot in self._robots:
             if robot.timed_out:  # a Kobuki's driver logs that, too
                 robot.timed_out = False
+                topic = rospy.resolve_name(robot.namespace + 'cmd_vel')
                 rospy.logwarn_throttle(TIMEOUT_LINE_PERIOD, (
-                    f'the base stops: no command on {rospy.resolve_name(robot.namespace + "cmd_vel")} for '
+                    f'the base stops: no command on {topic} for '
                     f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)'))
             if is_upright(robot.ground_truth.orientation) == (robot in self._fallen):
                 self._fallen ^= {robot}
@@ -46,7 +48,8 @@ class Reports:
         if robot in self._fallen:
             # Adding zero turns -0.0 into 0.0.
             x, y = (round(metres, 2) + 0.0 for metres in robot.ground_truth.position[:2])
-            warning = f'{name} lies on its side at x {x:g}, y {y:g}; ~reset_simulation brings it back'
+            warning = (f'{name} lies on its side at x {x:g}, y {y:g}; '
+                       '~reset_simulation brings it back')
             rospy.logwarn(warning)
         else:
             rospy.loginfo(f'{name} stands upright again')

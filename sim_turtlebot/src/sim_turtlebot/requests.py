@@ -1,4 +1,4 @@
-"""Requests from rospy's threads; the main thread serves them, since only it may touch the robots."""
+"""Requests from rospy's threads to the main thread, since only it may touch the robots."""
 
 import threading
 from concurrent import futures

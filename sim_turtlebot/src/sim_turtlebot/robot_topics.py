@@ -22,14 +22,15 @@ NOT_MEASURED = -1  # the first element of a covariance, as sensor_msgs/Imu defin
 class Topic:
     """A topic whose header.seq is the number of the odometry period.
 
-    rospy would count the messages that it sends. With our number, a message that is sent twice stays
-    the same, and two runs give the same bytes.
+    rospy would count the messages that it sends. With our number, a message that is sent twice
+    stays the same, and two runs give the same bytes.
     """
 
     def __init__(self, name, message_class, frame, /, **fields):
         """Advertise; fill `message` before publish()."""
         # Without _has_header rospy does not set header.seq.
-        numbered = type(f'Numbered{message_class.__name__}', (message_class,), {'_has_header': False})
+        numbered = type(
+            f'Numbered{message_class.__name__}', (message_class,), {'_has_header': False})
         self.message = numbered(**fields)
         self.message.header.frame_id = frame
         self._publisher = advertise(name, message_class)
@@ -62,7 +63,8 @@ class RobotTopics:
         self._robot, namespace = robot, robot.namespace
         self.frames = Frames(robot)
         base = f'{namespace}base_footprint'
-        self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom', child_frame_id=base)
+        self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom',
+                               child_frame_id=base)
         self._odometry.message.pose.covariance[::7] = robot.covariance
         self._odometry.message.twist.covariance[::7] = robot.twist_covariance
         self._ground_truth = Topic(f'{namespace}base_pose_ground_truth', Odometry, 'world',

@@ -24,13 +24,15 @@ FROM_0_TO_1 = between(0, 1)
 FACTOR = between(0.5, 2)
 COORDINATE = between(-MAX_COORDINATE, MAX_COORDINATE)
 START = 'start position; odom is zero there'
-SEED = Parameter('~seed', 0, '', between(-2**31, 2**31 - 1), 'for the noise; read at the start and at a reset')
+SEED = Parameter('~seed', 0, '', between(-2**31, 2**31 - 1),
+                 'for the noise; read at the start and at a reset')
 
 PARAMETERS = Parameters(
     Parameter('~gui', False, '', ANY, "open PyBullet's window"),
     Parameter('~world', '', '', ANY, 'URDF or SDF file to load beside the floor'),
     Parameter('~robots', 1, '', between(1, 1000),
-              'of several, robot k is in namespace robot_k and starts one metre left of the one before'),
+              'of several, robot k is in namespace robot_k '
+              'and starts one metre left of the one before'),
     Parameter('~x', 0.0, 'm', COORDINATE, START),
     Parameter('~y', 0.0, 'm', COORDINATE, START),
     Parameter('~yaw', 0.0, 'rad',
@@ -41,8 +43,9 @@ PARAMETERS = Parameters(
     Parameter('~clock_rate', 0.0, 'Hz',
               Range('0 or from ~odom_rate to 1000',
                     lambda value, earlier: value == 0 or earlier.odom_rate <= value <= 1000),
-              'ticks of /clock, rounded up to a multiple of ~odom_rate; 0: 200 (at most about 1000 per '
-              'second of wall time), in lockstep 100, else unpaced ~odom_rate'),
+              'ticks of /clock, rounded up to a multiple of ~odom_rate; '
+              '0: 200 (at most about 1000 per second of wall time), '
+              'in lockstep 100, else unpaced ~odom_rate'),
     Parameter('~publish_tf', True, '', ANY,
               'publish odom -> base_footprint on /tf; false where a filter does'),
     Parameter('~odometry_source', 'world', '', one_of('world', 'encoder'),
@@ -58,7 +61,8 @@ PARAMETERS = Parameters(
               "standard deviation of the gyro's yaw after one second"),
     Parameter('~gyro_drift', 0.0, 'rad/s', between(-1, 1), 'bias of the gyro, also at rest'),
     Parameter('~wheel_diameter_ratio', 1.0, '', FACTOR,
-              "E_d of UMBmark: the right wheel's diameter over the left's; the driver assumes their mean"),
+              "E_d of UMBmark: the right wheel's diameter over the left's; "
+              'the driver assumes their mean'),
     Parameter('~wheel_separation_ratio', 1.0, '', FACTOR,
               "E_b of UMBmark: true distance between the wheels over the driver's"),
     Parameter('~gyro_scale_error', 0.0, '', between(-0.5, 0.5),
@@ -76,7 +80,8 @@ PARAMETERS = Parameters(
               'share of the commanded speed that the base really reaches'),
     Parameter('~scan', False, '', ANY, 'publish scans'),
     # Rate and beams of turtlebot_description's camera in Gazebo (turtlebot_gazebo.urdf.xacro).
-    Parameter('~scan_rate', 10.0, 'Hz', between(0.1, 1000), 'scans per simulated second, at most ~odom_rate'),
+    Parameter('~scan_rate', 10.0, 'Hz', between(0.1, 1000),
+              'scans per simulated second, at most ~odom_rate'),
     Parameter('~scan_beams', 640, '', between(2, 10000), 'ranges in a scan'),
     # 60.2 degrees. The camera in Gazebo has 60, the data sheet of the Asus Xtion Pro 58. The margin
     # is for clients that count 30 degrees in beams to each side, and round up.

@@ -65,7 +65,10 @@ class Simulation:
         return True
 
     def reset(self, seed):
-        """Return to the start; the same commands then give the bits of a new simulation with this seed."""
+        """Return to the start; the same commands then give the bits of a new simulation.
+
+        :param seed: that of the new simulation
+        """
         self.timeline.restart()
         self.world.rebuild()
         for robot in self.robots:

@@ -62,4 +62,5 @@ class SimulationTopics:
 
     def _stamp(self):
         """Return the time of all messages."""
-        return rospy.Time(*divmod(self._timeline.now, 10**9)) if self._use_sim_time else rospy.Time.now()
+        return (rospy.Time(*divmod(self._timeline.now, 10**9)) if self._use_sim_time
+                else rospy.Time.now())

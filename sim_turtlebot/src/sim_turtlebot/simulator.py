@@ -66,9 +66,11 @@ class Simulator:
     def run(self):
         """Simulate until shutdown."""
         robots = dict.fromkeys([self._simulation.robots[0], self._simulation.robots[-1]])
-        odometry, commands = (' to '.join(rospy.resolve_name(robot.namespace + topic) for robot in robots)
-                              for topic in ('odom', 'cmd_vel'))
-        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, listening on {commands}')
+        odometry, commands = (
+            ' to '.join(rospy.resolve_name(robot.namespace + topic) for robot in robots)
+            for topic in ('odom', 'cmd_vel'))
+        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, '
+                      f'listening on {commands}')
         while not (self._stopping or rospy.is_shutdown()):
             self._take_turn()
 
@@ -78,7 +80,7 @@ class Simulator:
             self._topics.warn('world', warning)
 
     def _take_turn(self):
-        """Serve the waiting requests, and advance if a tick is due, even if more requests arrive."""
+        """Serve the waiting requests; advance if a tick is due, even if more requests arrive."""
         if self._paused:
             self._requests.wait(LONGEST_WAIT)
             self._requests.serve_all()
@@ -160,7 +162,7 @@ class Simulator:
             self._pacer.restart(self._timeline.now)
 
     def _step(self):
-        """Advance to the next odometry while paused; return success, and its stamp (s) or why not."""
+        """Advance to the next odometry while paused; return success, and stamp (s) or why not."""
         if not self._paused:
             return False, 'call ~pause_physics first'
         self._nodes.wait()  # until the commands that were sent before are here
@@ -176,8 +178,8 @@ class Simulator:
     def _reset(self, seed):
         """Reset time and robots to the start, with this seed.
 
-        While time stands still, it begins anew with the next step, as in a new simulator: nodes that
-        start after the reset receive the messages of time zero.
+        While time stands still, it begins anew with the next step, as in a new simulator: nodes
+        that start after the reset receive the messages of time zero.
         """
         self._simulation.reset(seed)
         self._pacer.restart(self._timeline.now)

@@ -7,7 +7,8 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from sim_turtlebot.physics.world_shapes import BOX, CYLINDER, MESH, SPHERE, read_shapes
 
-TYPES = {BOX: Marker.CUBE, CYLINDER: Marker.CYLINDER, SPHERE: Marker.SPHERE, MESH: Marker.MESH_RESOURCE}
+TYPES = {BOX: Marker.CUBE, CYLINDER: Marker.CYLINDER, SPHERE: Marker.SPHERE,
+         MESH: Marker.MESH_RESOURCE}
 
 
 def publish_world(world):

@@ -13,15 +13,15 @@ PARAMETERS = Parameters(
     Parameter('~exit_when_done', False, '', ANY,
               'exit once the robot has stopped; false: keep commanding zero'),
     Parameter('~timeout', 1.0, 's', between(0, 3600),
-              'stop and warn while no message arrives for this long (ROS time, and at least 0.2 s of '
-              'wall time); 0: never'))
+              'stop and warn while no message arrives for this long '
+              '(ROS time, and at least 0.2 s of wall time); 0: never'))
 
 
 class Drive:
     """Decides how fast to drive, from the latest moved distance."""
 
     def __init__(self, distance, speed, relative=False):
-        """Drive at `speed` (m/s) for `distance` (m); `relative`: from the first moved distance on."""
+        """Drive `distance` (m) at `speed` (m/s); `relative`: from the first moved distance on."""
         self.distance = distance
         self.speed = speed
         self._start = None if relative else 0.0

@@ -27,8 +27,8 @@ def _run(options):
     launch_file, arguments = launch_arguments(options, page_port and page_port.number)
     use_writable_logs()
     with Launch('odometry_launch', launch_file, arguments, nodes_that_end(options)) as launch:
-        # While roslaunch starts the nodes, import rospy, and matplotlib on a thread: it may take long to
-        # read its fonts.
+        # While roslaunch starts the nodes, import rospy, and matplotlib on a thread: it may take
+        # long to read its fonts.
         from odometry_tools.runs.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1], daemon=True).start()
         from odometry_tools.runs.following import follow

@@ -17,7 +17,8 @@ def make_parser():
     parser.add_argument('bag', metavar='BAG', help='the recording')
     parser.add_argument('-o', '--output', metavar='PNG',
                         help='the picture (default: beside the bag, with its name)')
-    parser.add_argument('--topic', help='the odometry (default: /odom, or the only odometry in the bag)')
+    parser.add_argument('--topic',
+                        help='the odometry (default: /odom, or the only odometry in the bag)')
     return parser
 
 

@@ -38,7 +38,7 @@ def main():
     """View until shutdown."""
     address = read_address()
     robots = Robots()
-    # Otherwise a robot that starts now drives while viser is imported, which leaves no time for its messages.
+    # Otherwise a robot that starts now drives while viser is imported, and its messages are missed.
     robots.found.wait(FIRST_ROBOT_TIMEOUT)
     try:
         from robot_view.browser_page import BrowserPage

@@ -2,7 +2,8 @@
 
 import time
 
-FLOOD_BUDGET = 2.0  # s, of this process or the master: only nodes that send without a pause make these compute
+# s, of this process or the master: only nodes that send without a pause make these compute.
+FLOOD_BUDGET = 2.0
 BUSY_SHARE = 0.1  # of a budget, for the main thread of a busy node; rospy.spin() uses nothing
 STALL_TIMEOUT = 60.0  # s of wall time, for a process that neither computes nor sleeps
 
@@ -20,7 +21,8 @@ class Budgets:
 
     def exceeded_by(self, process):
         """Return the budget (s) that a Process has exceeded, or None."""
-        if any(self._used_by(other) > FLOOD_BUDGET for other in self._processes if not other.longest_poll):
+        if any(self._used_by(other) > FLOOD_BUDGET
+               for other in self._processes if not other.longest_poll):
             return FLOOD_BUDGET
         used = self._used_by(process)
         if used > process.cpu_budget or time.monotonic() - self._begin - used > STALL_TIMEOUT:
@@ -28,10 +30,11 @@ class Budgets:
         return None
 
     def find_busy(self, budget):
-        """Return the node's Process whose main thread uses the most of a budget (s), or None if that is little."""
+        """Return the node's Process whose main thread uses most of a budget (s); None if little."""
         nodes = [process for process in self._processes if process.longest_poll]
         busiest = max(nodes, key=self._used_by_main_thread, default=None)
-        return busiest if busiest and self._used_by_main_thread(busiest) > BUSY_SHARE * budget else None
+        is_busy = busiest and self._used_by_main_thread(busiest) > BUSY_SHARE * budget
+        return busiest if is_busy else None
 
     def busiest_thread(self, process):
         """Return the Thread of a Process that has used most."""
@@ -41,7 +44,8 @@ class Budgets:
         return sum(map(self._used_by_thread, process.threads.values()))
 
     def _used_by_main_thread(self, process):
-        return sum(self._used_by_thread(thread) for thread in process.threads.values() if thread.tid == process.pid)
+        return sum(self._used_by_thread(thread) for thread in process.threads.values()
+                   if thread.tid == process.pid)
 
     def _used_by_thread(self, thread):
         now = thread.usage[0]

@@ -12,13 +12,16 @@ CPU_BUDGET = 10.0  # s of CPU time until a child is idle; it may be a node that 
 
 
 class Children:
-    """Has an IdleWaiter wait for the children of its processes, unless they have a process group of their own."""
+    """Has an IdleWaiter wait for the children of its processes.
+
+    But not for those that have a process group of their own.
+    """
 
     def __init__(self, waiter, add):
         """Start without children.
 
         :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
-        :param add: adds a process to it, by the name of its node, its id and a budget of CPU time (s)
+        :param add: adds a process to it, by its node's name, its id and a budget of CPU time (s)
         """
         self._waiter, self._add = waiter, add
         self._parents = {}  # ids, by id of the child
@@ -62,7 +65,7 @@ class Children:
             self._add(parent.name, pid, max(CPU_BUDGET, self._waiter.cpu_budget))
 
     def _remove_independent(self, nodes):
-        """Remove those that have ended, or have moved to a process group of their own and are no nodes."""
+        """Remove those that ended, or moved to a process group of their own and are no nodes."""
         for pid, parent in list(self._parents.items()):
             if not _are_one_group(pid, parent):
                 del self._parents[pid]

@@ -29,7 +29,8 @@ class GraphProcesses:
         :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
         :param own_name: of this node
         :param on_unseen: called with the name of a node whose process this one cannot see
-        :param on_unconnected: called with a topic, its publisher and a subscriber that do not connect
+        :param on_unconnected: called with a topic, its publisher and a subscriber that do not
+            connect
         """
         self._waiter, self._own_name = waiter, own_name
         self._on_unseen, self._on_unconnected = on_unseen, on_unconnected
@@ -37,7 +38,7 @@ class GraphProcesses:
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
-        self._state = [], [], []  # of the master at the last call: publishers, subscribers, services
+        self._state = [], [], []  # of the master, last call: publishers, subscribers, services
         self._children = Children(waiter, self._add)
         self._master_usage = None  # of its threads, at the last call
         self._find({MASTER: self._master_uri})
@@ -55,8 +56,8 @@ class GraphProcesses:
     def wait(self, only_clock=False):
         """Return when all nodes are idle.
 
-        If the master served a request, refresh the node list, wait for its publisherUpdates, for which
-        it polls by wall time, and wait until all nodes are connected.
+        If the master served a request, refresh the node list, wait for its publisherUpdates, for
+        which it polls by wall time, and wait until all nodes are connected.
 
         :param only_clock: as for IdleWaiter.wait()
         :raises OSError: if the master does not answer
@@ -71,7 +72,7 @@ class GraphProcesses:
             self._master_has_worked()
 
     def sends_to(self, names, name):
-        """Return whether one of these nodes publishes a topic to which the node `name` subscribes."""
+        """Return whether one of these nodes publishes a topic to which node `name` subscribes."""
         published, subscribed, _ = map(dict, self._state)
         return any(name in subscribed.get(topic, ()) and not names.isdisjoint(publishers)
                    for topic, publishers in published.items())
@@ -119,7 +120,7 @@ class GraphProcesses:
         return link in self._unconnected
 
     def _refresh(self):
-        """Add new nodes, and forget those that have gone; return whether the publishers have changed.
+        """Add new nodes, forget those that have gone; return whether the publishers have changed.
 
         A node that was killed and started again has the same name and topics at another address.
         """
@@ -135,7 +136,7 @@ class GraphProcesses:
         return (self._state[PUBLISHERS], self._addresses) != (before, addresses_before)
 
     def add_starting(self):
-        """Add the processes that roslaunch has started and that have not registered as nodes yet."""
+        """Add the processes that roslaunch started and that have not registered as nodes yet."""
         for process in psutil.process_iter(['cmdline', 'environ']):
             environment = process.info['environ'] or {}
             name = next((ns_join(environment.get('ROS_NAMESPACE', '/'), argument[len(ROSLAUNCHED):])
@@ -174,6 +175,6 @@ class GraphProcesses:
 
 
 def _names(*states):
-    """Return the names of the nodes in parts of the master's state, except rosout and who only logs."""
+    """Return the names of nodes in parts of the master's state, except rosout and who only logs."""
     return {name for state in states for topic, nodes in state if topic != LOG
             for name in nodes} - {LOG}

@@ -19,12 +19,14 @@ from sim_turtlebot.lockstep.polls import classify, has_news
 from sim_turtlebot.lockstep.processes import Process
 
 LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
-CPU_BUDGET = 20.0  # s of CPU time that a process may use before it is idle; a scan of gmapping's takes over 2
+# s of CPU time that a process may use before it is idle; a scan of gmapping's takes over 2.
+CPU_BUDGET = 20.0
 STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugger has stopped
 SPIN_TIME = 0.001  # s of wall time
 CHECK_PERIOD = 2e-5  # s of wall time, after that
-BUDGET_PERIOD = 0.02  # s of wall time between two looks at the budgets, which take as long as a check
-CHECKS = 3  # in a row: a busy machine may leave no other time between two naps of threads that wake in vain
+BUDGET_PERIOD = 0.02  # s of wall time between looks at the budgets; one takes as long as a check
+# In a row: a busy machine may leave no other time between two naps of threads that wake in vain.
+CHECKS = 3
 
 
 class IdleWaiter:
@@ -34,8 +36,8 @@ class IdleWaiter:
         """Start without processes.
 
         :param is_over: function that returns whether to stop waiting
-        :param on_busy: called with a Process that is not awaited any more, and the CPU budget (s) that
-            has been exceeded
+        :param on_busy: called with a Process that is not awaited any more, and the CPU budget (s)
+            that has been exceeded
         :param is_flooded: function that returns whether such a busy process keeps a Process awake
         """
         self.is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
@@ -54,7 +56,8 @@ class IdleWaiter:
     def wait(self, only_clock=False):
         """Return when all processes are idle, except those that have exceeded their budget.
 
-        :param only_clock: whether the processes received only a tick of the clock, each on one thread
+        :param only_clock: whether the processes received only a tick of the clock, each on one
+            thread
         """
         begin, budgets, usage, polls = time.monotonic(), None, None, {}
         next_look = begin
@@ -63,10 +66,13 @@ class IdleWaiter:
             try:
                 self._await_continued()
                 # Before the check: a thread that sleeps later may have received work in between.
-                polls = {thread: sleeps for thread, sleeps in polls.items() if thread.sleeps < sleeps}
+                polls = {thread: sleeps for thread, sleeps in polls.items()
+                         if thread.sleeps < sleeps}
                 busy = self._find_busy()
                 if not busy:
-                    before, (usage, polling) = usage, classify(self._awaited, self.idle_usage, check_begin, int(only_clock))
+                    before = usage
+                    usage, polling = classify(self._awaited, self.idle_usage, check_begin,
+                                              int(only_clock))
                     polls = {thread: polls.get(thread, sleeps) for thread, sleeps in polling.items()
                              if thread in polls or has_news(thread, usage, before)}
                     if not polls:

@@ -17,13 +17,14 @@ def links(publishers, subscribers):
 
 
 def missing_links(wanted, addresses):
-    """Return those of `wanted` that their publishers do not report: a subscriber lists one too early.
+    """Return those of `wanted` that their publishers do not report: a subscriber lists one early.
 
     :param wanted: of links()
     :param addresses: by name of the node
     """
     present = {(topic, publisher, subscriber) for publisher in {link[1] for link in wanted}
-               for _, subscriber, direction, _, topic, *_ in ask(addresses[publisher], 'getBusInfo') or ()
+               for _, subscriber, direction, _, topic, *_
+               in ask(addresses[publisher], 'getBusInfo') or ()
                if direction == SENDS}
     return wanted - present
 

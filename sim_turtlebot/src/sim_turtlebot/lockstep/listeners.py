@@ -7,7 +7,8 @@ from urllib.parse import urlparse
 import psutil
 from rosgraph.network import is_local_address
 
-ENDING_TIME = 1.0  # s of wall time; a process that ends has closed its files, but not yet its sockets
+# s of wall time; a process that ends has closed its files, but not yet its sockets.
+ENDING_TIME = 1.0
 LOOK_PERIOD = 0.01  # s of wall time
 ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
 
@@ -18,10 +19,12 @@ def pids_at(addresses):
     None: this process cannot see it, since it is on another machine or belongs to another user. 0:
     nothing serves the address, as after a node was killed.
     """
-    is_local = {name: is_local_address(urlparse(address).hostname) for name, address in addresses.items()}
+    is_local = {name: is_local_address(urlparse(address).hostname)
+                for name, address in addresses.items()}
     end = time.monotonic() + ENDING_TIME
     while True:
-        listening = {connection.laddr: connection.pid for connection in psutil.net_connections('tcp')
+        listening = {connection.laddr: connection.pid
+                     for connection in psutil.net_connections('tcp')
                      if connection.status == psutil.CONN_LISTEN}
         pids = {name: _pid_at(urlparse(address), listening) if is_local[name] else None
                 for name, address in addresses.items()}

@@ -16,7 +16,7 @@ from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL, IdleWaiter
 SLEEPER_CHECK_PERIOD = 2.0  # s of wall time between two checks for nodes that sleep by it
 MAX_WATCH_RATE = 2.8  # Hz; a thread that watches something may sleep by wall time
 MAX_UNPROMPTED = 2  # messages while all are idle; one may come from the node's start
-# Between the messages of a node that sleeps by wall time, wall times are alike, simulated times are not.
+# A node that sleeps by wall time: wall times between its messages are alike, simulated are not.
 MIN_INTERVALS, MAX_WALL_SPREAD, MIN_SPREAD = 6, 0.05, 0.2
 TINY = 1e-9  # s
 SLEEPS = 'acts by wall time, as after time.sleep(): use rospy.sleep()'
@@ -57,7 +57,8 @@ class Lockstep:
             self._master_answers = True
         except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
             if self._master_answers:
-                rospy.logwarn(f'lockstep does not wait for new nodes: the master gave no list of nodes ({error})')
+                rospy.logwarn('lockstep does not wait for new nodes: '
+                              f'the master gave no list of nodes ({error})')
             self._master_answers = False
         if time.monotonic() > self._next_sleeper_check:
             self._next_sleeper_check = time.monotonic() + SLEEPER_CHECK_PERIOD
@@ -74,7 +75,7 @@ class Lockstep:
         self._waiter.close()
 
     def is_graph_stable(self, stable_time=STABLE_TIME):
-        """Refresh the nodes; return whether all are idle, and none has come or gone for so long (s).
+        """Refresh the nodes; return whether all are idle, and none came or went for so long (s).
 
         Time does not begin for this node and rosout alone.
         """
@@ -92,7 +93,8 @@ class Lockstep:
         :param now: simulated time (s)
         :param unprompted: whether all nodes were idle, and nothing has been published since
         """
-        for name in names & {process.name for process in self._waiter.processes.values()} - self._reported:
+        awaited = {process.name for process in self._waiter.processes.values()}
+        for name in names & awaited - self._reported:
             self._unprompted[name] += unprompted
             times = self._times.setdefault(name, deque(maxlen=MIN_INTERVALS + 1))
             times.append((time.monotonic(), now))
@@ -100,7 +102,7 @@ class Lockstep:
                 self._report(name, SLEEPS)
 
     def _report_sleepers(self, now):
-        """Name the nodes that publish and, since the last call, slept by wall time again and again."""
+        """Name the nodes that publish and, since the last call, slept by wall time repeatedly."""
         before, self._sleepers = self._sleepers, {}
         for process in self._waiter.processes.values():
             # roscpp sleeps by wall time wherever it waits.
@@ -108,7 +110,8 @@ class Lockstep:
                 continue
             for thread in process.threads.values():
                 with contextlib.suppress(OSError):  # it has ended
-                    if thread.sleeps_by_wall_time and thread.sleeps_longer_than(process.longest_poll, now):
+                    if thread.sleeps_by_wall_time and thread.sleeps_longer_than(
+                            process.longest_poll, now):
                         self._sleepers[thread] = now, thread.sleeps_seen
                 if thread in before and thread in self._sleepers:
                     earlier, seen_then = before[thread]
@@ -125,15 +128,16 @@ class Lockstep:
             return
         thread = process.awake_thread()
         self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}, thread '
-                     f'{thread.name if thread else "unknown"}): let its loop sleep by rospy.Rate or ros::Rate, '
-                     'or raise ~cpu_budget if it computes for longer')
+                     f'{thread.name if thread else "unknown"}): let its loop sleep by rospy.Rate '
+                     'or ros::Rate, or raise ~cpu_budget if it computes for longer')
 
     def _report_unseen(self, name):
-        self._report(name, 'runs on another machine, in another container or as another user, where '
-                     'lockstep cannot see it: run it beside the robot')
+        self._report(name, 'runs on another machine, in another container or as another user, '
+                     'where lockstep cannot see it: run it beside the robot')
 
     def _report_unconnected(self, topic, publisher, subscriber):
-        self._report(subscriber, f'has not connected to {publisher} on {topic} for {CONNECT_TIMEOUT:g} s')
+        self._report(subscriber, f'has not connected to {publisher} on {topic} '
+                     f'for {CONNECT_TIMEOUT:g} s')
 
     def _report(self, name, reason):
         if name not in self._reported:
@@ -166,5 +170,5 @@ def _check_proc():
         if Path('/proc/self/schedstat').read_text(encoding='utf-8').split()[-1] == '0':
             raise OSError('this kernel lacks CONFIG_SCHED_INFO')
     except OSError as error:
-        raise ParameterError('~lockstep', True, 'false where /proc hides the state of other processes '
-                             f'({error})') from None
+        reason = f'false where /proc hides the state of other processes ({error})'
+        raise ParameterError('~lockstep', True, reason) from None

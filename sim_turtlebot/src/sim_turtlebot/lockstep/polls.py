@@ -18,7 +18,8 @@ def classify(processes, idle_usage, check_begin, receivers):
             thread.sample_polling()
         usage[process] = process.usage()
         # ros::Rate and ros::Timer poll for the clock.
-        if limit and (process.is_cpp or _count_new(usage[process], idle_usage.get(process, {})) > receivers):
+        if limit and (process.is_cpp
+                      or _count_new(usage[process], idle_usage.get(process, {})) > receivers):
             polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
                             for thread in threads if not (
                                 thread in usage[process] or thread.ignored or thread.is_asleep
@@ -27,7 +28,10 @@ def classify(processes, idle_usage, check_begin, receivers):
 
 
 def has_news(thread, usage, before):
-    """Return whether another node, which may have sent something, has run between two usages that classify() returned."""
+    """Return whether another node ran, and may have sent something, between two usages.
+
+    The usages are those that classify() returned.
+    """
     return before is None or any(
         process.longest_poll and process.pid != thread.pid and usages != before.get(process)
         for process, usages in usage.items())
@@ -35,4 +39,5 @@ def has_news(thread, usage, before):
 
 def _count_new(usages, earlier):
     """Return how many threads of a process have run since all were last idle."""
-    return 0 if usages is earlier else sum(earlier.get(thread) != usage for thread, usage in usages.items())
+    return 0 if usages is earlier else sum(
+        earlier.get(thread) != usage for thread, usage in usages.items())

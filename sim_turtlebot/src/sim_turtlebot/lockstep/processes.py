@@ -64,8 +64,8 @@ class Process:
     def is_still_idle(self):
         """Return whether no thread has run since check_idle(), except those that may.
 
-        By all figures of their usage: a virtual machine that loses its processor may not count the CPU
-        time of what runs next.
+        By all figures of their usage: a virtual machine that loses its processor may not count the
+        CPU time of what runs next.
         """
         for thread in self.threads.values():
             if thread.read_usage() != thread.idle_usage and not thread.may_run:
@@ -81,7 +81,10 @@ class Process:
         return self._usage
 
     def awake_thread(self):
-        """Return a thread that is awake and not ignored, or None; one that always polls is asleep between its polls."""
+        """Return a thread that is awake and not ignored, or None.
+
+        One that always polls is asleep between its polls.
+        """
         links = os.fstat(self._folder).st_nlink  # two more than there are threads
         if links - 2 != len(self.threads) + bool(self._own_thread):
             self.list_threads()

@@ -13,7 +13,8 @@ MAX_LINE = 128  # bytes, of wchan and schedstat; in stat, the state is among the
 SWITCHES = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 SAMPLE_TIME = 0.05  # s of wall time, not counting the time that a thread waited for a processor
 MIN_POLLS = 20  # in SAMPLE_TIME, without work; ros::Rate and ros::Timer poll every millisecond
-SURE_SLEEPS = 2  # long ones in a row, after which the next is taken for one; timers of a virtual machine may be late
+# Long ones in a row, after which the next is taken for one; a virtual machine's timers may be late.
+SURE_SLEEPS = 2
 MAX_LATE = 10.0  # times its longest poll: how long a single late one is awaited
 
 _wait_functions = set()  # kernel functions in which threads have been seen asleep
@@ -36,7 +37,7 @@ class Thread:
         self.idle_usage = None  # its usage when it was last seen asleep
         self.sleeps_seen = 0
         self._runs, self._sleep_begin, self._sleep_time, self._sleep_is_long = 0, 0.0, 0.0, False
-        self._long_sleeps = SURE_SLEEPS  # in a row; a thread is taken for one that polls once it has polled
+        self._long_sleeps = SURE_SLEEPS  # in a row; a thread counts as polling once it has polled
 
     def close(self):
         """Close its files."""
@@ -100,7 +101,10 @@ class Thread:
         return int(self._read('status').partition(SWITCHES)[2].split(maxsplit=1)[0])
 
     def sample_polling(self):
-        """Set `always_polls`, once, while all other threads are idle; not of ros::Rate, which may work later."""
+        """Set `always_polls`, once, while all other threads are idle.
+
+        Not of ros::Rate, which may work later.
+        """
         if self.always_polls is not None or self.sleeps_by_wall_time:
             return
         begin, (_, waited, runs), passed, runs_now = time.monotonic(), self.usage, 0.0, 0
@@ -112,7 +116,7 @@ class Thread:
         self.always_polls = runs_now >= MIN_POLLS
 
     def sleeps_longer_than(self, limit, asleep_at):
-        """Return whether its current sleep takes longer than `limit` (s), and not only because a timer is late.
+        """Return whether its current sleep exceeds `limit` (s), not only because a timer is late.
 
         :param asleep_at: a time at which it slept (monotonic, s)
         """
@@ -129,7 +133,8 @@ class Thread:
             self._runs, self._sleep_begin = runs, now
             self.sleeps_seen += 1
         self._sleep_time = asleep_at - self._sleep_begin
-        self._sleep_is_long |= self._sleep_time > (limit if self._long_sleeps >= SURE_SLEEPS else MAX_LATE * limit)
+        self._sleep_is_long |= self._sleep_time > (
+            limit if self._long_sleeps >= SURE_SLEEPS else MAX_LATE * limit)
         return self._sleep_is_long
 
     def _reader(self, opened, name):

@@ -60,7 +60,7 @@ def numbers_in(text):
 
 
 def origin_of(element):
-    """Return the position (x, y, z; m) and the rotation (quaternion x, y, z, w) of a URDF's element."""
+    """Return position (x, y, z; m) and rotation (quaternion x, y, z, w) of an element of a URDF."""
     origin = element.find('origin')
     attributes = {} if origin is None else origin.attrib
     return (numbers_in(attributes.get('xyz', '0 0 0')),

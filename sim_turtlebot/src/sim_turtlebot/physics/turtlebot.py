@@ -16,7 +16,8 @@ LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more woul
 UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
 HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
 AIR = 10.0  # m, above anything that a robot could touch
-CONTACT_PROCESSING_THRESHOLD = 1e-3  # m; the solver skips the floor below the base and a raised caster
+# m; the solver skips the floor below the base and a raised caster.
+CONTACT_PROCESSING_THRESHOLD = 1e-3
 FOOTPRINT_MASS = 1e-4  # kg; PyBullet gives 1 kg to a link without <inertial>
 
 
@@ -24,7 +25,7 @@ class TurtleBot:
     """One TurtleBot 2 in a world: its motors, its pose and its wheels."""
 
     def __init__(self, client, x, y, yaw, flags):
-        """Take a start in the World of a PyBullet client: x, y (m) and yaw (rad); load() puts the robot there."""
+        """Take a start in a PyBullet client's World, for load(): x, y (m) and yaw (rad)."""
         self._client = client
         self._start = [x, y, 0.0], client.getQuaternionFromEuler([0, 0, yaw])
         self._flags = flags

@@ -1,9 +1,10 @@
 """The physics: a floor and TurtleBots in PyBullet, driven by their wheel motors.
 
-The solver and its settings were chosen by measurement. Millimetres from the straight line after 10 m
-at 0.5 m/s along x, of the centre in a spin at 1.5 rad/s, and from the start after three laps of 0.4 m
-radius; us per step, at 0.1 to 0.7 m/s and in spins of 1 and 3 rad/s, all measured in one run. In other
-directions the line is missed by up to 1.5 mm, without constraint force mixing by up to 3.8 mm:
+The solver and its settings were chosen by measurement. Millimetres from the straight line after
+10 m at 0.5 m/s along x, of the centre in a spin at 1.5 rad/s, and from the start after three laps
+of 0.4 m radius; us per step, at 0.1 to 0.7 m/s and in spins of 1 and 3 rad/s, all measured in one
+run. In other directions the line is missed by up to 1.5 mm, without constraint force mixing by up
+to 3.8 mm:
 
     direct (Dantzig), 240 Hz                       0.0   0.01   2.3   15
     without constraint force mixing                0.5   0.04   3.0   25 to 41
@@ -25,11 +26,11 @@ with suppressed_output():
 GRAVITY = 9.80665  # m/s^2, standard gravity
 FLOOR_FRICTION = 1.0
 SETTLING_TIME = 1.0  # s; dropped onto its wheels, the robot is still after half of that
-# Constraint force mixing, next to none. Two wheels on one axle hold the robot sideways twice; without
-# it the solver searches, at each step, for one of infinitely many solutions.
+# Constraint force mixing, next to none. Two wheels on one axle hold the robot sideways twice;
+# without it the solver searches, at each step, for one of infinitely many solutions.
 CFM = 1e-9
-# Share of a shape's size. With PyBullet's 0.02 up to four old contact points stay on a rolling wheel, and
-# the solver's cost grows with the cube of their number.
+# Share of a shape's size. With PyBullet's 0.02 up to four old contact points stay on a rolling
+# wheel, and the solver's cost grows with the cube of their number.
 CONTACT_BREAKING_THRESHOLD = 0.05
 FEWEST_AT_ONCE = 4  # steps; for fewer, changing the number takes longer than it saves
 CAMERA = 1.5, -60.0, -30.0  # distance (m), yaw and pitch (degrees) of the window's camera
@@ -43,8 +44,8 @@ class World:
 
         :param starts: x, y (m) and yaw (rad) of each robot
         :param world_file: path of a URDF or SDF file to load beside the floor
-        :raises sim_turtlebot.physics.world_file.WorldFileError: if the file cannot be loaded, or leaves no
-            room for a robot at its start
+        :raises sim_turtlebot.physics.world_file.WorldFileError: if the file cannot be loaded, or
+            leaves no room for a robot at its start
         """
         self._step_rate = step_rate
         self._world_file = world_file

@@ -17,7 +17,8 @@ REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
 NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in another remark
 WITHOUT_INERTIA = 'Inertial element must have inertia element'
 OF_LINK = 'Could not parse inertial element for Link:'  # the next remark is its name
-NEEDED_BY_NOBODY = 'model://ground_plane', 'model://sun'  # the simulator has a floor, and rays need no light
+# The simulator has a floor, and rays need no light.
+NEEDED_BY_NOBODY = 'model://ground_plane', 'model://sun'
 LONGEST_REASON = 300  # characters
 LONGEST_LOAD = 30  # s; the largest worlds take a few
 
@@ -42,15 +43,16 @@ def check_world_file(path):
 
 
 def left_out(path):
-    """Return a line about the models that a world file includes, of which PyBullet loads none; or ''."""
+    """Return a line about models that a world file includes, which PyBullet ignores; or ''."""
     try:
         includes = xml.etree.ElementTree.parse(path).iter('include')
-    except (OSError, xml.etree.ElementTree.ParseError):  # PyBullet finds and reads more files than this
+    # PyBullet finds and reads more files than this.
+    except (OSError, xml.etree.ElementTree.ParseError):
         return ''
     uris = {include.findtext('uri', '').strip() for include in includes}
     models = sorted(uri for uri in uris if uri.rstrip('/') not in NEEDED_BY_NOBODY)
-    return (f'{path} includes {", ".join(models)}, which PyBullet does not load: replace each <include> '
-            'with the <model> of its model.sdf') if models else ''
+    return (f'{path} includes {", ".join(models)}, which PyBullet does not load: '
+            'replace each <include> with the <model> of its model.sdf') if models else ''
 
 
 def load(client, path):

@@ -37,7 +37,8 @@ def read_shapes(world):
 def _shape(client, body, link, kind, dimensions, mesh, position, rotation, colour):
     origin, turned = _frame(client, body, link)
     position = tuple(map(sum, zip(origin, rotate(turned, position))))
-    return VisibleShape(kind, _size(kind, *dimensions), mesh.decode(), position, compose(turned, rotation), colour)
+    return VisibleShape(kind, _size(kind, *dimensions), mesh.decode(), position,
+                        compose(turned, rotation), colour)
 
 
 def _size(kind, first, second, third):
@@ -51,7 +52,7 @@ def _size(kind, first, second, third):
 
 
 def _frame(client, body, link):
-    """Return position and rotation of a link; PyBullet keeps the centre of mass of the first one."""
+    """Return position and rotation of a link; for the first PyBullet keeps the centre of mass."""
     if link >= 0:
         return client.getLinkState(body, link)[4:6]
     position, rotation = client.getBasePositionAndOrientation(body)

@@ -25,7 +25,10 @@ class VelocityMux:
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):
-        """Return whether a command reaches the base in this step: on an input, or straight on another topic."""
+        """Return whether a command reaches the base in this step.
+
+        It comes on an input, or straight on another topic.
+        """
         priority = INPUTS.get(name)
         if priority is None:
             return True

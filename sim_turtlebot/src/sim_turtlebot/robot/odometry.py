@@ -30,8 +30,8 @@ class WorldOdometry:
     """The true motion relative to the start, as a simulator's drive plugin reports it.
 
     The velocity is the mean since the last message, as a Kobuki's driver reports it. When a robot
-    tips onto its rear caster, its wheels slip for 0.01 s, and its velocity at that moment may be half
-    of the velocity before and after.
+    tips onto its rear caster, its wheels slip for 0.01 s, and its velocity at that moment may be
+    half of the velocity before and after.
     """
 
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
@@ -81,7 +81,8 @@ class EncoderOdometry:
         self._use_gyro = use_gyro
         # kobuki_node/odometry.cpp: yaw is 0.05 with the gyro, 0.2 without; 1e10 means unknown.
         self.covariance = (0.1, 0.1, 1e10, 1e10, 1e10, 0.05 if use_gyro else 0.2)
-        # kobuki_node has zeros, which no filter can use: (3 cm/s)^2, and for yaw as for the pose's sources.
+        # kobuki_node has zeros, which no filter can use: (3 cm/s)^2, and for yaw as for the
+        # pose's sources.
         self.twist_covariance = (0.001, 0.001, 1e10, 1e10, 1e10, 0.005 if use_gyro else 0.02)
 
     def reset(self, _ground_truth):

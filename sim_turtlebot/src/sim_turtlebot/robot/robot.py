@@ -22,8 +22,7 @@ STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this upright (0.08 degrees) is at rest
 class Robot:
     """One TurtleBot: commands in, motion, sensors and odometry out.
 
-    Times are counted in physics steps. Once per odometry period update() reads the ground truth from
-    the body, then updates the sensors, then the odometry.
+    Times are counted in physics steps. update() is called once per odometry period.
     """
 
     def __init__(self, body, step_rate, settings, index=0):
@@ -35,19 +34,20 @@ class Robot:
         :param index: of the robot; each has its own random numbers
         """
         self.body, self.index = body, index
-        self.namespace = f'robot_{index + 1}/' if settings.robots > 1 else ''  # of its topics and frames
+        self.namespace = f'robot_{index + 1}/' if settings.robots > 1 else ''  # of topics, frames
         self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
-        self._timeout = _whole_steps(settings.cmd_vel_timeout, step_rate) if settings.cmd_vel_timeout else math.inf
+        timeout = settings.cmd_vel_timeout
+        self._timeout = _whole_steps(timeout, step_rate) if timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
         self._mux = VelocityMux(step_rate)
         self._rng = random.Random()
-        self._geometry = DriveGeometry(settings)
+        self._geometry = geometry = DriveGeometry(settings)
         self.gyro = Gyro(settings, self._rng)
         if settings.odometry_source == 'world':
             self._encoders, self._estimator = None, WorldOdometry()
         else:
             self._encoders = Encoders(settings, self._rng)
-            self._estimator = EncoderOdometry(self._encoders, self.gyro, self._geometry, settings.gyro)
+            self._estimator = EncoderOdometry(self._encoders, self.gyro, geometry, settings.gyro)
         self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
         self.twist_covariance = self._estimator.twist_covariance  # of the same, per second
         self.scanner = Scanner(body, settings, index) if settings.scan else None
@@ -75,7 +75,8 @@ class Robot:
             self.stop()
             raise ValueError(f'the velocity ({linear} m/s, {angular} rad/s) is not finite')
         self._watchdog_expires = now + self._timeout
-        self._obey(_clamp(linear, kobuki.MAX_LINEAR_SPEED), _clamp(angular, kobuki.MAX_ANGULAR_SPEED))
+        self._obey(_clamp(linear, kobuki.MAX_LINEAR_SPEED),
+                   _clamp(angular, kobuki.MAX_ANGULAR_SPEED))
 
     def stop(self):
         """Command zero."""
@@ -95,7 +96,7 @@ class Robot:
             self._accelerate()
 
     def update(self, now, duration):
-        """Update ground truth, sensors and odometry, `duration` seconds after the last call."""
+        """Update ground truth, then sensors, then odometry, `duration` s after the last call."""
         self.ground_truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
@@ -117,7 +118,8 @@ class Robot:
         self._forget_commands()
         self.body.put(position, orientation, wheel_angles)
         self.ground_truth = true_motion(self.body)
-        stands = abs(position[2]) <= STANDING_HEIGHT and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z
+        stands = (abs(position[2]) <= STANDING_HEIGHT
+                  and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z)
         self._anchor = self._standing() if stands else None
         self.gyro.teleport(self.ground_truth.orientation)
         self.odometry = self._estimator.teleport(self.ground_truth)
@@ -191,8 +193,7 @@ class Robot:
 
 def _whole_steps(duration, step_rate):
     """Return how many whole steps fit into a duration (s)."""
-    # The small term keeps a duration of whole steps from being rounded down.
-    return int(duration * step_rate + 1e-6)
+    return int(duration * step_rate + 1e-6)  # rounding must not take away a step
 
 
 def _clamp(value, limit):

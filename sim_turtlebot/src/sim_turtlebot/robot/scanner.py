@@ -18,7 +18,8 @@ class Scanner:
         self._index = index
         self.seed = settings.seed  # of the noise
         angles = numpy.linspace(-settings.scan_fov / 2, settings.scan_fov / 2, self._beams)
-        directions = numpy.column_stack([numpy.cos(angles), numpy.sin(angles), numpy.zeros(self._beams)])
+        directions = numpy.column_stack(
+            [numpy.cos(angles), numpy.sin(angles), numpy.zeros(self._beams)])
         self._starts = [DEPTH_CAMERA] * self._beams
         self._ends = (DEPTH_CAMERA + self._range_max * directions).tolist()
 
@@ -34,7 +35,8 @@ class Scanner:
         ranges = self._range_max * shares
         if self._noise:
             # numpy guarantees a stable sequence for this generator only.
-            rng = numpy.random.RandomState([self.seed % 2**32, self._index, number])  # none may be negative
+            seed = self.seed % 2**32, self._index, number  # none may be negative
+            rng = numpy.random.RandomState(seed)
             ranges += rng.normal(0.0, self._noise, self._beams)
         ranges[(shares == 1.0) | (ranges > self._range_max)] = math.inf
         ranges[ranges < self._range_min] = -math.inf

@@ -54,8 +54,9 @@ def read_address(source=None):
 
 
 def _forwarded_name(port):
-    """Return a set with the name under which GitHub's Codespaces forward the port; elsewhere an empty one."""
-    name, domain = map(os.environ.get, ('CODESPACE_NAME', 'GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN'))
+    """Return a set with the name by which GitHub Codespaces forward the port; or an empty one."""
+    name, domain = map(
+        os.environ.get, ('CODESPACE_NAME', 'GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN'))
     return {f'{name}-{port}.{domain}'.lower()} if name and domain else set()
 
 

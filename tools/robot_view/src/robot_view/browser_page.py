@@ -52,7 +52,8 @@ class BrowserPage:
         with gui.add_folder('drive: hold a button or an arrow key') as self._drive:
             self._pad = Pad(lambda: self._chosen and self._chosen.namespace, self._speeds)
             add_pad(gui, self._pad)
-            self._linear = gui.add_slider('speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
+            self._linear = gui.add_slider(
+                'speed (m/s)', 0.05, MAX_LINEAR_SPEED, 0.05, 0.2, marks=())
             self._angular = gui.add_slider(
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
         self._plots = Plots(gui, gui.add_folder('plots'))
@@ -78,7 +79,7 @@ class BrowserPage:
 
     @property
     def _chosen(self):
-        """The RobotMonitor that the readings show, the camera follows and the pad drives; None without robots."""
+        """The RobotMonitor that readings, camera and pad are about; None without robots."""
         monitors, name = self._robots.monitors, self._choice.value
         # viser also accepts a value that is not an option.
         return monitors.get(name and f'{name}/', next(iter(monitors.values()), None))
@@ -112,7 +113,8 @@ class BrowserPage:
             self._models.pop(robot).close()
         for robot in robots:
             if robot not in self._models:
-                self._models[robot] = RobotModel(self._server.scene, robot, labelled=len(robots) > 1)
+                labelled = len(robots) > 1
+                self._models[robot] = RobotModel(self._server.scene, robot, labelled=labelled)
         names = tuple(robot.name for robot in robots) or ('',)
         if self._choice.options != names:
             self._choice.options = names
@@ -130,7 +132,10 @@ class BrowserPage:
         return _clamped(self._linear), math.radians(_clamped(self._angular))
 
     def _find_places(self):
-        """Return x, y (m) in the world of the chosen robot, of its start, and of what else robots have shown."""
+        """Return x, y (m) of the chosen robot, of its start, and of what else robots have shown.
+
+        They are in the chosen robot's world.
+        """
         places = []
         for robot in self._robots.monitors.values():
             with robot.lock:

@@ -1,6 +1,7 @@
 """The position of a browser's camera.
 
-To follow a robot, the page moves the world, not the cameras: viser would interrupt a user who drags one.
+To follow a robot, the page moves the world, not the cameras:
+viser would interrupt a user who drags one.
 """
 
 import math
@@ -10,13 +11,15 @@ import numpy
 
 FIELD_OF_VIEW = math.radians(45)  # vertical
 TANGENT = math.tan(FIELD_OF_VIEW / 2)
-DIRECTION = numpy.array([0.0, -0.83, 0.56])  # from what the camera looks at to the camera; of length 1
-AXES = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.56, 0.83], -DIRECTION])  # right, up and forward, in the scene
+DIRECTION = numpy.array([0.0, -0.83, 0.56])  # to the camera from what it looks at; of length 1
+# Right, up and forward, in the scene.
+AXES = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.56, 0.83], -DIRECTION])
 DISTANCE = 4.0  # m, from the robot
 MARGIN = 0.5  # m around the places that are shown
 TOP = 0.45  # m, above each place; higher than a robot
 HEIGHT = 0.15  # m, at which it looks
-FROM_ROBOT = DISTANCE * DIRECTION + [0.0, 0.0, HEIGHT]  # x, y, z (m) of a camera that looks at the robot
+# x, y, z (m) of a camera that looks at the robot
+FROM_ROBOT = DISTANCE * DIRECTION + [0.0, 0.0, HEIGHT]
 
 
 def look_at_robot(camera):
@@ -31,7 +34,10 @@ def shows(camera, place):
 
 
 def look_at_all(camera, places):
-    """Move a client's camera as close as it can be with all places, rows of x, y (m) in the scene, in view."""
+    """Move a client's camera as close as it can be with all places in view.
+
+    :param places: rows of x, y (m) in the scene
+    """
     corners = numpy.array(list(product((-MARGIN, MARGIN), (-MARGIN, MARGIN), (0.0, TOP))))
     places = numpy.column_stack([places, numpy.zeros(len(places))])
     right, up, forward = AXES @ (places[:, None] + corners).reshape(-1, 3).T
@@ -41,8 +47,9 @@ def look_at_all(camera, places):
 
 
 def _fit(sideways, forward, tangent):
-    """Return the two coordinates of the foremost camera that sees these points between its edges."""
-    one, other = (sideways - tangent * forward).max(), (-sideways - tangent * forward).max()
+    """Return both coordinates of the foremost camera that sees these points between its edges."""
+    one = (sideways - tangent * forward).max()
+    other = (-sideways - tangent * forward).max()
     return (one - other) / 2, -(one + other) / (2 * tangent)
 
 

@@ -12,23 +12,25 @@ class ClientView:
 
         :param client: viser.ClientHandle
         :param order: of what is above the checkbox and the button in the panel
-        :param find_places: function that returns x, y (m) in the world of the chosen robot, of its start, and
-            of all that there is to show
+        :param find_places: function that returns x, y (m) in the world of the chosen robot, of its
+            start, and of all that there is to show
         """
         self._camera, self._find_places = client.camera, find_places
         self._aspect = None  # of the picture for which all was shown
         self._world = client.scene.add_frame(WORLD, show_axes=False)
-        self._follows = client.gui.add_checkbox('follow', True, hint='the chosen robot', order=order + 0.1)
+        self._follows = client.gui.add_checkbox('follow', True, hint='the chosen robot',
+                                                order=order + 0.1)
         self._follows.on_update(self._on_follow)
-        client.gui.add_button('show all', color='gray', order=order + 0.2).on_click(lambda _: self.show_all())
+        show_all_button = client.gui.add_button('show all', color='gray', order=order + 0.2)
+        show_all_button.on_click(lambda _: self.show_all())
         robot, start, *_ = find_places() or [(0.0, 0.0)] * 2
         if not shows(self._camera, (start[0] - robot[0], start[1] - robot[1])):
             self.show_all()
 
     def follow(self, x, y):
-        """Follow the robot at x, y (m), or show all again if the picture has another shape than then.
+        """Follow the robot at x, y (m), or show all again if the picture has changed its shape.
 
-        That of a new page changes once it has laid out its panel, that of a phone when you fold this.
+        That of a new page changes once its panel is laid out, that of a phone when you fold this.
         """
         if self._follows.value:
             self._world.position = (-x, -y, 0.0)

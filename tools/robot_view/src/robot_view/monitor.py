@@ -28,7 +28,8 @@ RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 class RobotMonitor:
     """The latest state of one robot. Once it `is_known`, hold its `lock` to read it.
 
-    A pose is a pair: x, y, z (m) and a quaternion x, y, z, w of length 1. The namespace is '' or ends in a slash.
+    A pose is a pair: x, y, z (m) and a quaternion x, y, z, w of length 1. The namespace is '' or
+    ends in a slash.
     """
 
     def __init__(self, namespace):
@@ -64,7 +65,8 @@ class RobotMonitor:
 
     def put(self, x, y, heading):
         """Place a simulated robot in the world, at x, y (m) and a heading (degrees), at rest."""
-        message = PoseStamped(pose=Pose(Point(x, y, 0.0), Quaternion(*about_z(math.radians(heading)))))
+        orientation = Quaternion(*about_z(math.radians(heading)))
+        message = PoseStamped(pose=Pose(Point(x, y, 0.0), orientation))
         message.header.frame_id = 'world'
         self._poses.publish(message)
 
@@ -89,7 +91,7 @@ class RobotMonitor:
         return self._odometry.header.stamp.to_sec()
 
     def places(self):
-        """Return x, y (m) of the robot, of its start, along the path, and of the goal if there is one."""
+        """Return x, y (m) of the robot, of its start, along the path, and of the goal if any."""
         start, goal = self.trace.origin, self.targets.goal
         places = [self.pose[0][:2], start[:2], *self.trace.trail.array()]
         if goal:
@@ -126,7 +128,8 @@ class RobotMonitor:
                 self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
             self.trace.add_odometry(self.stamp, pose)
             self.targets.aim(pose, self._moved, message.twist.twist.linear.x)
-            self.trace.add_history(self.stamp - self._first_stamp, self._moved, self.targets.heading)
+            self.trace.add_history(self.stamp - self._first_stamp, self._moved,
+                                   self.targets.heading)
 
     def _on_ground_truth(self, message):
         pose = _planar_pose(message)

@@ -28,22 +28,23 @@ class NavigationModel:
     def _draw_map(self, message):
         cells = occupied_cells(message)
         if numpy.isfinite(cells).all():
-            self._scene.add_point_cloud(f'{self._root}/map', cells, MAP_COLOUR, CELL_SIZE, point_shape='square',
-                                        precision='float32', point_shading='flat')
+            self._scene.add_point_cloud(f'{self._root}/map', cells, MAP_COLOUR, CELL_SIZE,
+                                        point_shape='square', precision='float32',
+                                        point_shading='flat')
 
     def _draw_plan(self, message):
         points = numpy.array([_on_floor(pose.pose) for pose in message.poses]).reshape(-1, 3)
         segments = numpy.stack([points[:-1], points[1:]], axis=1)
         if numpy.isfinite(segments).all():
-            self._scene.add_line_segments(f'{self._root}/plan', segments, PLAN_COLOUR, thickness=3.0,
-                                          thickness_units='screen')
+            self._scene.add_line_segments(f'{self._root}/plan', segments, PLAN_COLOUR,
+                                          thickness=3.0, thickness_units='screen')
 
     def _draw_pose(self, message):
         pose = message.pose.pose
         position, rotation = _on_floor(pose), wxyz(read_pose(pose)[1])
         if numpy.isfinite([*position, *rotation]).all():
-            self._scene.add_frame(f'{self._root}/amcl', axes_length=AXES_LENGTH, axes_radius=AXES_RADIUS,
-                                  position=position, wxyz=rotation)
+            self._scene.add_frame(f'{self._root}/amcl', axes_length=AXES_LENGTH,
+                                  axes_radius=AXES_RADIUS, position=position, wxyz=rotation)
 
 
 def occupied_cells(message):

@@ -30,7 +30,8 @@ class Readings:
         for name, label, decimals, unit in ROWS:
             if values.get(name) is not None:
                 value = _format(values[name], decimals, unit)
-                rows.append(f'<tr><td>{label}{notes.get(name, "")}</td><td id="{name}">{value}</td></tr>')
+                rows.append(f'<tr><td>{label}{notes.get(name, "")}</td>'
+                            f'<td id="{name}">{value}</td></tr>')
         self._html.content = f'<table id="readings">{"".join(rows)}</table>'
 
 

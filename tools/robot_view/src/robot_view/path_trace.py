@@ -59,7 +59,7 @@ class PathTrace:
 
     @property
     def true_from_start(self):
-        """The true distance (m) straight from the start, or from where counting began; None if unknown."""
+        """The true distance (m) straight from the start, or where counting began; None: unknown."""
         return self._true_start and _distance(self._true_start, self._ground_truth[1])
 
     def add_odometry(self, stamp, pose):

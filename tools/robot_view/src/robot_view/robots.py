@@ -16,7 +16,7 @@ SEARCH_PERIOD = 1.0  # s
 
 
 class Robots:
-    """Finds robots and their nodes on a thread of its own, and records them even without a browser."""
+    """Finds robots and their nodes on a thread of its own; records them even without a browser."""
 
     def __init__(self):
         self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
@@ -36,7 +36,8 @@ class Robots:
 
     def _search(self):
         try:
-            publications, subscriptions, services = rosgraph.Master(rospy.get_name()).getSystemState()
+            master = rosgraph.Master(rospy.get_name())
+            publications, subscriptions, services = master.getSystemState()
             self._record(find_robots({topic for topic, _ in publications}))
             nodes = {node for _, names in subscriptions for node in names}
             for monitor in self.monitors.values():

@@ -51,8 +51,8 @@ class RobotModel:
         self._root = f'{WORLD}/robots/{name}'
         self._node = scene.add_frame(self._root, show_axes=False)
         self._body = scene.add_frame(f'{self._root}/body', show_axes=False)
-        scene.add_cylinder(f'{self._root}/body/shadow', SHADOW_RADIUS, MARK_HEIGHT / 4, SHADOW_COLOUR,
-                           opacity=SHADOW_OPACITY)
+        scene.add_cylinder(f'{self._root}/body/shadow', SHADOW_RADIUS, MARK_HEIGHT / 4,
+                           SHADOW_COLOUR, opacity=SHADOW_OPACITY)
         # Marks and ghost are in the odometry's frame.
         self._odometry = scene.add_frame(f'{self._root}/odometry', show_axes=False)
         self._ghost = scene.add_frame(
@@ -111,8 +111,10 @@ class RobotModel:
         node = self._odometry.name
         self._scene.add_cylinder(f'{node}/start', START_RADIUS, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
-        self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT), visible=False)
-        self._goal_label = self._scene.add_label(f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
+        self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
+                                         visible=False)
+        self._goal_label = self._scene.add_label(
+            f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
 
 
 def _place(node, position, rotation):

@@ -1,4 +1,4 @@
-"""The page's web server: viser's, made to refuse connections from other pages, and to send our head.html.
+"""The page's web server: viser's, made to refuse other pages' connections, and send our head.html.
 
 viser has no option for these. It calls websockets.asyncio.server.serve(), so start_server() adds
 serve()'s documented parameters to that call.

@@ -29,7 +29,8 @@ class Targets:
         :param nodes: the names of all that run
         :raises rosgraph.MasterException, OSError: if the master does not answer
         """
-        running = {node for node in (MOVER, ROTATOR) if rospy.resolve_name(self._namespace + node) in nodes}
+        running = {node for node in (MOVER, ROTATOR)
+                   if rospy.resolve_name(self._namespace + node) in nodes}
         started = running - self._running
         if ROTATOR not in running:
             self.heading = None
@@ -43,7 +44,11 @@ class Targets:
         self._running = running
 
     def aim(self, pose, moved, speed):
-        """Find the goal once: ahead of a robot at a PlanarPose that has moved this far (m), at a speed (m/s).
+        """Find the goal once, ahead of a robot.
+
+        :param pose: PlanarPose of the robot
+        :param moved: how far it has moved (m)
+        :param speed: of the robot (m/s)
 
         A mover that counts from its start begins where the robot was last at rest.
         """

@@ -13,7 +13,7 @@ OPACITY = 0.6  # of the opaque ones, so that a wall does not hide a robot
 
 
 class WorldModel:
-    """Draws the boxes, cylinders and spheres of the latest MarkerArray in viser's scene; no meshes."""
+    """Draws boxes, cylinders and spheres of the latest MarkerArray in viser's scene; no meshes."""
 
     def __init__(self, scene, root):
         """Draw below the scene node `root`, the frame `world`."""

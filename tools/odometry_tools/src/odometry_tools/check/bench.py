@@ -1,4 +1,4 @@
-"""A Session in which a scenario can begin again and again, and in which the check does what the node does not."""
+"""A Session for one scenario after another, in which the check does what the node does not."""
 
 import contextlib
 import math
@@ -33,7 +33,8 @@ class Pace(NamedTuple):
 class Bench(Session):
     """A Session whose time stands still, but for what its user does.
 
-    The check drives the robot for an exercise that has a route, and measures the distance for others.
+    The check drives the robot for an exercise that has a route,
+    and measures the distance for others.
     """
 
     def __init__(self, exercise, page_port=0):
@@ -46,12 +47,14 @@ class Bench(Session):
     def __enter__(self):
         """Start the master, and become a node."""
         super().__enter__()
-        self.ours = {rospy.get_name(), '/sim_turtlebot', PAGE, '/rosout'}  # roslaunch starts the last
+        # roslaunch starts the last.
+        self.ours = {rospy.get_name(), '/sim_turtlebot', PAGE, '/rosout'}
         self._subscribers = {topic: rospy.Subscriber(
             topic, kind, partial(self._receive, topic), tcp_nodelay=True,
             queue_size=FLOOD if kind is Twist else None) for topic, kind in TOPICS.items()}
         self._placing = advertise('sim_turtlebot/set_pose', PoseStamped)
-        self._publisher = advertise('cmd_vel', Twist) if self._drives else advertise('moved_distance', Float64)
+        self._publisher = (advertise('cmd_vel', Twist) if self._drives
+                           else advertise('moved_distance', Float64))
         return self
 
     def prepare(self, scenario, pace):
@@ -75,9 +78,10 @@ class Bench(Session):
         return any(topic == '/odom' and PAGE in names for topic, names in subscribers)
 
     def is_refused(self, topic):
-        """Return whether a node that answers publishes a topic that this subscribes to, and nothing connects."""
+        """Return whether a node that answers publishes a topic, but does not connect."""
         publishers, _, _ = self.master.getSystemState()
-        names = {name for known, names in publishers if known == topic for name in names} - {rospy.get_name()}
+        names = {name for known, names in publishers if known == topic
+                 for name in names} - {rospy.get_name()}
         return any(map(self.ask, names)) and not is_connected(self._subscribers[topic.lstrip('/')])
 
     def ask(self, name, call='getPid'):
@@ -99,7 +103,8 @@ class Bench(Session):
         orientation = pose.pose.orientation
         orientation.x, orientation.y, orientation.z, orientation.w = about_z(math.radians(yaw))
         self._placing.publish(pose)
-        self.simulator.wait_for(lambda: math.dist(self._position, (x, y)) < NEAR, 'the robot is not put in its place')
+        self.simulator.wait_for(lambda: math.dist(self._position, (x, y)) < NEAR,
+                                'the robot is not put in its place')
 
     def _receive(self, topic, message):
         if topic == 'odom':

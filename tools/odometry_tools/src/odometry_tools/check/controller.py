@@ -11,7 +11,7 @@ LIMITED = 0.99  # share of the fastest command from which on the node's own limi
 
 
 def find_controller(run, moves):
-    """Return which angle the commands of a Run are proportional to, by what gain (1/s), and where they are zero (degrees).
+    """Return which angle a Run's commands are proportional to, the gain (1/s) and zero (degrees).
 
     The angle is '' if none fits, or more than one does.
     """
@@ -34,7 +34,10 @@ def find_controller(run, moves):
 
 
 def _law(angle, speed):
-    """Return gain (1/s) and zero (degrees) if the speeds (rad/s) are proportional to the angles (rad), or None."""
+    """Return gain (1/s) and zero (degrees) if speeds (rad/s) are proportional to angles (rad).
+
+    If they are not, return None.
+    """
     if len(angle) < FEWEST:
         return None
     slope, offset = numpy.polyfit(angle, speed, 1)

@@ -17,7 +17,7 @@ def measure_detector(m, run):
     odometry = numpy.array([pose[:6] for pose in run.odometry[run.start:]])
     times, published = numpy.array(run.moved).T
     ends = numpy.array([run.legs[0][1], *(end for *_, end in run.legs)])
-    # A leg ends at rest: the last message before has all of it, also of who publishes once a second.
+    # A leg ends at rest: the last message before has all of it, even if published once a second.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])
     sums = {name: numpy.append(0.0, numpy.cumsum(steps))[at_ends]

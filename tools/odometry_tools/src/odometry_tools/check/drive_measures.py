@@ -16,7 +16,8 @@ DETOUR = 60.0  # degrees, of overshooting
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
 REST = 2e-3  # m/s and rad/s
 SWING = 0.02  # rad/s; a smaller command is no swing
-RINGING, STILL = 5.0, 2.0  # s at the end of a run, in which a controller has settled, a heading stays
+# s at the end of a run, in which a controller has settled, a heading stays.
+RINGING, STILL = 5.0, 2.0
 FLIPS = 4  # changes of sign that a controller may make while it settles
 CEASED = 0.55  # s
 FITS = 0.04  # m
@@ -115,7 +116,8 @@ def _measure_swings(m, run):
     """Measure the speeds of the commands, and how often their sign changes."""
     swings = [command for command in m.moves if abs(command.angular) > SWING]
     m.turns_away = bool(swings) and m.scenario.yaw == 0.0 and swings[0].angular < 0
-    flips = [after.time for before, after in zip(swings, swings[1:]) if before.angular * after.angular < 0]
+    flips = [after.time for before, after in zip(swings, swings[1:])
+             if before.angular * after.angular < 0]
     m.flips = len(flips)
     m.rings = sum(time > run.now - RINGING for time in flips) > FLIPS
     speed = statistics.median([abs(command.angular) for command in m.moves] or [0.0])

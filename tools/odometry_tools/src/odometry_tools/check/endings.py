@@ -1,11 +1,12 @@
-"""When a scenario is over, by what the robot has done; and the route on which the check drives it."""
+"""When a scenario is over, by what the robot has done; and the route that the check drives."""
 
 import math
 
 from odometry_tools.check.scenarios import ROUTE
 
 PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node that does not begin
-REST, REST_TIME = 2e-3, 7.0  # m/s and rad/s; s, so that a node may rest five seconds between two pieces
+# m/s and rad/s; s, so that a node may rest five seconds between two pieces
+REST, REST_TIME = 2e-3, 7.0
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m; who goes on at two metres is far beyond
 MOST_TURNS = 3 * 2 * math.pi  # rad
@@ -24,7 +25,8 @@ class Drive:
     def is_over(self, run):
         """Look at the latest odometry of a Run."""
         if run.first_move is None:
-            return run.now > PATIENCE and (run.status is not None or run.wall_time() > WALL_PATIENCE)
+            return run.now > PATIENCE and (
+                run.status is not None or run.wall_time() > WALL_PATIENCE)
         if not math.isfinite(run.commands[-1].linear + run.commands[-1].angular):
             return True
         pose = run.odometry[-1]

@@ -9,7 +9,8 @@ from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
 
 PASSED = Rule('passed', None, '')
-WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}  # what stands beside the scenario; of others FAILED
+# What stands beside the scenario; of others FAILED.
+WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
 SAME_ANGLE = 8.0  # degrees
@@ -66,11 +67,13 @@ def _compare(all_measures):
 def _verdict_on(m, held):
     notes = {rule.name: plain(rule.say(m)) for rule in rules.NOTES if rule.test(m)}
     if held is PASSED:
-        kind = 'interrupt' if m.run.interrupted is not None else 'paced' if m.run.unawaited else m.exercise.name
+        kind = ('interrupt' if m.run.interrupted is not None
+                else 'paced' if m.run.unawaited else m.exercise.name)
         praise = rules.PRAISE[kind].format(**vars(m))
         return Verdict(m.scenario.name, held.name, '', praise, notes)
     words, hint = [held.say(m)], None
     if not held.explains:
         hint = first(HINTS[m.exercise.name], m)
         words.append(hint.say(m) if hint else UNKNOWN.format(**vars(m)))
-    return Verdict(m.scenario.name, held.name, hint.name if hint else '', plain('. '.join(words)), notes)
+    return Verdict(m.scenario.name, held.name, hint.name if hint else '',
+                   plain('. '.join(words)), notes)

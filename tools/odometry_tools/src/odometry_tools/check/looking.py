@@ -1,4 +1,4 @@
-"""Looks at scenarios, several at once, and as often as it takes to judge the node, and not its luck or the machine."""
+"""Looks at scenarios, several at once, as often as it takes to judge the node and nothing else."""
 
 import concurrent.futures
 import math
@@ -17,7 +17,7 @@ done = multiprocessing.Value('i')  # scenarios, of all processes
 
 
 def runs_of(exercise, scenarios, program):
-    """Return the Runs of a Program in Scenarios of an Exercise; of fewer, if it never became a node.
+    """Return the Runs of a Program in Scenarios of an Exercise; fewer, if it never became a node.
 
     :raises RunError: if the check cannot go on
     """
@@ -44,7 +44,7 @@ def _look_at_part(exercise, program, scenarios):
 
 
 def _show_progress(futures, total):
-    """Show on a terminal how many scenarios are done, until all are; raise what ends a part of them."""
+    """Show on a terminal how many scenarios are done, until all are; raise what ended one."""
     line = Line(math.inf, math.inf)
     while True:
         ended, going = concurrent.futures.wait(futures, PROGRESS_PERIOD)

@@ -22,7 +22,8 @@ PAGE_PATIENCE = 60.0  # s of wall time, for a browser
 def main(arguments):
     """Exit 0 if all passed, 1 if some failed, 2 if the check could not run."""
     for stream in sys.stdout, sys.stderr:
-        stream.reconfigure(errors='replace')  # names and errors in letters that this terminal does not know
+        # Names and errors may have letters that this terminal does not know.
+        stream.reconfigure(errors='replace')
     run_command(PROGRAM, lambda: _run(arguments), (StartError, RunError, OSError))
 
 
@@ -33,7 +34,8 @@ def _run(arguments):
     table = report.Table(options.csv or os.devnull)
     rows = []
     if options.junit:
-        report.write_junit(options.junit, rows)  # now, and not after all, it says that it cannot be written
+        # Now, and not after all, it says that it cannot be written.
+        report.write_junit(options.junit, rows)
     for new in _judge_all(options):
         table.add(new)
         rows += new
@@ -49,7 +51,8 @@ def _judge_all(options):
         yield from judge_all(options)
         return
     from odometry_tools.check.report import rows_of
-    yield rows_of(' '.join(options.node), options.exercise, _judge(options, program_of(options.node)))
+    verdicts = _judge(options, program_of(options.node))
+    yield rows_of(' '.join(options.node), options.exercise, verdicts)
 
 
 def _judge(options, program):
@@ -81,7 +84,7 @@ def _judge(options, program):
 
 
 def _runs_in_browser(exercise, scenarios, program):
-    """Return the Runs of a Program in Scenarios, as runs_of() does, one after the other and in a browser."""
+    """Return the Runs of a Program, as runs_of() does, one after the other and in a browser."""
     from odometry_tools.check.bench import Bench, Pace
     from odometry_tools.check.looking import look_at_all
     from odometry_tools.check.runner import Runner

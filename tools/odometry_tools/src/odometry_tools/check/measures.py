@@ -1,4 +1,4 @@
-"""What a Run shows, in numbers and words: rules, hints and their sentences speak of these by name."""
+"""What a Run shows, in numbers and words: rules, hints and their sentences use these names."""
 
 import math
 from types import SimpleNamespace
@@ -8,17 +8,20 @@ from odometry_tools.check.detector import measure_detector
 from odometry_tools.check.drive_measures import measure_distance, measure_drive, measure_heading
 
 FLOOD = 200  # commands a simulated second
-BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'  # rospy's words, and roslaunch's
+# rospy's words, and roslaunch's
+BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 # What a node may know of the robot, and its types.
 INPUTS = {'/odom': 'nav_msgs/Odometry', '/base_pose_ground_truth': 'nav_msgs/Odometry',
-          '/moved_distance': 'std_msgs/Float64', '/tf': 'tf2_msgs/TFMessage', '/joint_states': 'sensor_msgs/JointState',
+          '/moved_distance': 'std_msgs/Float64', '/tf': 'tf2_msgs/TFMessage',
+          '/joint_states': 'sensor_msgs/JointState',
           '/mobile_base/sensors/imu_data': 'sensor_msgs/Imu'}
 
 
 def measure(run, exercise):
     """Return a namespace of what a Run shows of an Exercise."""
-    m = SimpleNamespace(run=run, scenario=run.scenario, exercise=exercise, topic=exercise.topic, type=exercise.type,
-                        commands=run.commands, passed=False, rate=run.scenario.odom_rate, target=exercise.target)
+    m = SimpleNamespace(run=run, scenario=run.scenario, exercise=exercise, topic=exercise.topic,
+                        type=exercise.type, commands=run.commands, passed=False,
+                        rate=run.scenario.odom_rate, target=exercise.target)
     m.quantity, m.unit = ('distance', 'm') if exercise.target is None else ('heading', 'degrees')
     m.at = ''
     _read_output(m, quoting.plain(run.output))
@@ -57,10 +60,12 @@ def _measure_messages(m):
 
 def _read_graph(m, publishes, subscribes):
     """Note which topics the node publishes and subscribes to; both are types by topic."""
-    m.outputs = quoting.listed(topic for topic, kind in publishes.items() if kind == m.type and topic != m.topic)
+    m.outputs = quoting.listed(topic for topic, kind in publishes.items()
+                               if kind == m.type and topic != m.topic)
     m.output_type = publishes.get(m.topic) or m.type
     heard = subscribes.keys() - {'/clock', '/rosout'}
     m.inputs = quoting.listed(heard) or 'nothing'
     m.hears_robot = bool(heard & INPUTS.keys())
-    m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}' for topic in heard & INPUTS.keys()
-                            if subscribes[topic] not in ('', '*', INPUTS[topic]))
+    m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
+                                    for topic in heard & INPUTS.keys()
+                                    if subscribes[topic] not in ('', '*', INPUTS[topic]))

@@ -23,19 +23,22 @@ class Program(NamedTuple):
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws check', allow_abbrev=False, description='Judge a node that you wrote for a tutorial. It runs '
-        'unmodified with the simulated robot; the report says what is right and what is not. Exit status '
-        '0: all passed; 1: some failed; 2: the check could not run.')
+        prog='./ws check', allow_abbrev=False,
+        description='Judge a node that you wrote for a tutorial. It runs unmodified with the '
+        'simulated robot; the report says what is right and what is not. '
+        'Exit status 0: all passed; 1: some failed; 2: the check could not run.')
     parser.add_argument('exercise', choices=EXERCISES, help='; '.join(
         f'{name}: it {exercise.task}' for name, exercise in EXERCISES.items()))
     parser.add_argument('node', nargs='+', metavar='NODE',
-                        help='PACKAGE NODE, as for rosrun, or PACKAGE and a launch file; a FILE or the folder of a '
-                             'package; or a FOLDER of files and packages, each judged; then _parameter:=value')
+                        help='PACKAGE NODE, as for rosrun, or PACKAGE and a launch file; '
+                             'a FILE or the folder of a package; or a FOLDER of files and '
+                             'packages, each judged; then _parameter:=value')
     parser.add_argument('--scenario', metavar='NAME', help='run only this one')
     parser.add_argument('--view', action='store_true',
                         help='show it in a browser, in real time; begins once the page is open')
     parser.add_argument('--junit', metavar='FILE', help='write the verdicts for CI')
-    parser.add_argument('--csv', metavar='FILE', help='write a row for each submission and scenario')
+    parser.add_argument('--csv', metavar='FILE',
+                        help='write a row for each submission and scenario')
     return parser
 
 
@@ -44,7 +47,8 @@ def parse(arguments):
     parser = make_parser()
     options = parser.parse_args(arguments)
     scenarios = EXERCISES[options.exercise].scenarios
-    options.scenarios = [scenario for scenario in scenarios if options.scenario in (None, scenario.name)]
+    options.scenarios = [scenario for scenario in scenarios
+                         if options.scenario in (None, scenario.name)]
     if not options.scenarios:
         parser.error(f'{options.exercise} has no scenario {options.scenario}, but '
                      f'{", ".join(scenario.name for scenario in scenarios)}')
@@ -66,7 +70,8 @@ def program_of(words):
     path = Path(first).resolve()
     if is_package(path) and all(':=' in word for word in others):
         paths = filter(None, [str(path / 'src'), os.environ.get('PYTHONPATH')])
-        return Program(_command_of(_node_of(path), others), (('PYTHONPATH', os.pathsep.join(paths)),))
+        environment = (('PYTHONPATH', os.pathsep.join(paths)),)
+        return Program(_command_of(_node_of(path), others), environment)
     if path.is_file():
         return Program(_command_of(path, others))
     if not others:
@@ -75,7 +80,8 @@ def program_of(words):
     try:
         found = find_node(first, node) or node.endswith('.launch') and find_resource(first, node)
     except rospkg.ResourceNotFound:
-        raise StartError(f'there is no package {first} in this workspace: is it in .ws/src?') from None
+        raise StartError(
+            f'there is no package {first} in this workspace: is it in .ws/src?') from None
     if not found:
         raise StartError(f'the package {first} has no executable file and no launch file {node}')
     return Program(_command_of(Path(found[0]), others))
@@ -93,8 +99,10 @@ def _command_of(path, arguments):
 
 def _node_of(package):
     """Return the node of a package: its only executable Python file, or its only one."""
-    files = [path for path in sorted(package.rglob('*.py')) if path.name not in ('setup.py', '__init__.py')]
+    files = [path for path in sorted(package.rglob('*.py'))
+             if path.name not in ('setup.py', '__init__.py')]
     files = [path for path in files if os.access(path, os.X_OK)] or files
     if len(files) != 1:
-        raise StartError(f'{len(files)} files could be the node of {package.name}: say PACKAGE NODE')
+        raise StartError(
+            f'{len(files)} files could be the node of {package.name}: say PACKAGE NODE')
     return files[0]

@@ -12,7 +12,8 @@ import uuid
 import psutil
 
 MARK = 'ODOMETRY_CHECK_'  # in the environment of a process and its descendants, wherever they hide
-ENDING = (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)  # and how long it then may take (s of wall time)
+# And how long it then may take (s of wall time).
+ENDING = (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
 LAST = 2**20  # bytes of output
 CHUNK = 2**16
 READ_PATIENCE = 1.0  # s of wall time, for the output of a process that has ended
@@ -31,7 +32,8 @@ class ChildProcess:
         self._keyboard = tempfile.TemporaryFile()  # noqa: SIM115
         os.pwrite(self._keyboard.fileno(), b'\n', 0)
         self._process = subprocess.Popen(
-            command, stdin=self._keyboard, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True,
+            command, stdin=self._keyboard, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            start_new_session=True,
             env={**os.environ, 'PYTHONUNBUFFERED': '1', **dict(environment), self._mark: ''})
         self._output = b''
         self._reader = threading.Thread(target=self._read, daemon=True)
@@ -68,12 +70,14 @@ class ChildProcess:
         """Return the processor time (s) of this process and its children; None if it has ended."""
         with contextlib.suppress(psutil.NoSuchProcess):
             process = psutil.Process(self._process.pid)
-            return sum(sum(one.cpu_times()[:2]) for one in (process, *process.children(recursive=True)))
+            return sum(sum(one.cpu_times()[:2])
+                       for one in (process, *process.children(recursive=True)))
 
     def is_cpp(self):
         """Return whether any of them is a node in C++."""
         with contextlib.suppress(psutil.Error):
-            return any('libroscpp' in region.path for process in self.family() for region in process.memory_maps())
+            return any('libroscpp' in region.path
+                       for process in self.family() for region in process.memory_maps())
 
     def interrupt(self):
         """Press Ctrl-C."""

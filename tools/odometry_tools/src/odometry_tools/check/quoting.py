@@ -1,4 +1,4 @@
-"""What a node has printed, as a report may quote it: the same each time, and without control characters."""
+"""What a node printed, as a report may quote it: always the same, without control characters."""
 
 import re
 import signal
@@ -12,7 +12,8 @@ CHANGING = [(re.compile(pattern), by) for pattern, by in (
     (r'(localhost|\d+\.\d+\.\d+\.\d+):\d+', r'\1:...'),
     (r'\bpid \d+', 'pid ...'))]
 # Without `Traceback` and `File` a line is none of Python's; a syntax error has `File` only.
-TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*)(?:: (.*))?$', re.MULTILINE)
+TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*)(?:: (.*))?$',
+                       re.MULTILINE)
 PLACE = re.compile(r'File "([^"]+)", line (\d+)')
 NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
 DIED = re.compile(r'process has died \[pid \S+, exit code (-?\d+)')  # roslaunch's words
@@ -27,7 +28,7 @@ def plain(text):
 
 
 def error_in(output):
-    """Return the error of the last traceback and the line of the learner's file, as a text; or ''."""
+    """Return the error of the last traceback and the line of the learner's file, or ''."""
     found = [*TRACEBACK.finditer(output)]
     if not found:
         return ''

@@ -1,4 +1,4 @@
-"""What a check leaves: lines on the screen, files for CI and for a class, and the recording of a failure."""
+"""What a check leaves: lines on the screen, files for CI and for a class, and a recording."""
 
 import csv
 import os
@@ -41,13 +41,17 @@ def _filled(begin, sentence):
 
 def rows_of(submission, exercise, verdicts):
     """Return the verdicts as rows of COLUMNS."""
-    return [dict(zip(COLUMNS, (plain(submission), exercise, verdict.scenario, verdict.word, verdict.rule,
-                               verdict.hint, verdict.sentence, ' | '.join(verdict.notes.values()))))
+    return [dict(zip(COLUMNS, (plain(submission), exercise, verdict.scenario, verdict.word,
+                               verdict.rule, verdict.hint, verdict.sentence,
+                               ' | '.join(verdict.notes.values()))))
             for verdict in verdicts]
 
 
 class Table:
-    """A file for a spreadsheet, to which rows are written as they come; OSError: it cannot be written."""
+    """A file for a spreadsheet, to which rows are written as they come.
+
+    OSError: it cannot be written.
+    """
 
     def __init__(self, path):
         """Begin a new file."""
@@ -66,11 +70,12 @@ def write_junit(path, rows):
     """Write rows as CI reads them."""
     junit.write(path, 'odometry_check', [junit.Case(
         f'{row["exercise"]}.{row["submission"]}', row['scenario'],
-        '' if row['verdict'] == 'passed' else row['sentence'], row['rule'], row['notes']) for row in rows])
+        '' if row['verdict'] == 'passed' else row['sentence'], row['rule'], row['notes'])
+        for row in rows])
 
 
 def keep(run, exercise, name):
-    """Write bag, picture and output of a Run to the folder of this name, and return that; None if it cannot be."""
+    """Write bag, picture and output of a Run to the folder of this name; return it, or None."""
     folder = RUNS / re.sub(r'[^\w.-]+', '_', name)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -78,7 +83,8 @@ def keep(run, exercise, name):
         with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
             for topic, message, time in run.messages:
                 bag.write(f'/{topic}', message, time)
-        targets = {'distance_target': GOAL} if exercise.target is None else {'heading_target': exercise.target}
+        targets = ({'distance_target': GOAL} if exercise.target is None
+                   else {'heading_target': exercise.target})
         make_figure(read_run(folder / 'run.bag'), **targets).savefig(str(folder / 'run.png'))
     except BagError:
         pass  # the robot's time has not begun

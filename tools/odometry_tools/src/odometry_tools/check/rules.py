@@ -1,62 +1,79 @@
-"""What is not right in a run, as it was measured. The first rule that holds is the verdict; why is in hints.py."""
+"""What is not right in a run, as it was measured.
+
+The first rule that holds is the verdict; why is in hints.py.
+"""
 
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
 START = (
     Rule('crash', lambda m: m.status and m.run.interrupted is None, 'your node ended {how}{at}'),
-    Rule('no_node', lambda m: not m.run.nodes and m.status is None, 'your process registered no node within 20 s'),
-    Rule('no_node', lambda m: not m.run.nodes, 'your process ended {how} without having become a node'),
+    Rule('no_node', lambda m: not m.run.nodes and m.status is None,
+         'your process registered no node within 20 s'),
+    Rule('no_node', lambda m: not m.run.nodes,
+         'your process ended {how} without having become a node'),
     Rule('wall_clock', lambda m: m.run.follows_wall,
-         "two runs of this scenario differ: your node follows the wall's clock, as time.time() does, or chance. "
+         "two runs of this scenario differ: your node follows the wall's clock, "
+         'as time.time() does, or chance. '
          'rospy.get_time() follows the robot', explains=True),
     Rule('silent', lambda m: m.is_silent,
          'your node published 0 messages on {topic}, where odometry comes {rate:g} times a second'),
-    Rule('not_finite', lambda m: not m.is_finite, 'you published what is not a number (nan or inf) on {topic}'))
+    Rule('not_finite', lambda m: not m.is_finite,
+         'you published what is not a number (nan or inf) on {topic}'))
 DRIVE = (
     Rule('wrong_field', lambda m: m.useless and m.is_still,
-         'you set {useless}, and the robot did not move: a wheeled robot drives by linear.x and turns by angular.z',
+         'you set {useless}, and the robot did not move: '
+         'a wheeled robot drives by linear.x and turns by angular.z',
          explains=True),
     Rule('all_zero', lambda m: not m.moves,
-         'from ({start.x:.1f}, {start.y:.1f}), heading {start_heading:.0f} degrees, all of your commands were zero'),
+         'from ({start.x:.1f}, {start.y:.1f}), heading {start_heading:.0f} degrees, '
+         'all of your commands were zero'),
     Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
          '30 simulated seconds after Ctrl-C your node still ran'),
     Rule('interrupt', lambda m: m.run.interrupted is not None,
-         "after Ctrl-C your last command was {last_word}, and only the base's watchdog stopped the robot"))
+         "after Ctrl-C your last command was {last_word}, "
+         "and only the base's watchdog stopped the robot"))
 DISTANCE = (
-    Rule('only_turned', lambda m: m.turns and not m.drives, 'you only turned the robot; this exercise drives it',
-         explains=True),
+    Rule('only_turned', lambda m: m.turns and not m.drives,
+         'you only turned the robot; this exercise drives it', explains=True),
     Rule('ceased', lambda m: m.has_ceased,
-         "your last command, {last_word}, came at {at_last.way:.2f} m, and only the base's watchdog stopped the robot, "
+         'your last command, {last_word}, came at {at_last.way:.2f} m, '
+         "and only the base's watchdog stopped the robot, "
          'at {end.way:.2f} m'),
     Rule('early', lambda m: m.stop and m.is_early,
          'you stopped at {at_stop.way:.2f} m, and rest at {end.way:.2f} of 2.00 m'),
-    Rule('unfinished', lambda m: m.is_early, 'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m'),
+    Rule('unfinished', lambda m: m.is_early,
+         'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m'),
     Rule('passed_by', lambda m: not m.stop,
-         'you passed 2.00 m and were at {end.way:.2f} m when this was ended, still with {last_word}'),
+         'you passed 2.00 m and were at {end.way:.2f} m when this was ended, '
+         'still with {last_word}'),
     Rule('late', lambda m: True,
-         'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, where two periods are {bound:.1f} s; '
-         'the robot rests at {end.way:.2f} m'))
+         'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, '
+         'where two periods are {bound:.1f} s; the robot rests at {end.way:.2f} m'))
 HEADING = (
-    Rule('only_drove', lambda m: m.drives and not m.turns, 'you only drove the robot; this exercise turns it',
-         explains=True),
+    Rule('only_drove', lambda m: m.drives and not m.turns,
+         'you only drove the robot; this exercise turns it', explains=True),
     Rule('ceased', lambda m: m.has_ceased,
          'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
          "base's watchdog stopped the robot, at heading {heading:.1f}"),
     Rule('rings', lambda m: m.rings,
-         'your command changed its sign {flips} times, and the robot did not come to rest at 90 degrees'),
+         'your command changed its sign {flips} times, '
+         'and the robot did not come to rest at 90 degrees'),
     Rule('long_way', lambda m: m.turned > m.shortest + DETOUR,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
     Rule('unfinished', lambda m: not (m.is_settled and m.stop),
-         'after {seconds:.0f} s you are {heading_error:.0f} degrees off, and your last command was {last_word}'),
+         'after {seconds:.0f} s you are {heading_error:.0f} degrees off, '
+         'and your last command was {last_word}'),
     Rule('elsewhere', lambda m: True,
          'you rest at {heading:.1f} degrees where 90 were asked, after turning {turned:.0f}'))
 DETECTOR = (
     Rule('displacement', lambda m: ('displacement', None) in m.fits,
-         'out and back is {out_and_back:.2f} m, and you published {counted_back:.2f}: that is the distance from the '
-         'start, a possible reading of "moved". For the way driven add up the steps', explains=True),
+         'out and back is {out_and_back:.2f} m, and you published {counted_back:.2f}: '
+         'that is the distance from the start, a possible reading of "moved". '
+         'For the way driven add up the steps', explains=True),
     Rule('miscounted', lambda m: True,
-         '{leg} you counted {leg_counted:.2f} of {leg_right:.2f} m, and {total:.2f} of {right:.2f} in all'))
+         '{leg} you counted {leg_counted:.2f} of {leg_right:.2f} m, '
+         'and {total:.2f} of {right:.2f} in all'))
 PRAISE = {
     'moved_distance': 'counted {total:.2f} of {right:.2f} m',
     'two_meters': 'at {end.way:.2f} m after {driven:.1f} s',
@@ -66,11 +83,12 @@ PRAISE = {
 # These hold or not, whatever the verdict.
 NOTES = (
     Rule('no_sleep', lambda m: m.run.unawaited and m.floods,
-         'your loop sends more than 200 commands a second, where 10 do: add rospy.Rate(10) and rate.sleep(). It is '
-         'judged at a pace, since lockstep cannot wait for it'),
+         'your loop sends more than 200 commands a second, where 10 do: '
+         'add rospy.Rate(10) and rate.sleep(). '
+         'It is judged at a pace, since lockstep cannot wait for it'),
     Rule('wall_time', lambda m: m.run.unawaited and not m.floods,
-         'your node acts by wall time, as after time.sleep(), or never rests. It is judged at a pace, since lockstep '
-         'cannot wait for it'),
+         'your node acts by wall time, as after time.sleep(), or never rests. '
+         'It is judged at a pace, since lockstep cannot wait for it'),
     Rule('callback', lambda m: m.callback_error and not (m.is_silent or m.keeps_failing),
          'a callback failed, and the node went on: {callback_error}'),
     Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
@@ -80,7 +98,8 @@ NOTES = (
     Rule('leaves_process', lambda m: m.run.leaves_process,
          'after Ctrl-C a program that your node had started still ran'),
     Rule('luck', lambda m: m.passed and m.run.looks > 1 and not m.run.unawaited,
-         'it passed only when it was looked at again. What a program publishes as it ends can be lost: '
+         'it passed only when it was looked at again. '
+         'What a program publishes as it ends can be lost: '
          'rospy.sleep(0.5) after it gives it time to arrive'),
     Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
          'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),

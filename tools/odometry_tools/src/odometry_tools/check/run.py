@@ -30,11 +30,13 @@ class Pose(NamedTuple):
     turn: float = 0.0  # rad so far, to the left
 
     def after(self, before):
-        """Return this with the way from the Pose before it, which a reset of odometry does not lengthen."""
-        step, turn = math.hypot(self.x - before.x, self.y - before.y), wrap_to_pi(self.yaw - before.yaw)
+        """Return this with the way from the Pose before; a reset of odometry does not add to it."""
+        step = math.hypot(self.x - before.x, self.y - before.y)
+        turn = wrap_to_pi(self.yaw - before.yaw)
         if self.has_jumped(before):
             step = turn = 0.0
-        return self._replace(way=before.way + step, turned=before.turned + abs(turn), turn=before.turn + turn)
+        return self._replace(way=before.way + step, turned=before.turned + abs(turn),
+                             turn=before.turn + turn)
 
     def has_jumped(self, before):
         """Return whether odometry was reset since the Pose before it."""
@@ -84,7 +86,8 @@ class Run:
 
     def __getstate__(self):
         """Leave out what belongs to the process that records."""
-        return {name: value for name, value in vars(self).items() if name not in ('changed', '_is_over')}
+        return {name: value for name, value in vars(self).items()
+                if name not in ('changed', '_is_over')}
 
     @property
     def now(self):
@@ -112,7 +115,7 @@ class Run:
             getattr(self, f'_on_{type(message).__name__.lower()}')(topic, message, now.to_sec())
 
     def finish(self, over=True, **facts):
-        """Set attributes, record nothing more unless it is not over, and have the main thread look."""
+        """Set attributes and wake the main thread; record nothing more, unless it is not over."""
         with self.changed:
             vars(self).update(facts, over=over)
             self.changed.notify_all()
@@ -137,7 +140,7 @@ class Run:
             self.changed.notify_all()
 
     def _on_twist(self, topic, message, now):
-        # Messages of one tick arrive in any order: to the millisecond, the tick before may be meant.
+        # Messages of one tick come in any order: to the millisecond, the tick before may be meant.
         now = round(now / PERIOD) * PERIOD
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
@@ -151,9 +154,13 @@ class Run:
         return time.monotonic() - self.begin
 
     def is_like(self, other):
-        """Return whether the robot came as far in another Run, and the detector, but for what threads may do first."""
+        """Return whether the robot, and the detector, came as far in another Run.
+
+        Which thread comes first may make a small difference.
+        """
         return all(math.isclose(mine, others, rel_tol=ALIKE, abs_tol=ALIKE)
                    for mine, others in zip(self._outcome(), other._outcome()))
 
     def _outcome(self):
-        return self.odometry[-1].way, self.odometry[-1].turned, self.moved[-1][1] if self.moved else 0.0
+        counted = self.moved[-1][1] if self.moved else 0.0
+        return self.odometry[-1].way, self.odometry[-1].turned, counted

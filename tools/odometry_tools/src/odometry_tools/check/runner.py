@@ -14,10 +14,12 @@ SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the chec
 STANDSTILL = 60.0  # s of wall time without odometry
 LOOK_PERIOD = 0.03  # s of wall time, while time stands still
 QUIET, BUSY = 0.3, 2.0  # s of wall time
-# A node that has not registered after so long, without computing at the end or after so much computing, will not.
-REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0  # s of wall time, and of processor time
+# s of wall time, and of processor time: a node that has not registered after so long, without
+# computing at the end or after so much computing, will not.
+REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0
 HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
-INTERRUPT_PATIENCE, INTERRUPT_TIME = 6.0, 30.0  # s of wall and simulated time; lockstep waits for a busy machine
+# s of wall and simulated time; lockstep waits for a busy machine
+INTERRUPT_PATIENCE, INTERRUPT_TIME = 6.0, 30.0
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
 FASTEST = 5.0  # times real time, to begin with
 SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times real time
@@ -68,7 +70,8 @@ class Runner:
             self._look_at_graph(run)
             self._ask_for_types(run)
             run.finish(status=None if node.family() else node.status, output=node.output,
-                       has_read_keyboard=node.has_read_keyboard, refuses=self._bench.is_refused(self.exercise.topic))
+                       has_read_keyboard=node.has_read_keyboard,
+                       refuses=self._bench.is_refused(self.exercise.topic))
         finally:
             if run.interrupted is None:
                 self._press_ctrl_c(node, run)
@@ -93,7 +96,8 @@ class Runner:
                 if len(run.odometry) > seen:
                     seen, since = len(run.odometry), time.monotonic()
                 elif time.monotonic() - since > STANDSTILL:
-                    run.finish(unawaited='does not let simulated time go on: give its loop a rospy.sleep()')
+                    run.finish(unawaited='does not let simulated time go on: '
+                                         'give its loop a rospy.sleep()')
         self._bench.call('pause_physics')
         self._note_unawaited(run, log)
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
@@ -126,7 +130,8 @@ class Runner:
         begin, latest = rospy.get_time(), time.monotonic() + STANDSTILL
         try:
             has_ended = node.wait(INTERRUPT_PATIENCE)
-            while not has_ended and rospy.get_time() < begin + INTERRUPT_TIME and time.monotonic() < latest:
+            while (not has_ended and rospy.get_time() < begin + INTERRUPT_TIME
+                   and time.monotonic() < latest):
                 has_ended = node.wait(SIGNAL_PERIOD)
             return has_ended
         finally:
@@ -148,7 +153,8 @@ class Runner:
                 registered = now
             if registered and (now - changed > QUIET or now - registered > BUSY):
                 return
-            if now - begin > REGISTRATION_TIMEOUT and now - changed > IDLE or (cpu_time or 0.0) > REGISTRATION_CPU:
+            if (now - begin > REGISTRATION_TIMEOUT and now - changed > IDLE
+                    or (cpu_time or 0.0) > REGISTRATION_CPU):
                 return
             time.sleep(LOOK_PERIOD)
 
@@ -156,7 +162,8 @@ class Runner:
         """Add what the node has announced to the Run."""
         others = self._bench.ours
         publishers, subscribers, services = self._bench.master.getSystemState()
-        for topics, found in (publishers, run.publishes), (subscribers, run.subscribes), (services, {}):
+        for topics, found in ((publishers, run.publishes), (subscribers, run.subscribes),
+                              (services, {})):
             for topic, names in topics:
                 if {*names} - others:
                     found.setdefault(topic, '')

@@ -46,16 +46,17 @@ SLOW = 0.7
 PLAIN, INTERRUPT = Scenario('plain'), Scenario('interrupt', interrupt=True)
 SLOW_ODOMETRY = Scenario('odom_5hz', odom_rate=5.0)
 SLOW_BASE = Scenario('slow_base', speed_ratio=SLOW)
-# From there the usual mistakes end in places of their own: one axis, the sum of both, the point (2, 0).
+# From there the usual mistakes end in places of their own: one axis, the sum of both, (2, 0).
 ELSEWHERE = 3.0, -1.2
 COMMANDS = '/cmd_vel', 'geometry_msgs/Twist'
 OBLIQUE = Scenario('moved_start', 130.0, ELSEWHERE)
 EXERCISES = {exercise.name: exercise for exercise in (
-    Exercise('moved_distance', 'publishes the distance moved', '/moved_distance', 'std_msgs/Float64', (
-        Scenario('route'), OBLIQUE, SLOW_ODOMETRY, SLOW_BASE), route=ROUTE),
+    Exercise('moved_distance', 'publishes the distance moved', '/moved_distance',
+             'std_msgs/Float64', (Scenario('route'), OBLIQUE, SLOW_ODOMETRY, SLOW_BASE),
+             route=ROUTE),
     Exercise('two_meters', 'drives two metres and stops', *COMMANDS, (
         PLAIN, OBLIQUE, INTERRUPT, SLOW_ODOMETRY, SLOW_BASE)),
-    # The shorter way leads over 180 degrees from the first of these starts, and over 0 from the second.
+    # The shorter way is over 180 degrees from the first of these starts, over 0 from the second.
     Exercise('heading', 'turns to 90 degrees', *COMMANDS, (
         PLAIN, Scenario('moved_start', TARGET + 100, ELSEWHERE), INTERRUPT, SLOW_ODOMETRY,
         SLOW_BASE._replace(yaw=-45.0)), target=TARGET))}

@@ -30,7 +30,7 @@ def types_in(bag):
 
 
 def read_messages(bag, kind, *topics):
-    """Return topic, message and timestamp of the messages of a class of INSTALLED on some topics."""
+    """Return topic, message and timestamp of the messages of an INSTALLED class on some topics."""
     def is_installed(_topic, datatype, md5sum, *_):
         return (datatype, md5sum) == (kind._type, kind._md5sum)
     return [*bag.read_messages(topics, connection_filter=is_installed)]

@@ -1,4 +1,7 @@
-"""The picture of a run: path, distance, error and speed of a drive; heading, error and turn rate of a turn."""
+"""The picture of a run.
+
+It shows path, distance, error and speed of a drive; heading, error and turn rate of a turn.
+"""
 
 import os
 
@@ -17,8 +20,9 @@ COMMANDED = {'color': PALE, 'linewidth': 5, 'label': 'commanded', 'where': 'post
 TARGET = {'color': DARK, 'linestyle': ':', 'label': 'target'}
 MIN_DISTANCE, MIN_TURN = 0.1, 10.0  # m, degrees; less is no drive, or no turn
 # By panel: its label, and its minimum span; on a shorter axis noise would look like motion.
-PANELS = {'distance': ('distance (m)', 0.1), 'off truth': ('off truth (m)', 0.02), 'speed': ('speed (m/s)', 0.05),
-          'heading': ('heading (degrees)', 2.0), 'error': ('error (degrees)', 2.0), 'turn rate': ('turn rate (rad/s)', 0.05)}
+PANELS = {'distance': ('distance (m)', 0.1), 'off truth': ('off truth (m)', 0.02),
+          'speed': ('speed (m/s)', 0.05), 'heading': ('heading (degrees)', 2.0),
+          'error': ('error (degrees)', 2.0), 'turn rate': ('turn rate (rad/s)', 0.05)}
 PATH_SPAN = 0.6  # m
 
 
@@ -97,7 +101,8 @@ def _draw_path(axes, run):
     track = run.odometry
     for points, style in _tracks(run):
         # Leave a gap at jumps; the path between is unknown.
-        axes.plot(*(numpy.insert(values, points.jumps, numpy.nan) for values in (points.x, points.y)), **style)
+        axes.plot(*(numpy.insert(values, points.jumps, numpy.nan)
+                    for values in (points.x, points.y)), **style)
     axes.plot(track.x[0], track.y[0], 'o', color=GREEN, markersize=9, label='start')
     axes.plot(track.x[-1], track.y[-1], 's', color=DARK, markersize=7, label='end')
     _show_at_least(PATH_SPAN, axes)

@@ -27,8 +27,8 @@ def follow(options, launch, page_port):
     join(launch, 'demo')
     recording = _record()
     monitor = MONITORS[options.tutorial](options)
-    launch.wait_for(lambda: monitor.is_connected() and (not recording or recording.is_connected('odom', 'cmd_vel')),
-                    'the nodes do not answer')
+    launch.wait_for(lambda: (monitor.is_connected() and (
+        not recording or recording.is_connected('odom', 'cmd_vel'))), 'the nodes do not answer')
     launch.wait_for(unpause, 'the robot stays paused')
     launch.wait_for(monitor.started, 'the robot does not begin to move')
     wall_start = time.monotonic()

@@ -40,7 +40,8 @@ class Launch(ProcessListener):
         :param watched: names of the nodes whose end is an error; None: of all
         :param beside: the Launch whose master these nodes use; None: they have their own
         """
-        self._file = path_of(package, launch_file), [f'{name}:={value}' for name, value in arguments.items()]
+        self._file = (path_of(package, launch_file),
+                      [f'{name}:={value}' for name, value in arguments.items()])
         self._may_end, self._watched, self._beside = may_end, watched, beside
         self.names = set()  # of all nodes
         self._ended = {}  # exit codes of nodes by name
@@ -69,8 +70,8 @@ class Launch(ProcessListener):
         self.port = next_port(usual)
         os.environ['ROS_MASTER_URI'] = f'http://localhost:{self.port.number}'
         if self.port.number != usual:
-            print(f'rostopic in another terminal: export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}',
-                  flush=True)
+            print('rostopic in another terminal: '
+                  f'export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
         roslib.set_interactive(True)  # roslaunch sets no signal handlers
         for signum in ENDING:
             signal.signal(signum, self._stop)
@@ -124,21 +125,22 @@ class Launch(ProcessListener):
                 raise RunError(self.end_of(name))
 
     def end_of(self, name):
-        """Return how a node has ended, in one line; after an exception, with the last that was printed."""
+        """Return how a node ended, in one line; after an exception, with the last one printed."""
         status = self._ended[name]
         error = self._output.last_exception() if status == 1 else ''
         return self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}'
 
     def statuses(self):
-        """Return the exit codes of the nodes that have ended, by name; roslaunch notices it late."""
+        """Return the exit codes of nodes that have ended, by name; roslaunch notices it late."""
         for process in list(self._monitor.procs):
             if not process.is_alive():
                 self.process_died(process.name, process.exit_code)
         return {**self._ended}
 
     def pids(self):
-        """Return the ids of the processes of the nodes that run, by name; -1 before they are started."""
-        pids = {process.name.partition('-')[0]: process.pid for process in list(self._monitor.procs)}
+        """Return the process ids of the nodes that run, by name; -1 before they are started."""
+        pids = {process.name.partition('-')[0]: process.pid
+                for process in list(self._monitor.procs)}
         return {name: pids.get(name, -1) for name in self.names - self.statuses().keys()}
 
     def lines(self):

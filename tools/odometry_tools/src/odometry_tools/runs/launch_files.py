@@ -15,7 +15,7 @@ def load(path, arguments, port=None):
 
 
 def nodes_beside_robot(path, arguments):
-    """Return the nodes of a launch file; StartError: it cannot be read, or starts a robot of its own."""
+    """Return the nodes of a launch file; StartError: unreadable, or it starts its own robot."""
     name = os.path.basename(path)
     try:
         nodes = load(path, arguments).nodes

@@ -16,7 +16,7 @@ class NodeOutput:
         self._file = os.memfd_create('nodes', os.MFD_CLOEXEC)
 
     def capture(self):
-        """Return a context that captures the output of this process, and of those that it starts meanwhile."""
+        """Return a context that captures the output of this process and of those it starts."""
         return redirected_output(self._file)
 
     def add(self, line):
@@ -29,11 +29,12 @@ class NodeOutput:
         return [line for line in map(str.strip, text.splitlines()) if line]
 
     def complaint_of(self, node):
-        """Return the last line that begins with a node's name, as its error messages do, or None."""
-        return next((line for line in reversed(self.lines()) if line.startswith(f'{node}: ')), None)
+        """Return the last line that begins with a node's name, as its errors do, or None."""
+        return next((line for line in reversed(self.lines())
+                     if line.startswith(f'{node}: ')), None)
 
     def last_exception(self):
-        """Return words with the last line that ends a traceback, whichever node printed it; or ''."""
+        """Return words with the last line that ends a traceback, of whichever node; or ''."""
         return next((f'; last error printed: {line}' for line in reversed(self.lines())
                      if EXCEPTION.match(line)), '')
 

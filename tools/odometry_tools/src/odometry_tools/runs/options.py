@@ -18,7 +18,8 @@ def parse(arguments):
     parser = make_parser()
     options = parser.parse_args(arguments)
     if options.tutorial not in MODES:  # as choices, it would hide an unknown option before it
-        parser.error(f'argument tutorial: there is no {options.tutorial}, only {" and ".join(MODES)}')
+        parser.error(f'argument tutorial: there is no {options.tutorial}, '
+                     f'only {" and ".join(MODES)}')
     for name, tutorial in TUTORIALS.items():
         if getattr(options, name) is None:
             setattr(options, name, PARAMETERS[name].default)
@@ -30,8 +31,9 @@ def parse(arguments):
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws demo', allow_abbrev=False, description='Run a tutorial with a simulated TurtleBot 2 and show its '
-        'progress. A recording and a picture of the run are saved in the folder runs.')
+        prog='./ws demo', allow_abbrev=False,
+        description='Run a tutorial with a simulated TurtleBot 2 and show its progress. '
+        'A recording and a picture of the run are saved in the folder runs.')
     parser.add_argument('tutorial', nargs='?', metavar='|'.join(MODES), default=MODES[0],
                         help='drive two metres, or turn to a heading (default: %(default)s)')
     parser.add_argument('--distance', type=_value_of('distance'), metavar='M',
@@ -40,7 +42,8 @@ def make_parser():
                         help='move: how fast (m/s; negative drives backwards; '
                              f'default: {PARAMETERS["speed"].default})')
     parser.add_argument('--target', type=_value_of('target'), metavar='DEGREES',
-                        help=f'rotate: heading to turn to (default: {PARAMETERS["target"].default})')
+                        help='rotate: heading to turn to '
+                             f'(default: {PARAMETERS["target"].default})')
     parser.add_argument('--real-time-factor', type=float, default=1.0, metavar='N',
                         help='simulated seconds per second; 0: as fast as possible; other than 1, '
                              'in lockstep (default: %(default)s)')

@@ -15,7 +15,7 @@ class RunError(RuntimeError):
 
 
 class Line:
-    """A line that is rewritten on a terminal; elsewhere a new line each `period`, from `first` on (s)."""
+    """A line that is rewritten on a terminal; else a new one each `period`, from `first` on (s)."""
 
     def __init__(self, period, first=-math.inf):
         self._live = sys.stdout.isatty()
@@ -48,7 +48,7 @@ def complain(text, program='demo'):
 
 
 def run_command(program, run, mistakes):
-    """Exit with the status that run() returns; with 2 for the user's mistakes, and 1 for other known errors.
+    """Exit with the status of run(); with 2 for the user's mistakes, 1 for other known errors.
 
     :param mistakes: classes of errors, whose message is one line for the user
     """

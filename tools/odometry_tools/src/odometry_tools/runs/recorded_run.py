@@ -61,7 +61,7 @@ class Run(NamedTuple):
     odometry: Track
     ground_truth: Track  # in the odometry's frame; None if nobody published it
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
-    differing: list  # topics left out, since their messages are defined differently from the installed
+    differing: list  # topics left out: their messages are defined differently from the installed
 
     def summary(self):
         """Return distance, duration, speeds, the error, and what was left out, as text."""
@@ -69,9 +69,11 @@ class Run(NamedTuple):
         duration = track.time[-1] - track.time[0]
         mean = track.distance[-1] / duration if duration else 0.0
         top = numpy.abs(track.speed).max()
-        left_out = [f'{number} {thing}{"s" * (number > 1)} {how}' for number, thing, how in (
-            (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')) if number]
-        left_out += [f'{name}, defined differently from the installed message' for name in self.differing]
+        counts = (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')
+        left_out = [f'{number} {thing}{"s" * (number > 1)} {how}'
+                    for number, thing, how in counts if number]
+        left_out += [f'{name}, defined differently from the installed message'
+                     for name in self.differing]
         return '\n'.join([f'odometry    {self.topic}',
                           f'distance    {track.distance[-1]:.3f} m',
                           f'duration    {duration:.1f} s',
@@ -82,8 +84,9 @@ class Run(NamedTuple):
                           *([f'left out    {", ".join(left_out)}'] if left_out else [])])
 
     def truth(self, column):
-        """Return a column of the ground truth (x, y, yaw or distance) at the time of each odometry message."""
-        return numpy.interp(self.odometry.time, self.ground_truth.time, getattr(self.ground_truth, column))
+        """Return the ground truth (x, y, yaw or distance) at the time of each odometry message."""
+        return numpy.interp(self.odometry.time, self.ground_truth.time,
+                            getattr(self.ground_truth, column))
 
     @property
     def off_truth(self):
@@ -114,7 +117,8 @@ def read_run(path, topic=None, end=math.inf):
             topic = topic or _odometry_topic(types)
             odometry, ground_truth, commands = (
                 [row for row in bags.read_messages(bag, kind, *names) if _stamp(row) <= end]
-                for kind, names in ((Odometry, [topic]), (Odometry, [TRUTH]), (Twist, COMMAND_TOPICS)))
+                for kind, names in ((Odometry, [topic]), (Odometry, [TRUTH]),
+                                    (Twist, COMMAND_TOPICS)))
     except rosbag.ROSBagUnindexedException:
         raise BagError(f'{path} is not indexed: rosbag reindex {shlex.quote(str(path))}') from None
     except (OSError, rosbag.ROSBagException) as error:
@@ -126,7 +130,8 @@ def read_run(path, topic=None, end=math.inf):
         raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
                        f'{_choice(types)}')
     if topic in differing:
-        raise BagError(f'{path} defines {Odometry._type} on {topic} differently from the installed one')
+        raise BagError(
+            f'{path} defines {Odometry._type} on {topic} differently from the installed one')
     if not odometry:
         raise BagError(f'{path} has 0 messages on {topic}')
     start = next(map(_stamp, odometry), 0.0)
@@ -149,7 +154,8 @@ def _odometry_topic(types):
 def _choice(types):
     """Return what the user can choose."""
     options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == Odometry._type]
-    return f'choose its odometry: {" or ".join(options)}' if options else f'it has no {Odometry._type}'
+    return (f'choose its odometry: {" or ".join(options)}' if options
+            else f'it has no {Odometry._type}')
 
 
 def _track(rows, start):
@@ -160,7 +166,8 @@ def _track(rows, start):
         speed, turn_rate = twist.linear.x, twist.angular.z
         x, y = pose.position.x, pose.position.y
         try:
-            not_counted = counter.add(x, y, row.message.header.stamp.to_sec(), row.timestamp.to_sec())
+            stamp = row.message.header.stamp.to_sec()
+            not_counted = counter.add(x, y, stamp, row.timestamp.to_sec())
             yaw = _yaw(pose.orientation)
         except ValueError:  # its position or orientation is not finite
             continue

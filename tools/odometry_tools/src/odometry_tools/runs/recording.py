@@ -35,8 +35,9 @@ class Recording:
         self._bag = rosbag.Bag(self._file, 'w')
         self._lock = threading.Lock()
         self._heard = {}  # when the last message of a node came (monotonic, s), by name
-        self._subscribers = {topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
-                             for topic, kind in TOPICS.items()}
+        self._subscribers = {
+            topic: rospy.Subscriber(topic, kind, self._keep, topic, tcp_nodelay=True)
+            for topic, kind in TOPICS.items()}
 
     def is_connected(self, *topics):
         """Return whether the recording receives the next message of each of these topics."""

@@ -1,4 +1,4 @@
-"""A master and a paused simulator in lockstep that stay, beside which nodes run one after the other."""
+"""A master and a paused simulator in lockstep that stay, while nodes run one after the other."""
 
 import contextlib
 import re
@@ -20,7 +20,8 @@ from odometry_tools.runs.recording import Recording
 from odometry_tools.runs.starting import Starting, registered
 
 SIMULATOR = 'sim_turtlebot'
-SERVICES = {'step': Trigger, **dict.fromkeys(('pause_physics', 'unpause_physics', 'reset_simulation'), Empty)}
+SERVICES = {'step': Trigger,
+            **dict.fromkeys(('pause_physics', 'unpause_physics', 'reset_simulation'), Empty)}
 UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')  # of the simulator's log
 ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
 SLACK = 1e-6  # s
@@ -74,7 +75,8 @@ class Session:
         self._parameters = None
         forget([f'/{SIMULATOR}'])
         with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
-            yaml.safe_dump({'real_time_factor': 0, 'lockstep': True, **parameters, 'paused': True}, file)
+            yaml.safe_dump(
+                {'real_time_factor': 0, 'lockstep': True, **parameters, 'paused': True}, file)
             file.flush()
             self.simulator = self._ending.enter_context(
                 Launch('odometry_launch', 'sim.launch', {'params': file.name}, beside=self._master))
@@ -86,31 +88,33 @@ class Session:
 
     def call(self, service):
         """Have the simulator pause, unpause or reset; beside other work it may miss a call."""
-        self.simulator.wait_for(lambda: is_answered(self._services[service]), 'the simulator does not answer')
+        self.simulator.wait_for(lambda: is_answered(self._services[service]),
+                                'the simulator does not answer')
 
     def unawaited(self, since=0):
-        """Return why lockstep does not wait, by name of the node, as the simulator's log says since a line."""
+        """Return why lockstep does not wait, by node, as the simulator's log says since a line."""
         found = filter(None, map(UNAWAITED.search, self.simulator.lines()[since:]))
         return {match[1]: match[2] for match in found}
 
     def run(self, nodes, seed, end, folder=None, are_watched=True):
         """Run nodes until a simulated time (s), at full speed; return what was Recorded.
 
-        All that the nodes do up to that time is recorded, and nothing after it. They leave no process,
-        no registration and no parameter.
+        All that the nodes do up to that time is recorded, and nothing after it. They leave
+        no process, no registration and no parameter.
 
         :param nodes: package, name and arguments of their launch file
         :param folder: for the bag (a Path); None: a new one
         :param are_watched: whether the end of a node is an error
-        :raises RunError: if the simulator, or a node that is watched, has ended; or if the recording is
-            incomplete
+        :raises RunError: if the simulator, or a node that is watched, has ended; or if the
+            recording is incomplete
         """
         rospy.set_param(f'{SIMULATOR}/seed', seed)
         self.call('reset_simulation')
         lines_before, nodes_before = len(self.simulator.lines()), registered()
         with self._restored_parameters():
             recording = Recording(folder)
-            with Launch(*nodes, watched=None if are_watched else (), beside=self.simulator) as launch:
+            with Launch(*nodes, watched=None if are_watched else (),
+                        beside=self.simulator) as launch:
                 starting = self._start(launch, recording)
                 self._advance(launch, end)
                 restless = set() if are_watched else _send_while_time_stands_still(recording)

@@ -10,25 +10,28 @@ HELPER_TIME = 1.0  # s of wall time
 
 
 class Starting:
-    """Tells whether the processes of a launch file have become nodes, have ended, or are no nodes."""
+    """Tells whether the processes of a launch file have become nodes, have ended, or are none."""
 
     def __init__(self, launch):
         self.nodes = set()  # names of those that are known to the master
         self._launch = launch
-        self._asleep = {}  # by name: their CPU times and states, and since when (s) these are the same
+        self._asleep = {}  # by name: CPU times and states, and since when (s) these are the same
 
     def is_over(self):
         """Check once more; to be called again and again."""
         self.nodes |= registered() & self._launch.names
-        waiting = [(name, pid) for name, pid in self._launch.pids().items() if name not in self.nodes]
+        waiting = [(name, pid) for name, pid in self._launch.pids().items()
+                   if name not in self.nodes]
         return all(self._has_slept(name, pid) for name, pid in waiting)
 
     def _has_slept(self, name, pid):
-        """Return whether a process and its children have slept for HELPER_TIME: a node would compute."""
+        """Return whether a process and its children slept for HELPER_TIME: a node would compute."""
         try:
             process = psutil.Process(pid)
-            state = [(one.cpu_times(), one.status()) for one in (process, *process.children(recursive=True))]
-        except (psutil.NoSuchProcess, ValueError):  # roslaunch will notice, or has not started it yet
+            state = [(one.cpu_times(), one.status())
+                     for one in (process, *process.children(recursive=True))]
+        # roslaunch will notice, or has not started it yet.
+        except (psutil.NoSuchProcess, ValueError):
             return False
         now = time.monotonic()
         before, since = self._asleep.get(name, (None, now))

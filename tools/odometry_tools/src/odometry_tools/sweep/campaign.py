@@ -45,7 +45,7 @@ class Campaign(NamedTuple):
         return math.prod(map(len, self.values.values())) * self.seeds
 
     def runs(self):
-        """Yield the parameters of each run: every seed of the first combination, then of the next."""
+        """Yield the parameters of each run: each seed of the first combination, then the next."""
         for combination in self.combinations:
             for seed in range(self.seeds):
                 yield {**combination, 'seed': seed}
@@ -63,8 +63,8 @@ class Campaign(NamedTuple):
                 raise ParameterError('~world', world, error) from None
             if warning := left_out(world):
                 complain(warning, 'sweep')
-        known = dict.fromkeys([NOT_ARRIVED, *(f'{metric}_{name}' for metric in METRICS[self.subject.kind]
-                                              for name in STATISTICS)])
+        known = dict.fromkeys([NOT_ARRIVED, *(
+            f'{metric}_{name}' for metric in METRICS[self.subject.kind] for name in STATISTICS)])
         for name, limit in self.limits.items():
             choose(name, known, f'unknown limit {name}')
             Parameter(f'limit {name}', 0.0, '', at_least(0), '').check(limit)
@@ -92,6 +92,8 @@ def read_campaign(path):
 
 
 def absolute_worlds(values):
-    """Return the values with absolute paths of world files: nodes and a replay run in other folders."""
-    return {name: [os.path.abspath(value) if value and isinstance(value, str) else value for value in several]
-            if name == 'world' else several for name, several in values.items()}
+    """Return the values with absolute world paths: nodes and a replay run in other folders."""
+    return {name: [os.path.abspath(value) if value and isinstance(value, str) else value
+                   for value in several]
+            if name == 'world' else several
+            for name, several in values.items()}

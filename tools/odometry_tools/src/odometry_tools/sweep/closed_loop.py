@@ -154,8 +154,8 @@ _cached_world = functools.lru_cache(maxsize=1)(World)
 def _world(step_rate, starts, gui, world_file):
     """Return a World whose robots are at their starts; reuse that of the last run if possible.
 
-    Building one takes a tenth as long as a drive of two metres. In a world with a file, other things
-    may have moved, too.
+    Building one takes a tenth as long as a drive of two metres. In a world with a file, other
+    things may have moved, too.
     """
     world = _cached_world(step_rate, tuple(starts), gui, world_file)
     (world.rebuild if world_file else world.restart)()

@@ -44,7 +44,8 @@ def replay(folder, number):
         kept = {name: row[name] for name in names}
         parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
     except (OSError, KeyError, ValueError, StopIteration, csv.Error):
-        raise StartError(f'{Path(folder, FILE)} has no run {number}, or only a part of it') from None
+        raise StartError(
+            f'{Path(folder, FILE)} has no run {number}, or only a part of it') from None
     use_writable_logs()
     with Session() as session:
         metrics, bag, targets = run_nodes(session, subject, parameters)
@@ -59,7 +60,7 @@ def replay(folder, number):
 
 
 def _robot_of(subject, parameters):
-    """Return the simulator's parameters by name, without the seed, for a run with these parameters."""
+    """Return the simulator's parameters by name, without the seed, for a run with these."""
     robot = {name: value for name, value in parameters.items() if name in ROBOT and name != 'seed'}
     if subject.kind != LAUNCH:
         robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
@@ -75,18 +76,20 @@ def run_nodes(session, subject, parameters, folder=None):
     session.simulate(_robot_of(subject, parameters))
     seed = parameters['seed']
     if subject.kind == LAUNCH:
-        recorded = session.run(subject.nodes(parameters), seed, subject.until, folder, are_watched=False)
+        recorded = session.run(subject.nodes(parameters), seed, subject.until, folder,
+                               are_watched=False)
         for crash in recorded.crashes:
             complain(crash, 'sweep')
         return _launch_metrics(recorded), recorded.bag, {}
     line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
     nodes = 'odometry_tools', 'replay.launch', {'tutorial': subject.kind, 'params': line}
     bag = session.run(nodes, seed, subject.run(parameters)['time'], folder).bag
-    return tutorial_metrics(subject.kind, parameters, bag), bag, TUTORIALS[subject.kind](parameters).targets
+    targets = TUTORIALS[subject.kind](parameters).targets
+    return tutorial_metrics(subject.kind, parameters, bag), bag, targets
 
 
 def tutorial_metrics(kind, parameters, path):
-    """Return what a tutorial's loop measures in a bag; raise RunError if its nodes did something else."""
+    """Return what a tutorial's loop measures in a bag; RunError: its nodes did something else."""
     with rosbag.Bag(str(path)) as bag:
         odometry, ground_truth, moved = (
             [message for _, message, _ in read_messages(bag, kind, topic)]
@@ -117,8 +120,9 @@ def _launch_metrics(recorded):
     commands = numpy.count_nonzero(run.commands[:, 0] > 0)
     moving = (abs(truth.speed) > REST_SPEED) | (abs(truth.turn_rate) > REST_ANGULAR_SPEED)
     return {'distance': truth.distance[-1], 'from_start': math.hypot(travel.x, travel.y),
-            'sideways': travel.y, 'heading': degrees(travel.yaw), 'heading_error': degrees(error.yaw),
-            'odometry_error': math.hypot(error.x, error.y), 'time': truth.time[moving].max(initial=0.0),
+            'sideways': travel.y, 'heading': degrees(travel.yaw),
+            'heading_error': degrees(error.yaw), 'odometry_error': math.hypot(error.x, error.y),
+            'time': truth.time[moving].max(initial=0.0),
             'commands': commands, 'ended': _ended(recorded)}
 
 

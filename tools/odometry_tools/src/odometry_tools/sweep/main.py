@@ -36,12 +36,13 @@ def _run():
         return 0
     campaign = options.campaign
     campaign.check()
-    with on_cluster(options.cluster) if options.cluster else on_this_machine(campaign, options.jobs) as executor:
+    with (on_cluster(options.cluster) if options.cluster
+          else on_this_machine(campaign, options.jobs)) as executor:
         return _sweep(campaign, run_all(campaign, executor), options.junit)
 
 
 def _sweep(campaign, runs, report):
-    """Save runs as run_all() yields them, and a report for CI at a path or None; return the exit status."""
+    """Save runs as run_all() yields them, and a report for CI, if any; return the exit status."""
     folder, rows, lost = new_folder('sweep-'), [], None
     try:
         rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
@@ -85,11 +86,12 @@ def _report(campaign, combinations, folder):
     for number, combination in enumerate(combinations):
         late = combination.values(NOT_ARRIVED)
         if late.any():
-            print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; the first is run '
-                  f'{number * campaign.seeds + late.argmax() + 1}')
+            print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; '
+                  f'the first is run {number * campaign.seeds + late.argmax() + 1}')
     for name, rows in combinations:
         if campaign.subject.kind == LAUNCH and not any(row['commands'] for row in rows):
-            print(f'no commands     reached the robot, with {name}: see rostopic info /cmd_vel while the nodes run')
+            print(f'no commands     reached the robot, with {name}: '
+                  'see rostopic info /cmd_vel while the nodes run')
     if any(len(rows) > 1 and rows[0]['ended'] in ENDS and all(row == rows[0] for row in rows)
            for _, rows in combinations):
         print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '
@@ -104,14 +106,18 @@ def _report(campaign, combinations, folder):
 
 
 def _exceeds_limits(campaign, combinations, folder, report):
-    """Print each limit that a Combination exceeds, and replay its worst run; return whether there is one."""
+    """Print each limit that a Combination exceeds, and replay its worst run.
+
+    :returns: whether there is one
+    """
     cases, worst = [], {}  # the numbers of runs, once each, in order
     for limit, most in campaign.limits.items():
         lines = []
         for index, combination in enumerate(combinations):
             size, run = combination.size_of(limit)
             if not size <= most:
-                lines.append(f'{limit} is {size:.6g}, over its limit of {most:g}, with {combination.name}')
+                lines.append(f'{limit} is {size:.6g}, over its limit of {most:g}, '
+                             f'with {combination.name}')
                 complain(lines[-1], PROGRAM)
                 if len(lines) == 1:
                     worst[index * campaign.seeds + run + 1] = limit
@@ -119,7 +125,8 @@ def _exceeds_limits(campaign, combinations, folder, report):
     if report:
         junit.write(report, 'odometry_sweep', cases)
     for number in worst:  # in a process of its own, which is a node only once
-        subprocess.run([sys.executable, sys.argv[0], '--replay', str(folder), str(number)], check=False)
+        subprocess.run([sys.executable, sys.argv[0], '--replay', str(folder), str(number)],
+                       check=False)
     if cases and not worst:
         print(f'limits          all {len(cases)} hold', flush=True)
     return bool(worst)

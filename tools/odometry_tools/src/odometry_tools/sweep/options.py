@@ -19,13 +19,16 @@ def parse(arguments):
         parser.error('argument --junit: only with the limits of a --campaign')
     if not (options.campaign or options.replay):
         if not 1 <= len(options.what) <= 2:
-            parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, or a package and its launch file')
+            parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, '
+                         'or a package and its launch file')
         if len(options.what) == 1 and options.until is not None:
             parser.error('argument --until: only for a launch file')
         if len(values := dict(options.set)) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
-        subject = Launched(options.what, options.until) if len(options.what) == 2 else Tutorial(*options.what)
-        options.campaign = Campaign(subject, SEEDS.default if options.seeds is None else options.seeds,
+        subject = (Launched(options.what, options.until) if len(options.what) == 2
+                   else Tutorial(*options.what))
+        options.campaign = Campaign(subject,
+                                    SEEDS.default if options.seeds is None else options.seeds,
                                     absolute_worlds(values), {})
     elif options.what or options.set or (options.seeds, options.until) != (None, None):
         parser.error('the file of --campaign or --replay sets tutorial, --seeds, --set and --until')
@@ -37,8 +40,9 @@ def parse(arguments):
 def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog='./ws sweep', allow_abbrev=False, description='Run a tutorial many times, over a grid of parameter values '
-        'and seeds, without ROS. It uses all processors, prints statistics, and saves the metrics '
+        prog='./ws sweep', allow_abbrev=False,
+        description='Run a tutorial many times, over a grid of parameter values and seeds, '
+        'without ROS. It uses all processors, prints statistics, and saves the metrics '
         'of each run in the folder runs.')
     source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
     parser.add_argument('what', nargs='*', metavar='move|rotate|PACKAGE FILE',
@@ -58,7 +62,8 @@ def make_parser():
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
                          help='run on a Dask cluster')
     source.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),
-                        help='repeat a run of a sweep with the nodes in lockstep, record it, and compare')
+                         help='repeat a run of a sweep with the nodes in lockstep, '
+                              'record it, and compare')
     return parser
 
 

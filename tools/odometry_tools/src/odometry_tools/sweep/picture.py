@@ -6,7 +6,8 @@ from odometry_tools.runs.figure import BLUE, DARK, ORANGE, PALE, new_figure, tid
 from odometry_tools.sweep.results import METRICS, SHOWN, statistics
 
 FILE = 'distributions.png'
-WIDTH, ROW, FRAME, MARGIN = 2.2, 0.4, 1.5, 1.5  # inches: a diagram, a combination, titles and axes, labels
+# inches: a diagram, a combination, titles and axes, labels
+WIDTH, ROW, FRAME, MARGIN = 2.2, 0.4, 1.5, 1.5
 MIN_SPANS = {'m': 0.01, 'degrees': 0.5, 's': 0.5}  # on a shorter axis noise looks large
 MAX_HEIGHT = 60.0  # inches
 HISTOGRAM, BARS = 2.2, 12  # inches: the height of a histogram; its number of bars
@@ -21,7 +22,8 @@ def make_figure(subject, combinations):
     values = {metric: [combination.values(metric) for combination in combinations]
               for metric in SHOWN[subject.kind]}
     # A diagram of a constant, or of rounding, shows nothing.
-    metrics = [metric for metric, rows in values.items() if numpy.ptp(numpy.concatenate(rows)).round(6)]
+    metrics = [metric for metric, rows in values.items()
+               if numpy.ptp(numpy.concatenate(rows)).round(6)]
     metrics = metrics or SHOWN[subject.kind][:1]
     is_alone = len(combinations) == 1
     height = HISTOGRAM if is_alone else ROW * len(combinations)
@@ -60,7 +62,7 @@ def _show_at_least(span, axes):
 
 
 def _draw_histogram(axes, values, span):
-    """Draw how many runs have which value, over this span at least, and what the table says of them."""
+    """Draw how many runs have which value, over at least this span, and the table's statistics."""
     margin = max(0.0, span - numpy.ptp(values)) / 2
     shown = values.min() - margin, values.max() + margin
     *_, bars = axes.hist(values, BARS, range=shown, color=BLUE, label='runs')

@@ -19,7 +19,8 @@ METRICS = {
     'rotate': {'heading': 'degrees', 'heading_error': 'degrees', 'true_heading': 'degrees',
                'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'},
     'launch': {'distance': 'm', 'from_start': 'm', 'sideways': 'm', 'heading': 'degrees',
-               'heading_error': 'degrees', 'odometry_error': 'm', 'time': 's', 'commands': 'messages'}}
+               'heading_error': 'degrees', 'odometry_error': 'm', 'time': 's',
+               'commands': 'messages'}}
 # In table and picture.
 SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
          'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
@@ -78,7 +79,7 @@ def _line(name, width, cells):
 
 
 def write_results(folder, campaign, runs):
-    """Write a campaign and its runs, as run_all() yields them, into a folder; yield their metrics."""
+    """Write a campaign and its runs, as run_all() yields them, to a folder; yield their metrics."""
     columns = [*campaign.values, 'seed', *METRICS[campaign.subject.kind], 'ended']
     content = {**campaign.subject._asdict(), 'seeds': campaign.seeds,
                'set': campaign.values, 'limits': campaign.limits}

@@ -22,11 +22,14 @@ TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.0
 
 
 def run_all(campaign, executor):
-    """Yield parameters and metrics of each run of a Campaign, in order; None every CHECK_PERIOD without one.
+    """Yield parameters and metrics of each run of a Campaign, in order.
+
+    Every CHECK_PERIOD without one, yield None.
 
     :raises RunError: if a run cannot be done, or the processes are lost
     """
-    begun = ((parameters, executor.submit(campaign.subject.run, parameters)) for parameters in campaign.runs())
+    begun = ((parameters, executor.submit(campaign.subject.run, parameters))
+             for parameters in campaign.runs())
     try:
         ahead = collections.deque(itertools.islice(begun, MAX_AHEAD))
         while ahead:
@@ -69,7 +72,10 @@ def _reset_signals():
 
 @contextlib.contextmanager
 def on_cluster(address):
-    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT; StartError: it is not usable."""
+    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT.
+
+    :raises StartError: if it is not usable
+    """
     import distributed
     logging.disable()  # Dask logs what its exceptions say
     try:

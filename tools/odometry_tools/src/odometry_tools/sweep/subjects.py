@@ -15,8 +15,9 @@ UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
 # The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
 # For wall time, tf, scans, late messages, and nodes that wait, compute or exit.
-NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate', 'scan_beams',
-             'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise', 'publish_tf', 'cpu_budget'}
+NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
+             'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
+             'publish_tf', 'cpu_budget'}
 ROBOT = {row.name[1:]: row for row in PARAMETERS.rows}
 
 
@@ -30,7 +31,8 @@ class Tutorial(NamedTuple):
     def check(self, values):
         """Raise StartError if this cannot run with these values: lists by parameter."""
         tutorial = choose(self.kind, TUTORIALS, f'there is no tutorial {self.kind!r}')
-        _check_values(self, values, {**{row.name[1:]: row for row in tutorial.PARAMETERS}, **ROBOT}, NEEDS_ROS)
+        rows = {**{row.name[1:]: row for row in tutorial.PARAMETERS}, **ROBOT}
+        _check_values(self, values, rows, NEEDS_ROS)
 
     def run(self, parameters):
         """Run without ROS; return the metrics by name."""
