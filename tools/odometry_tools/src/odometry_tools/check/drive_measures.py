@@ -15,7 +15,6 @@ AT_TARGET = 3.0  # degrees
 DETOUR = 60.0  # degrees, of overshooting
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
 REST = 2e-3  # m/s and rad/s
-SWING = 0.02  # rad/s; a smaller command is no swing
 # s at the end of a run, in which a controller has settled, a heading stays.
 RINGING, STILL = 5.0, 2.0
 FLIPS = 4  # changes of sign that a controller may make while it settles
@@ -114,7 +113,7 @@ def measure_heading(m, run):
 
 def _measure_swings(m, run):
     """Measure the speeds of the commands, and how often their sign changes."""
-    swings = [command for command in m.moves if abs(command.angular) > SWING]
+    swings = [command for command in m.moves if command.swings]
     m.turns_away = bool(swings) and m.scenario.yaw == 0.0 and swings[0].angular < 0
     flips = [after.time for before, after in zip(swings, swings[1:])
              if before.angular * after.angular < 0]

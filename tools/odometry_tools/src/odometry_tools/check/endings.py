@@ -10,6 +10,7 @@ REST, REST_TIME = 2e-3, 7.0
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m; who goes on at two metres is far beyond
 MOST_TURNS = 3 * 2 * math.pi  # rad
+MOST_SWINGS = 60  # changes of the direction of turning; who settles makes a few
 INTERRUPT_AFTER = 0.5  # m or rad
 LEG_REST = 1.6  # s; who publishes once a second does so while the robot rests
 
@@ -21,6 +22,8 @@ class Drive:
         """Take a heading to turn to (degrees), or None."""
         self._target = target
         self._active = None  # s
+        self._commands = self._swings = 0  # of them seen, and changes of direction among them
+        self._turning = 0.0  # rad/s, at the latest swing
 
     def is_over(self, run):
         """Look at the latest odometry of a Run."""
@@ -36,8 +39,18 @@ class Drive:
                 pose.time - run.commands[-1].time < REST_TIME):
             self._active = pose.time
         return (pose.time - max(self._active or 0.0, run.first_move) > REST_TIME
-                or pose.time - run.first_move > LIMIT
-                or pose.way > FARTHEST or self._target is not None and abs(pose.turn) > MOST_TURNS)
+                or pose.time - run.first_move > LIMIT or pose.way > FARTHEST
+                or self._target is not None and (
+                    abs(pose.turn) > MOST_TURNS or self._count_swings(run) > MOST_SWINGS))
+
+    def _count_swings(self, run):
+        """Return how often the commands have changed their direction, by more than noise."""
+        for command in run.commands[self._commands:]:
+            if command.swings:
+                self._swings += command.angular * self._turning < 0
+                self._turning = command.angular
+        self._commands = len(run.commands)
+        return self._swings
 
 
 class Route:

@@ -11,6 +11,7 @@ from odometry_common.orientation import yaw_from_orientation
 
 from odometry_tools.check.scenarios import PERIOD
 
+SWING = 0.02  # rad/s; a smaller command is no swing
 ZERO = 1e-3  # m/s, rad/s; a slower command is none
 ALIKE = 0.03  # share, m and rad, by which two runs of one node differ at most
 JUMP = 0.4, 0.8  # m, rad; no robot here moves as far between two messages: odometry was reset
@@ -52,6 +53,11 @@ class Command(NamedTuple):
     angular: float  # rad/s
     useless: tuple  # names of the other fields that are not zero
     topic: str
+
+    @property
+    def swings(self):
+        """Whether the robot should turn faster than a controller that has settled."""
+        return abs(self.angular) > SWING
 
     @property
     def moves(self):
