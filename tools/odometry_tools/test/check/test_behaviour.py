@@ -3,8 +3,11 @@
 import math
 
 import pytest
-from kinematic_robot import verdicts
+from kinematic_robot import drive, verdicts
 from odometry_common.angles import wrap_to_pi
+from odometry_tools.check.judging import verdicts_on
+from odometry_tools.check.run import Command
+from odometry_tools.check.scenarios import EXERCISES
 
 RIGHT_ANGLE = math.pi / 2
 
@@ -195,3 +198,17 @@ def test_where_nothing_proves_a_cause_the_report_says_so():
         'We do not know why: print the heading in your loop, and look at the picture')
     ceased = verdicts('two_meters', remembering(without_zero), ['plain'])['plain']
     assert 'came at 1.99 m' in ceased.sentence and 'at 2.11 m' in ceased.sentence
+
+
+def test_a_command_before_time_begins_moves_no_robot():
+    exercise = EXERCISES['two_meters']
+    run = drive(exercise.scenarios[0], lambda: lambda pose: None, exercise.target)
+    run.commands.append(Command(0.0, 0.2, 0.0, (), 'cmd_vel'))
+    verdict, = verdicts_on([run], exercise)
+    assert (verdict.rule, verdict.hint) == ('before_start', 'one_command'), verdict.sentence
+
+
+def test_a_controller_that_never_settles_is_watched_for_some_sixty_changes_of_direction():
+    run = drive(EXERCISES['heading'].scenarios[0],
+                turning(lambda yaw: wrap_to_pi(yaw - RIGHT_ANGLE), 20.0), 90.0)
+    assert run.now < 30.0, run.now

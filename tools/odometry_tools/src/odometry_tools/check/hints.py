@@ -72,7 +72,7 @@ ALL = (
          'Each loop, in each thread, needs while not rospy.is_shutdown()'),
     Rule('ok', _is_one_of('interrupt_ignored'),
          'Each loop, in each thread, needs while (ros::ok())'),
-    Rule('one_command', lambda m: m.rule == 'ceased' and len(m.moves) <= 5,
+    Rule('one_command', lambda m: m.rule in ('ceased', 'before_start') and len(m.moves) <= 5,
          'It stops 0.6 s after the last command, and you sent no more: repeat it in your loop'),
     Rule('no_zero', _is_one_of('ceased'),
          'Publish a zero Twist when you are there, and before your node ends'))
