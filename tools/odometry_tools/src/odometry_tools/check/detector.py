@@ -20,8 +20,10 @@ def measure_detector(m, run):
     # A leg ends at rest: the last message before has all of it, even if published once a second.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])
-    sums = {name: numpy.append(0.0, numpy.cumsum(steps))[at_ends]
-            for name, steps in _steps(odometry).items()}
+    sums = {}
+    for name, steps in _steps(odometry).items():
+        sum_so_far = numpy.append(0.0, numpy.cumsum(steps))
+        sums[name] = sum_so_far[at_ends]
     right = sums.pop('right')
     by_speed = {name: sums.pop(name) for name in BY_SPEED}
     sums.update(_distances(odometry, at_ends, right))
@@ -38,25 +40,41 @@ def _last_before(moments, times):
 
 def _steps(odometry):
     """Return what each message may add, by the name of the mistake."""
-    time, x, y, _, speed, _ = odometry.T
-    dx, dy, dt, speed = numpy.diff(x), numpy.diff(y), numpy.diff(time), speed[1:]
-    steps = {'right': numpy.hypot(dx, dy), 'squares': dx**2 + dy**2,
-             'x_only': abs(dx), 'y_only': abs(dy), 'signed_x': dx,
-             'axes': abs(dx) + abs(dy), 'signed_axes': dx + dy,
-             'speed': abs(speed), 'signed_speed': speed, 'backwards': speed * dt}
-    for digits in 1, 2:
-        rounded_dx = numpy.diff(numpy.round(x, digits))
-        rounded_dy = numpy.diff(numpy.round(y, digits))
-        steps[f'rounded_{digits}'] = numpy.hypot(rounded_dx, rounded_dy)
-    return steps
+    time, x, y, _, speeds, _ = odometry.T
+    dt = numpy.diff(time)
+    dx = numpy.diff(x)
+    dy = numpy.diff(y)
+    speed = speeds[1:]
+    return {
+        'right': numpy.hypot(dx, dy),
+        'squares': dx**2 + dy**2,
+        'x_only': abs(dx),
+        'y_only': abs(dy),
+        'signed_x': dx,
+        'axes': abs(dx) + abs(dy),
+        'signed_axes': dx + dy,
+        'speed': abs(speed),
+        'signed_speed': speed,
+        'backwards': speed * dt,
+        'rounded_1': _rounded_steps(x, y, 1),
+        'rounded_2': _rounded_steps(x, y, 2)}
+
+
+def _rounded_steps(x, y, digits):
+    dx = numpy.diff(numpy.round(x, digits))
+    dy = numpy.diff(numpy.round(y, digits))
+    return numpy.hypot(dx, dy)
 
 
 def _distances(odometry, at_ends, right):
     """Return what may be published in place of a sum, by the name of the mistake."""
     x, y = odometry[:, 1:3].T
-    return {'displacement': numpy.hypot(x - x[0], y - y[0])[at_ends],
-            'origin': numpy.hypot(x, y)[at_ends],
-            'first_step': right + numpy.hypot(x[0], y[0])}
+    displacement = numpy.hypot(x - x[0], y - y[0])
+    from_origin = numpy.hypot(x, y)
+    return {
+        'displacement': displacement[at_ends],
+        'origin': from_origin[at_ends],
+        'first_step': right + from_origin[0]}
 
 
 def _fits(counted, right, sums):
@@ -79,14 +97,21 @@ def _factors(counted, right, by_speed):
 
 def _agree(counted, expected, tolerance):
     metres, share = tolerance
-    return bool(numpy.all(abs(counted - expected) <= metres + share * abs(expected)))
+    allowed = metres + share * abs(expected)
+    return bool(numpy.all(abs(counted - expected) <= allowed))
 
 
 def _note_numbers(m, legs, counted, right):
     """Note what a sentence may quote."""
-    m.offset, m.total, m.right = counted[0], counted[-1], right[-1]
+    m.offset = counted[0]
+    m.total = counted[-1]
+    m.right = right[-1]
     m.share = m.right / (m.total or 1.0)
-    m.counted_back, m.out_and_back = counted[2], right[2]
-    by_leg, right_by_leg = numpy.diff(counted), numpy.diff(right)
+    m.counted_back = counted[2]
+    m.out_and_back = right[2]
+    by_leg = numpy.diff(counted)
+    right_by_leg = numpy.diff(right)
     worst = int(abs(by_leg - right_by_leg).argmax())
-    m.leg, m.leg_counted, m.leg_right = legs[worst], by_leg[worst], right_by_leg[worst]
+    m.leg = legs[worst]
+    m.leg_counted = by_leg[worst]
+    m.leg_right = right_by_leg[worst]

@@ -24,7 +24,8 @@ FITS = 0.04  # m
 
 def measure_drive(m, run):
     """Measure what both driving exercises have in common."""
-    m.start, m.end = run.odometry[run.start], run.odometry[-1]
+    m.start = run.odometry[run.start]
+    m.end = run.odometry[-1]
     m.start_heading = math.degrees(wrap_to_pi(m.start.yaw))
     m.heading = math.degrees(wrap_to_pi(m.end.yaw))
     m.turned = math.degrees(m.end.turned)
@@ -64,13 +65,16 @@ def _pose_at(run, time):
 
 def measure_distance(m, run):
     """Measure how a robot drives two metres."""
-    intervals = [after.time - before.time for before, after in zip(m.moves, m.moves[1:])]
-    period = max(1 / m.rate, statistics.median(intervals or [0.0]))
+    times = [command.time for command in m.moves]
+    intervals = [after - before for before, after in zip(times, times[1:])]
+    own_period = statistics.median(intervals or [0.0])
+    period = max(1 / m.rate, own_period)
     m.bound = 2 * period + SLACK
     if not run.pace.lockstep:
         m.bound += PACED_SLACK * run.pace.real_time_factor
     m.share = m.end.way / GOAL
-    m.step = max((abs(command.linear) for command in m.moves), default=0.0) / m.rate
+    speeds = [abs(command.linear) for command in m.moves]
+    m.step = max(speeds, default=0.0) / m.rate
     m.is_early = m.end.way < GOAL - CLOSE
     if m.stop:
         _measure_stop(m, run)
@@ -83,21 +87,31 @@ def _measure_stop(m, run):
     m.delay = m.stop.time - crossing
     is_in_time = m.delay <= m.bound or m.end.way <= GOAL + CLOSE
     m.passed = abs(m.end.linear) < REST and not m.is_early and is_in_time
-    x, y = m.at_stop.x, m.at_stop.y
-    m.moved_x, m.moved_y = abs(x - m.start.x), abs(y - m.start.y)
-    wrong_distances = {'one_axis': min(abs(m.moved_x - GOAL), abs(m.moved_y - GOAL)),
-                       'sum_of_axes': abs(m.moved_x + m.moved_y - GOAL),
-                       'place': math.hypot(x - GOAL, y)}
-    m.fits = {name for name, distance in wrong_distances.items() if distance < FITS}
+    m.moved_x = abs(m.at_stop.x - m.start.x)
+    m.moved_y = abs(m.at_stop.y - m.start.y)
+    # How far each mistake would have the robot from where it stopped.
+    off_by_one_axis = min(abs(m.moved_x - GOAL), abs(m.moved_y - GOAL))
+    off_by_sum = abs(m.moved_x + m.moved_y - GOAL)
+    off_by_place = math.hypot(m.at_stop.x - GOAL, m.at_stop.y)
+    m.fits = {
+        name for name, off in (
+            ('one_axis', off_by_one_axis),
+            ('sum_of_axes', off_by_sum),
+            ('place', off_by_place))
+        if off < FITS}
 
 
 def measure_heading(m, run):
     """Measure how a robot turns to a heading (degrees)."""
     after_reset = run.odometry[run.start:]
     target = math.radians(m.target)
-    errors = [(pose.time, math.degrees(wrap_to_pi(target - pose.yaw))) for pose in after_reset]
-    (_, first), (_, last) = errors[0], errors[-1]
-    m.shortest, m.heading_error = abs(first), abs(last)
+    errors = [
+        (pose.time, math.degrees(wrap_to_pi(target - pose.yaw)))
+        for pose in after_reset]
+    _, first = errors[0]
+    _, last = errors[-1]
+    m.shortest = abs(first)
+    m.heading_error = abs(last)
     m.turned = math.degrees(m.end.turned - m.start.turned)
     m.net = math.degrees(m.end.turn - m.start.turn)
     m.share = m.net / (first or 1.0)
@@ -107,7 +121,8 @@ def measure_heading(m, run):
     still = [error for time, error in errors if time > run.now - STILL]
     m.is_settled = max(still) - min(still) < 1.0
     is_there = max(map(abs, still)) <= AT_TARGET
-    m.passed = is_there and m.turned <= m.shortest + DETOUR and not m.rings and not m.has_ceased
+    is_direct = m.turned <= m.shortest + DETOUR
+    m.passed = is_there and is_direct and not m.rings and not m.has_ceased
     m.follows, m.gain, m.zero = find_controller(run, m.moves)
 
 
@@ -115,9 +130,11 @@ def _measure_swings(m, run):
     """Measure the speeds of the commands, and how often their sign changes."""
     swings = [command for command in m.moves if command.swings]
     m.turns_away = bool(swings) and m.scenario.yaw == 0.0 and swings[0].angular < 0
-    flips = [after.time for before, after in zip(swings, swings[1:])
-             if before.angular * after.angular < 0]
+    flips = [
+        after.time for before, after in zip(swings, swings[1:])
+        if before.angular * after.angular < 0]
     m.flips = len(flips)
-    m.rings = sum(time > run.now - RINGING for time in flips) > FLIPS
-    speed = statistics.median([abs(command.angular) for command in m.moves] or [0.0])
-    m.step = math.degrees(speed) / m.rate
+    late_flips = [time for time in flips if time > run.now - RINGING]
+    m.rings = len(late_flips) > FLIPS
+    speeds = [abs(command.angular) for command in m.moves]
+    m.step = math.degrees(statistics.median(speeds or [0.0])) / m.rate

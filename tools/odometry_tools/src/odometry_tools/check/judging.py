@@ -71,9 +71,9 @@ def _verdict_on(m, held):
                 else 'paced' if m.run.unawaited else m.exercise.name)
         praise = rules.PRAISE[kind].format(**vars(m))
         return Verdict(m.scenario.name, held.name, '', praise, notes)
-    words, hint = [held.say(m)], None
-    if not held.explains:
-        hint = first(HINTS[m.exercise.name], m)
-        words.append(hint.say(m) if hint else UNKNOWN.format(**vars(m)))
-    return Verdict(m.scenario.name, held.name, hint.name if hint else '',
-                   plain('. '.join(words)), notes)
+    if held.explains:
+        return Verdict(m.scenario.name, held.name, '', plain(held.say(m)), notes)
+    hint = first(HINTS[m.exercise.name], m)
+    cause = hint.say(m) if hint else UNKNOWN.format(**vars(m))
+    sentence = plain(f'{held.say(m)}. {cause}')
+    return Verdict(m.scenario.name, held.name, hint.name if hint else '', sentence, notes)

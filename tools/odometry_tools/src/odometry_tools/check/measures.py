@@ -11,18 +11,26 @@ FLOOD = 200  # commands a simulated second
 # rospy's words, and roslaunch's
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 # What a node may know of the robot, and its types.
-INPUTS = {'/odom': 'nav_msgs/Odometry', '/base_pose_ground_truth': 'nav_msgs/Odometry',
-          '/moved_distance': 'std_msgs/Float64', '/tf': 'tf2_msgs/TFMessage',
-          '/joint_states': 'sensor_msgs/JointState',
-          '/mobile_base/sensors/imu_data': 'sensor_msgs/Imu'}
+INPUTS = {
+    '/odom': 'nav_msgs/Odometry',
+    '/base_pose_ground_truth': 'nav_msgs/Odometry',
+    '/moved_distance': 'std_msgs/Float64',
+    '/tf': 'tf2_msgs/TFMessage',
+    '/joint_states': 'sensor_msgs/JointState',
+    '/mobile_base/sensors/imu_data': 'sensor_msgs/Imu'}
 
 
 def measure(run, exercise):
     """Return a namespace of what a Run shows of an Exercise."""
-    m = SimpleNamespace(run=run, scenario=run.scenario, exercise=exercise, topic=exercise.topic,
-                        type=exercise.type, commands=run.commands, passed=False,
-                        rate=run.scenario.odom_rate, target=exercise.target)
-    m.quantity, m.unit = ('distance', 'm') if exercise.target is None else ('heading', 'degrees')
+    m = SimpleNamespace(run=run, scenario=run.scenario, exercise=exercise)
+    m.topic = exercise.topic
+    m.type = exercise.type
+    m.target = exercise.target
+    m.quantity = 'distance' if exercise.target is None else 'heading'
+    m.unit = 'm' if exercise.target is None else 'degrees'
+    m.commands = run.commands
+    m.rate = run.scenario.odom_rate
+    m.passed = False
     m.at = ''
     _read_output(m, quoting.plain(run.output))
     _measure_messages(m)
@@ -31,7 +39,10 @@ def measure(run, exercise):
         measure_detector(m, run)
     elif run.odometry and m.is_finite:
         measure_drive(m, run)
-        (measure_distance if exercise.target is None else measure_heading)(m, run)
+        if exercise.target is None:
+            measure_distance(m, run)
+        else:
+            measure_heading(m, run)
         if run.interrupted is not None:
             m.passed = run.ends and not run.commands[-1].moves
     return m
@@ -39,7 +50,8 @@ def measure(run, exercise):
 
 def _read_output(m, output):
     """Note what the node has printed, and how it ended."""
-    m.error, m.said = quoting.error_in(output), quoting.last_line(output)
+    m.error = quoting.error_in(output)
+    m.said = quoting.last_line(output)
     m.callback_error = m.error if BAD_CALLBACK in output else ''
     m.keeps_failing = output.count(BAD_CALLBACK) > len(m.run.moved or m.commands)
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')

@@ -38,17 +38,11 @@ def make_figure(run, distance_target=None, heading_target=None):
     :param distance_target: m; None: not known
     :param heading_target: degrees; None: not known
     """
-    track = run.odometry
-    turned = numpy.degrees(numpy.ptp(track.yaw))
-    drives = bool(track.distance[-1] >= MIN_DISTANCE or turned < MIN_TURN)
-    panels = ['distance', *['off truth'] * bool(run.ground_truth), 'speed'] * drives
-    if turned >= MIN_TURN or heading_target is not None:
-        panels += ['heading', *['error'] * (heading_target is not None), 'turn rate']
-    targets = {'distance': distance_target}
-    if heading_target is not None:
-        # A turn to 270 degrees may end at -90.
-        turns = round((numpy.degrees(track.yaw[-1]) - heading_target) / 360)
-        targets.update(heading=heading_target + 360 * turns, error=0.0)
+    has_turned = numpy.degrees(numpy.ptp(run.odometry.yaw)) >= MIN_TURN
+    drives = bool(run.odometry.distance[-1] >= MIN_DISTANCE or not has_turned)
+    turns = has_turned or heading_target is not None
+    panels = _panels(drives, turns, bool(run.ground_truth), heading_target is not None)
+    targets = _targets(run, distance_target, heading_target)
     figure = new_figure(*SIZE)
     grid = figure.add_gridspec(len(panels), 1 + drives, **MARGINS)
     if drives:
@@ -61,11 +55,41 @@ def make_figure(run, distance_target=None, heading_target=None):
     figure.axes[-1].set_xlabel('time (s)')
     figure.align_ylabels(figure.axes[drives:])
     _write_title(figure, run, distance_target, heading_target)
-    handles = {label: handle for axes in figure.axes
-               for handle, label in zip(*axes.get_legend_handles_labels())}
+    _add_legend(figure)
+    return figure
+
+
+def _panels(drives, turns, has_truth, has_target):
+    """Return the names of the panels, from top to bottom."""
+    shown = {
+        'distance': drives,
+        'off truth': drives and has_truth,
+        'speed': drives,
+        'heading': turns,
+        'error': turns and has_target,
+        'turn rate': turns}
+    return [panel for panel, is_shown in shown.items() if is_shown]
+
+
+def _targets(run, distance, heading):
+    """Return the target of each panel that has one."""
+    targets = {'distance': distance}
+    if heading is not None:
+        # A turn to 270 degrees may end at -90.
+        turns = round((numpy.degrees(run.odometry.yaw[-1]) - heading) / 360)
+        targets['heading'] = heading + 360 * turns
+        targets['error'] = 0.0
+    return targets
+
+
+def _add_legend(figure):
+    """Name each kind of line once, above all panels."""
+    handles = {}
+    for axes in figure.axes:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            handles[label] = handle
     figure.legend(handles.values(), handles, loc='upper right', ncols=len(handles), frameon=False,
                   bbox_to_anchor=(0.99, 0.93))
-    return figure
 
 
 def tidy(*all_axes):
@@ -121,10 +145,13 @@ def _draw_panel(axes, panel, run, targets):
         time, linear, angular = run.commands.T
         axes.step(time, linear if panel == 'speed' else angular, **COMMANDED)
     for track, style in _tracks(run):
-        values = {'distance': track.distance, 'speed': track.speed, 'turn rate': track.turn_rate,
-                  'heading': numpy.degrees(track.yaw),
-                  'error': numpy.degrees(track.yaw) - targets.get('heading', 0.0)}[panel]
-        axes.plot(track.time, values, **style)
+        values = {
+            'distance': track.distance,
+            'speed': track.speed,
+            'turn rate': track.turn_rate,
+            'heading': numpy.degrees(track.yaw),
+            'error': numpy.degrees(track.yaw) - targets.get('heading', 0.0)}
+        axes.plot(track.time, values[panel], **style)
     if targets.get(panel) is not None:
         axes.axhline(targets[panel], **TARGET)
     _show_at_least(span, axes)
