@@ -19,11 +19,13 @@ def make_figure(subject, combinations):
     It has a line for each Combination; of one alone it is a histogram of its runs.
     """
     units = METRICS[subject.kind]
-    values = {metric: [combination.values(metric) for combination in combinations]
-              for metric in SHOWN[subject.kind]}
+    values = {
+        metric: [combination.values(metric) for combination in combinations]
+        for metric in SHOWN[subject.kind]}
     # A diagram of a constant, or of rounding, shows nothing.
-    metrics = [metric for metric, rows in values.items()
-               if numpy.ptp(numpy.concatenate(rows)).round(6)]
+    metrics = [
+        metric for metric, rows in values.items()
+        if numpy.ptp(numpy.concatenate(rows)).round(6)]
     metrics = metrics or SHOWN[subject.kind][:1]
     is_alone = len(combinations) == 1
     height = HISTOGRAM if is_alone else ROW * len(combinations)
@@ -42,16 +44,26 @@ def make_figure(subject, combinations):
         axes.set_title(f'{metric.replace("_", " ")} ({units[metric]})')
     tidy(*diagrams)
     if is_alone:
-        diagrams[0].set_ylabel('runs')
-        diagrams[0].yaxis.get_major_locator().set_params(integer=True)
+        _count_runs_on(diagrams[0])
     else:
-        names = [combination.name for combination in combinations]
-        diagrams[0].set_yticks(range(len(names)), names)
-        diagrams[0].set_ylim(len(names) - 0.5, -0.5)
+        _name_lines_of(diagrams[0], combinations)
     figure.legend(handles=handles, loc='outside lower center', ncols=len(handles), frameon=False)
     runs = sum(len(combination.rows) for combination in combinations)
     figure.suptitle(f'{subject.name}, {runs} runs', color=DARK)
     return figure
+
+
+def _count_runs_on(axes):
+    """Label the vertical axis of a histogram."""
+    axes.set_ylabel('runs')
+    axes.yaxis.get_major_locator().set_params(integer=True)
+
+
+def _name_lines_of(axes, combinations):
+    """Write the name of each Combination beside its line; the first is at the top."""
+    names = [combination.name for combination in combinations]
+    axes.set_yticks(range(len(names)), names)
+    axes.set_ylim(len(names) - 0.5, -0.5)
 
 
 def _show_at_least(span, axes):

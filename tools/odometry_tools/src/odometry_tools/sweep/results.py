@@ -14,17 +14,35 @@ CAMPAIGN_FILE = 'campaign.yaml'
 NOT_ARRIVED, ENDS = 'not_arrived', (ARRIVED, UNTIL)  # how a run ends well
 # Units of each run's metrics; error = actual - target.
 METRICS = {
-    'move': {'moved': 'm', 'moved_error': 'm', 'true_distance': 'm', 'true_error': 'm',
-             'sideways': 'm', 'heading': 'degrees', 'time': 's'},
-    'rotate': {'heading': 'degrees', 'heading_error': 'degrees', 'true_heading': 'degrees',
-               'true_error': 'degrees', 'overshoot': 'degrees', 'time': 's'},
-    'launch': {'distance': 'm', 'from_start': 'm', 'sideways': 'm', 'heading': 'degrees',
-               'heading_error': 'degrees', 'odometry_error': 'm', 'time': 's',
-               'commands': 'messages'}}
+    'move': {
+        'moved': 'm',
+        'moved_error': 'm',
+        'true_distance': 'm',
+        'true_error': 'm',
+        'sideways': 'm',
+        'heading': 'degrees',
+        'time': 's'},
+    'rotate': {
+        'heading': 'degrees',
+        'heading_error': 'degrees',
+        'true_heading': 'degrees',
+        'true_error': 'degrees',
+        'overshoot': 'degrees',
+        'time': 's'},
+    'launch': {
+        'distance': 'm',
+        'from_start': 'm',
+        'sideways': 'm',
+        'heading': 'degrees',
+        'heading_error': 'degrees',
+        'odometry_error': 'm',
+        'time': 's',
+        'commands': 'messages'}}
 # In table and picture.
-SHOWN = {'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
-         'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
-         'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
+SHOWN = {
+    'move': ['moved_error', 'true_error', 'sideways', 'heading', 'time'],
+    'rotate': ['heading_error', 'true_error', 'overshoot', 'time'],
+    'launch': ['from_start', 'sideways', 'heading', 'odometry_error', 'time']}
 STATISTICS = {'median': 'median', 'p5': '5 %', 'p95': '95 %', 'worst': 'worst'}  # headings by name
 DECIMALS = {'m': 4, 'degrees': 3, 's': 2, 'messages': 0}
 
