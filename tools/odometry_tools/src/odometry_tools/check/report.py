@@ -83,12 +83,20 @@ def keep(run, exercise, name):
         with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
             for topic, message, time in run.messages:
                 bag.write(f'/{topic}', message, time)
-        targets = ({'distance_target': GOAL} if exercise.target is None
-                   else {'heading_target': exercise.target})
-        make_figure(read_run(folder / 'run.bag'), **targets).savefig(str(folder / 'run.png'))
+        figure = make_figure(read_run(folder / 'run.bag'), **_targets(exercise))
+        figure.savefig(str(folder / 'run.png'))
     except BagError:
         pass  # the robot's time has not begun
     except OSError as error:
         complain(f'no recording: {error}', 'check')
         return None
     return folder
+
+
+def _targets(exercise):
+    """Return what the picture draws as the target."""
+    if exercise.route:
+        return {}
+    if exercise.target is None:
+        return {'distance_target': GOAL}
+    return {'heading_target': exercise.target}

@@ -9,7 +9,8 @@ import numpy
 
 # A Jupyter cell or an editor sets a backend for its own windows, which may not be installed here.
 os.environ['MPLBACKEND'] = 'agg'
-SIZE, RESOLUTION = (10, 6), 100  # inches, dots per inch
+WIDTH, HEIGHT, PANEL_HEIGHT = 10, 6, 1.6  # inches; a tall picture has many panels
+RESOLUTION = 100  # dots per inch
 MARGINS = {'left': 0.07, 'right': 0.98, 'bottom': 0.09, 'top': 0.86, 'wspace': 0.2, 'hspace': 0.12}
 # Of Okabe and Ito: distinct to the colour-blind, and in grey.
 BLUE, ORANGE, GREEN = '#0072b2', '#d55e00', '#009e73'
@@ -24,6 +25,7 @@ PANELS = {'distance': ('distance (m)', 0.1), 'off truth': ('off truth (m)', 0.02
           'speed': ('speed (m/s)', 0.05), 'heading': ('heading (degrees)', 2.0),
           'error': ('error (degrees)', 2.0), 'turn rate': ('turn rate (rad/s)', 0.05)}
 PATH_SPAN = 0.6  # m
+LONGEST_NAME = 55  # characters, beside the legend
 
 
 def new_figure(width, height, **options):
@@ -43,7 +45,7 @@ def make_figure(run, distance_target=None, heading_target=None):
     turns = has_turned or heading_target is not None
     panels = _panels(drives, turns, bool(run.ground_truth), heading_target is not None)
     targets = _targets(run, distance_target, heading_target)
-    figure = new_figure(*SIZE)
+    figure = new_figure(WIDTH, max(HEIGHT, PANEL_HEIGHT * len(panels)))
     grid = figure.add_gridspec(len(panels), 1 + drives, **MARGINS)
     if drives:
         _draw_path(figure.add_subplot(grid[:, 0]), run)
@@ -112,7 +114,8 @@ def _write_title(figure, run, distance_target, heading_target):
     time = run.odometry.time
     title = f'{result} in {time[-1] - time[0]:.1f} s' + (f', target {target}' if target else '')
     figure.suptitle(title, x=0.07, ha='left', fontsize=14, color=DARK)
-    figure.text(0.07, 0.9, run.name, fontsize=8, color='grey')
+    name = run.name if len(run.name) <= LONGEST_NAME else f'...{run.name[3 - LONGEST_NAME:]}'
+    figure.text(0.07, 0.9, name, fontsize=8, color='grey')
 
 
 def _growth(run, column):
