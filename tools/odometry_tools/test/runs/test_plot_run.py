@@ -150,6 +150,17 @@ def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
     assert 'target' in legend_of(figure)
 
 
+def test_the_labels_of_five_panels_do_not_overlap(tmp_path):
+    path = record(tmp_path / 'both.bag', [
+        odometry(x=0.01 * step, yaw=step * math.pi / 200, stamp=START + PERIOD * step) for step in range(101)])
+    record(path, metre(), '/base_pose_ground_truth', 'a')
+    figure = make_figure(read_run(path))
+    figure.draw_without_rendering()
+    _, *panels = figure.axes
+    boxes = [axes.yaxis.label.get_window_extent() for axes in panels]
+    assert len(boxes) == 5 and all(above.y0 >= below.y1 for above, below in zip(boxes, boxes[1:])), boxes
+
+
 @pytest.mark.parametrize('write, lines', [
     (lambda path: path.write_bytes(b'no bag at all'), 'cannot be read'),
     (lambda path: rosbag.Bag(str(path), 'w').flush(), "is not indexed: rosbag reindex '{}'"),
