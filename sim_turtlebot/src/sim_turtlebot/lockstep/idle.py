@@ -125,7 +125,7 @@ class IdleWaiter:
             self.remove(pid)
 
     def _find_busy(self):
-        """Return a Process that is not idle; None if none was in one of some checks."""
+        """Return a Process that is not idle; None as soon as a check finds all of them idle."""
         for _ in range(CHECKS):
             if not (busy := self._check()):
                 return None

@@ -13,9 +13,9 @@ MAX_LINE = 128  # bytes, of wchan and schedstat; in stat, the state is among the
 SWITCHES = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 SAMPLE_TIME = 0.05  # s of wall time, not counting the time that a thread waited for a processor
 MIN_POLLS = 20  # in SAMPLE_TIME, without work; ros::Rate and ros::Timer poll every millisecond
-# Long ones in a row, after which the next is taken for one; a virtual machine's timers may be late.
-SURE_SLEEPS = 2
-MAX_LATE = 10.0  # times its longest poll: how long a single late one is awaited
+# Long sleeps in a row that prove a long sleeper, or one so many times as long as a poll; on a busy
+# virtual machine some timers are late.
+SURE_SLEEPS, MAX_LATE = 4, 10.0
 
 _wait_functions = set()  # kernel functions in which threads have been seen asleep
 
@@ -125,7 +125,8 @@ class Thread:
             has_only_polled = runs - 1 == self._runs
             if self._sleep_time > limit:
                 self._long_sleeps += 1
-            elif has_only_polled and now - self._sleep_begin < limit:
+            elif (self._long_sleeps < SURE_SLEEPS
+                  or has_only_polled and now - self._sleep_begin < limit):
                 self._long_sleeps = 0
             # This sleep takes as long as the one before.
             self._sleep_is_long = (has_only_polled and self._sleep_time > 1.5 * limit
@@ -133,8 +134,9 @@ class Thread:
             self._runs, self._sleep_begin = runs, now
             self.sleeps_seen += 1
         self._sleep_time = asleep_at - self._sleep_begin
-        self._sleep_is_long |= self._sleep_time > (
-            limit if self._long_sleeps >= SURE_SLEEPS else MAX_LATE * limit)
+        if self._sleep_time > MAX_LATE * limit:
+            self._long_sleeps = SURE_SLEEPS
+        self._sleep_is_long |= self._sleep_time > limit and self._long_sleeps >= SURE_SLEEPS
         return self._sleep_is_long
 
     def _reader(self, opened, name):

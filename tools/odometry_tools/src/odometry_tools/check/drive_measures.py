@@ -15,6 +15,7 @@ AT_TARGET = 3.0  # degrees
 DETOUR = 60.0  # degrees, of overshooting
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
 REST = 2e-3  # m/s and rad/s
+MOVED = 1e-4  # m or rad; less than the slowest command moves a robot until the watchdog stops it
 # s at the end of a run, in which a controller has settled, a heading stays.
 RINGING, STILL = 5.0, 2.0
 FLIPS = 4  # changes of sign that a controller may make while it settles
@@ -29,6 +30,7 @@ def measure_drive(m, run):
     m.start_heading = math.degrees(wrap_to_pi(m.start.yaw))
     m.heading = math.degrees(wrap_to_pi(m.end.yaw))
     m.turned = math.degrees(m.end.turned)
+    m.has_moved = max(m.end.way, m.end.turned) > MOVED
     m.is_still = m.end.way < 0.03 and m.turned < 3
     m.at = '' if m.is_still else f' after {m.end.way:.2f} m and {m.turned:.0f} degrees'
     m.useless = listed(name for command in m.commands for name in command.useless)
@@ -89,7 +91,7 @@ def _measure_stop(m, run):
     m.passed = abs(m.end.linear) < REST and not m.is_early and is_in_time
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
-    # How far each mistake would have the robot from where it stopped.
+    # How far from here each mistake would have stopped the robot.
     off_by_one_axis = min(abs(m.moved_x - GOAL), abs(m.moved_y - GOAL))
     off_by_sum = abs(m.moved_x + m.moved_y - GOAL)
     off_by_place = math.hypot(m.at_stop.x - GOAL, m.at_stop.y)
