@@ -31,8 +31,8 @@ def _run(options):
         # long to read its fonts.
         from odometry_tools.runs.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1], daemon=True).start()
-        from odometry_tools.runs.following import follow
-        return int(follow(options, launch, page_port) is not None)
+        from odometry_tools.runs.following import follow_robot
+        return int(follow_robot(options, launch, page_port) is not None)
 
 
 if __name__ == '__main__':

@@ -6,7 +6,8 @@ test_sweep_replay shows that the nodes do the same in lockstep, to the last bit.
 import math
 
 import pytest
-from odometry_tools.sweep.closed_loop import TUTORIALS, follow, run
+from odometry_tools.runs.tutorials import TUTORIALS, follow
+from odometry_tools.sweep.closed_loop import run
 from sim_turtlebot.geometry import about_z
 from sim_turtlebot.robot.odometry import STILL, Motion
 

@@ -7,14 +7,13 @@ from odometry_common.angles import wrap_to_pi
 
 from odometry_tools.check.controller import find_controller
 from odometry_tools.check.quoting import listed
-from odometry_tools.check.run import ZERO
+from odometry_tools.check.run import REST, ZERO
 from odometry_tools.check.scenarios import GOAL
 
 CLOSE = 0.05  # m, of rest from the goal
 AT_TARGET = 3.0  # degrees
 DETOUR = 60.0  # degrees, of overshooting
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
-REST = 2e-3  # m/s and rad/s
 MOVED = 1e-4  # m or rad; less than the slowest command moves a robot until the watchdog stops it
 # s at the end of a run, in which a controller has settled, a heading stays.
 RINGING, STILL = 5.0, 2.0

@@ -2,11 +2,11 @@
 
 import math
 
+from odometry_tools.check.run import REST
 from odometry_tools.check.scenarios import ROUTE
 
 PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node that does not begin
-# m/s and rad/s; s, so that a node may rest five seconds between two pieces
-REST, REST_TIME = 2e-3, 7.0
+REST_TIME = 7.0  # s, so that a node may rest five seconds between two pieces
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m; who goes on at two metres is far beyond
 MOST_TURNS = 3 * 2 * math.pi  # rad

@@ -12,7 +12,8 @@ from odometry_common.orientation import yaw_from_orientation
 from odometry_tools.check.scenarios import PERIOD
 
 SWING = 0.02  # rad/s; a smaller command is no swing
-ZERO = 1e-3  # m/s, rad/s; a slower command is none
+# m/s, rad/s; a slower command is none, and a slower robot is at rest
+ZERO, REST = 1e-3, 2e-3
 ALIKE = 0.03  # share, m and rad, by which two runs of one node differ at most
 JUMP = 0.4, 0.8  # m, rad; no robot here moves as far between two messages: odometry was reset
 

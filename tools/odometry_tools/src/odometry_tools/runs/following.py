@@ -1,70 +1,133 @@
 """Follow the robot of a demo from its start to its end."""
 
 import contextlib
+import queue
 import socket
 import sys
 import threading
 import time
+from functools import partial
 
 import rospy
-from odometry_common.rospy_fixes import fix_rospy
+from nav_msgs.msg import Odometry
+from odometry_common.connections import is_connected
 from std_srvs.srv import Empty
 
-from odometry_tools.runs.monitors import MoveMonitor, RotateMonitor
-from odometry_tools.runs.output import Line, complain
+from odometry_tools.runs.output import Line, bar, complain
 from odometry_tools.runs.recording import Recording, leave_picture
+from odometry_tools.runs.starting import is_answered, join
+from odometry_tools.runs.tutorials import ARRIVED, HEADING_TOLERANCE, TUTORIALS, follow, motion_in
 
 PROGRESS_PERIOD = 0.1  # s of wall time
 LINE_PERIOD = 2.0  # s of simulated time
-MONITORS = {'move': MoveMonitor, 'rotate': RotateMonitor}
+MAX_DIFFERENCE = 1e-3  # m, and share of the distance; the summed path is not quite straight
+SUMMARIES = {'move': 'moved distance  {moved:.3f} m, summed from /odom\n'
+                     'true distance   {true_distance:.3f} m, in the simulated world',
+             'rotate': 'heading         {heading:.2f} degrees, from /odom\n'
+                       'true turn       {true_heading:.2f} degrees, in the simulated world'}
 
 
-def follow(options, launch, page_port):
+def follow_robot(options, launch, page_port):
     """Follow the robot until it arrives, print the result, and return a complaint or None.
 
     :param page_port: HeldPort of the page; None without one
     """
     join(launch, 'demo')
-    recording = _record()
-    monitor = MONITORS[options.tutorial](options)
-    launch.wait_for(lambda: (monitor.is_connected() and (
+    recording, ticks = _record(), Ticks()
+    launch.wait_for(lambda: (ticks.are_connected() and (
         not recording or recording.is_connected('odom', 'cmd_vel'))), 'the nodes do not answer')
     launch.wait_for(unpause, 'the robot stays paused')
-    launch.wait_for(monitor.started, 'the robot does not begin to move')
+    launch.wait_for(ticks.have_begun, 'the robot sends no odometry')
     wall_start = time.monotonic()
     if page_port:
         launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
         print(f'view            http://localhost:{page_port.number}', flush=True)
-    _watch(monitor, launch)
+    loop, line = TUTORIALS[options.tutorial](vars(options)), Line(LINE_PERIOD)
+    metrics = follow(loop, _with_progress(loop, ticks, line, launch), lambda *_: None)
+    line.finish(_progress(loop, metrics['time']))
     wall_time = time.monotonic() - wall_start
-    summary, complaint = monitor.result()
-    print(f'{summary}\ntime            {monitor.now:.1f} s simulated, {wall_time:.1f} s real',
-          flush=True)
+    print(f'{SUMMARIES[options.tutorial].format(**metrics)}\n'
+          f'time            {metrics["time"]:.1f} s simulated, {wall_time:.1f} s real', flush=True)
     bag = recording and recording.close()
     # Meanwhile rospy ends, and without the page the nodes do: each waits for threads of its own.
     threading.Thread(target=rospy.signal_shutdown, args=['the run is over'], daemon=True).start()
     if not page_port:
         launch.terminate()
     if bag:
-        targets = ({'distance_target': options.distance} if options.tutorial == 'move'
-                   else {'heading_target': options.target})
-        leave_picture(bag, monitor.end.to_sec(), **targets)
-    if complaint:
+        leave_picture(bag, metrics['time'], **loop.targets)
+    if complaint := complaint_about(options.tutorial, metrics):
         complain(complaint)
     if page_port and sys.stdout.isatty():
         _keep_page(launch)
     return complaint
 
 
-def join(launch, name):
-    """Make this process a node of a Launch."""
-    def start():
-        fix_rospy()
-        rospy.init_node(name, anonymous=True, disable_signals=True)
-        return True
+def complaint_about(tutorial, metrics):
+    """Return what is wrong with the metrics of a run, or None."""
+    if metrics['ended'] != ARRIVED:
+        return f'the robot has not arrived: {metrics["ended"]}'
+    if tutorial == 'move':
+        difference = abs(metrics['moved'] - metrics['true_distance'])
+        differs = difference > MAX_DIFFERENCE * (1 + metrics['moved'])
+        return 'the two distances do not agree' if differs else None
+    is_off = abs(metrics['true_error']) > HEADING_TOLERANCE + 0.01
+    return f'over {HEADING_TOLERANCE} degrees from the target' if is_off else None
 
-    launch.wait_until_started()
-    launch.wait_for(start, f'the {name} does not become a node')
+
+class Ticks:
+    """Odometry and ground truth of the same moment, whichever arrives first."""
+
+    def __init__(self):
+        """Subscribe."""
+        self._incomplete = {}  # messages by stamp and topic
+        self._complete = queue.Queue()
+        self._lock = threading.Lock()
+        self._subscribers = [
+            rospy.Subscriber(topic, Odometry, partial(self.add, topic), tcp_nodelay=True)
+            for topic in ('odom', 'base_pose_ground_truth')]
+
+    def are_connected(self):
+        """Return whether the next message of each topic arrives."""
+        return all(map(is_connected, self._subscribers))
+
+    def have_begun(self):
+        """Return whether there is one."""
+        return not self._complete.empty()
+
+    def add(self, topic, message):
+        """Take a message."""
+        stamp = message.header.stamp.to_nsec()
+        with self._lock:
+            tick = self._incomplete.setdefault(stamp, {})
+            tick[topic] = motion_in(message)
+            if len(tick) == 2:
+                del self._incomplete[stamp]
+                self._complete.put((message.header.stamp.to_sec(), tick['odom'],
+                                    tick['base_pose_ground_truth']))
+
+    def next(self, timeout):
+        """Return stamp (s), odometry and ground truth; raise queue.Empty after a time (s)."""
+        return self._complete.get(timeout=timeout)
+
+
+def _with_progress(loop, ticks, line, launch):
+    """Yield each tick, and show how far a loop is after it."""
+    shown = 0.0
+    while True:
+        launch.check()
+        try:
+            tick = ticks.next(PROGRESS_PERIOD)
+        except queue.Empty:
+            continue
+        yield tick
+        if time.monotonic() - shown > PROGRESS_PERIOD:
+            shown = time.monotonic()
+            line.show(_progress(loop, tick[0]), tick[0])
+
+
+def _progress(loop, time):
+    share, state = loop.progress()
+    return f'{bar(share)} {state}, {time:.1f} s'
 
 
 def _record():
@@ -81,15 +144,6 @@ def unpause():
     return is_answered(rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty))
 
 
-def is_answered(call):
-    """Call a service without arguments, by its ServiceProxy; return whether it answers in time."""
-    try:
-        call()
-    except rospy.ServiceException:
-        return False
-    return True
-
-
 def _listens(port):
     with socket.socket() as connection:
         return connection.connect_ex(('localhost', port)) == 0
@@ -102,13 +156,3 @@ def _keep_page(launch):
         while True:
             launch.check()
             time.sleep(PROGRESS_PERIOD)
-
-
-def _watch(monitor, launch):
-    """Show the robot's progress until it arrives."""
-    line = Line(LINE_PERIOD)
-    while monitor.end is None:
-        launch.check()
-        line.show(monitor.progress(), monitor.now)
-        time.sleep(PROGRESS_PERIOD)
-    line.finish(monitor.progress())

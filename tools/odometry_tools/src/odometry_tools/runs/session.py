@@ -13,11 +13,10 @@ import rospy
 import yaml
 from std_srvs.srv import Empty, Trigger
 
-from odometry_tools.runs.following import is_answered, join
 from odometry_tools.runs.launch import CHECK_PERIOD, Launch
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.recording import Recording
-from odometry_tools.runs.starting import Starting, registered
+from odometry_tools.runs.starting import Starting, is_answered, join, registered
 
 SIMULATOR = 'sim_turtlebot'
 SERVICES = {'step': Trigger,

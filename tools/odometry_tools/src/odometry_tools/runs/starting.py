@@ -1,12 +1,33 @@
-"""Tell when the processes of a launch file have become nodes."""
+"""Become a node of a launch file's master, and tell when its processes have."""
 
 import time
 
 import psutil
 import rosgraph
 import rospy
+from odometry_common.rospy_fixes import fix_rospy
 
 HELPER_TIME = 1.0  # s of wall time
+
+
+def join(launch, name):
+    """Make this process a node of a Launch."""
+    def start():
+        fix_rospy()
+        rospy.init_node(name, anonymous=True, disable_signals=True)
+        return True
+
+    launch.wait_until_started()
+    launch.wait_for(start, f'the {name} does not become a node')
+
+
+def is_answered(call):
+    """Call a service without arguments, by its ServiceProxy; return whether it answers in time."""
+    try:
+        call()
+    except rospy.ServiceException:
+        return False
+    return True
 
 
 class Starting:

@@ -10,20 +10,27 @@ import rosbag
 import yaml
 from nav_msgs.msg import Odometry
 from odometry_common.parameters import StartError
-from sim_turtlebot.robot.odometry import Motion
 from sim_turtlebot.settings import read_settings
 from std_msgs.msg import Float64
 
-from odometry_tools.runs.arrival import REST_ANGULAR_SPEED, REST_SPEED
 from odometry_tools.runs.bags import read_messages
 from odometry_tools.runs.folders import use_writable_logs
 from odometry_tools.runs.output import RunError, complain
 from odometry_tools.runs.recorded_run import read_run
 from odometry_tools.runs.recording import leave_picture
 from odometry_tools.runs.session import Session
+from odometry_tools.runs.tutorials import (
+    ARRIVED,
+    LATE,
+    REST_ANGULAR_SPEED,
+    REST_SPEED,
+    TUTORIALS,
+    degrees,
+    follow,
+    motion_in,
+)
 from odometry_tools.sweep.campaign import read_campaign
-from odometry_tools.sweep.closed_loop import ARRIVED, LATE, TUTORIALS, UNTIL, degrees, follow
-from odometry_tools.sweep.results import CAMPAIGN_FILE, FILE, METRICS
+from odometry_tools.sweep.results import CAMPAIGN_FILE, FILE, METRICS, UNTIL
 from odometry_tools.sweep.subjects import LAUNCH, ROBOT
 
 CRASHED, NOT_AWAITED = 'crashed', 'not awaited'
@@ -98,18 +105,12 @@ def tutorial_metrics(kind, parameters, path):
     for messages in (odometry, ground_truth):
         if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
             raise RunError('the recording has gaps')
-    ticks = ((seen.header.stamp.to_sec(), _motion(seen), _motion(true))
+    ticks = ((seen.header.stamp.to_sec(), motion_in(seen), motion_in(true))
              for seen, true in zip(odometry, ground_truth))
     metrics = follow(TUTORIALS[kind](parameters), ticks, lambda *_: None)
     if kind == 'move' and metrics['moved'] not in [message.data for message in moved]:
         raise RunError('the detector published another distance')
     return metrics
-
-
-def _motion(message):
-    pose, twist = message.pose.pose, message.twist.twist
-    return Motion(*(tuple(getattr(part, name) for name in part.__slots__) for part in (
-        pose.position, pose.orientation, twist.linear, twist.angular)))
 
 
 def _launch_metrics(recorded):

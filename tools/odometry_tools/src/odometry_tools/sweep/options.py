@@ -4,8 +4,8 @@ import argparse
 
 import yaml
 
+from odometry_tools.runs.tutorials import TUTORIALS
 from odometry_tools.sweep.campaign import SEEDS, Campaign, absolute_worlds, read_campaign
-from odometry_tools.sweep.closed_loop import TUTORIALS
 from odometry_tools.sweep.subjects import LAUNCH_ARGUMENT, Launched, Tutorial
 
 

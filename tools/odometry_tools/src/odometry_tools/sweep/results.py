@@ -7,10 +7,11 @@ import numpy
 import yaml
 
 from odometry_tools.runs.folders import path_in_errors
-from odometry_tools.sweep.closed_loop import ARRIVED, UNTIL
+from odometry_tools.runs.tutorials import ARRIVED
 
 FILE = 'runs.csv'
 CAMPAIGN_FILE = 'campaign.yaml'
+UNTIL = 'until'  # why a run of nodes that go on for ever ended
 NOT_ARRIVED, ENDS = 'not_arrived', (ARRIVED, UNTIL)  # how a run ends well
 # Units of each run's metrics; error = actual - target.
 METRICS = {

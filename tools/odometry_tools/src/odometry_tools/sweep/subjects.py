@@ -6,8 +6,8 @@ from typing import NamedTuple
 from odometry_common.parameters import Parameter, StartError, between
 from sim_turtlebot.settings import PARAMETERS
 
+from odometry_tools.runs.tutorials import TUTORIALS
 from odometry_tools.sweep import closed_loop
-from odometry_tools.sweep.closed_loop import TUTORIALS
 
 LAUNCH = 'launch'  # in place of a tutorial
 LAUNCH_ARGUMENT = 'launch:'  # before an argument's name that is a parameter of the robot, too

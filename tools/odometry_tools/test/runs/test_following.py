@@ -1,0 +1,48 @@
+"""When a demo's robot has arrived, and what is said of it, from scripted messages."""
+
+import pytest
+from odometry_tests.messages import odometry
+from odometry_tools.runs.following import Ticks, complaint_about
+from odometry_tools.runs.tutorials import TUTORIALS, follow, motion_in
+
+DRIVE = [0.005 * step for step in range(400)]
+MOVE = {'ended': 'arrived', 'moved': 2.0, 'true_distance': 2.001}
+ROTATE = {'ended': 'arrived', 'true_error': -0.1}
+
+
+@pytest.mark.parametrize('tutorial, metrics, complaint', [
+    ('move', MOVE, None), ('rotate', ROTATE, None),
+    ('move', {**MOVE, 'true_distance': 2.01}, 'the two distances do not agree'),
+    ('move', {**MOVE, 'ended': 'late'}, 'the robot has not arrived: late'),
+    ('rotate', {**ROTATE, 'true_error': -0.2}, 'over 0.1 degrees from the target')])
+def test_what_is_wrong_with_a_run(tutorial, metrics, complaint):
+    assert complaint_about(tutorial, metrics) == complaint
+
+
+@pytest.mark.parametrize('end, arrives', [
+    ([2.0, 2.002, 2.002], True), ([2.0], False), ([], False), ([2.0 + 0.005 * step for step in range(999)], False)])
+def test_a_robot_has_arrived_once_it_rests_at_its_goal(end, arrives):
+    positions = [*DRIVE, *end]
+    motions = [motion_in(odometry(x=x)) for x in positions]
+    for number, (x, before) in enumerate(zip(positions, [0.0, *positions])):
+        motions[number] = motions[number]._replace(linear=((x - before) / 0.05, 0.0, 0.0))
+    loop = TUTORIALS['move']({})
+    metrics = follow(loop, ((0.05 * number, motion, motion) for number, motion in enumerate(motions)),
+                     lambda *_: None)
+    assert (metrics['ended'] == 'arrived') == arrives
+    if arrives:
+        assert loop.progress() == (2.002 / 2, '2.00 of 2.00 m, 0.00 m/s') and metrics['moved'] == 2.002
+
+
+@pytest.mark.parametrize('late', [-30, -1, 0, 1, 30])
+def test_each_odometry_goes_with_the_truth_of_its_moment(monkeypatch, late):
+    """Though the messages of one topic arrive later."""
+    monkeypatch.setattr('odometry_tools.runs.following.rospy.Subscriber', lambda *_, **__: None)
+    ticks = Ticks()
+    messages = [(number + late * (topic != 'odom'), topic, odometry(x=number, stamp=0.05 * number))
+                for topic in ('odom', 'base_pose_ground_truth') for number in range(50)]
+    for _, topic, message in sorted(messages, key=lambda message: message[0]):
+        ticks.add(topic, message)
+    for number in range(50):
+        stamp, seen, true = ticks.next(0.0)
+        assert (stamp, seen.position[0], true.position[0]) == pytest.approx((0.05 * number, number, number))
