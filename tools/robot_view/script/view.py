@@ -37,7 +37,9 @@ FIRST_ROBOT_TIMEOUT = 2.0  # s
 def main():
     """View until shutdown."""
     address = read_address()
-    robots = Robots()
+    parameters = PARAMETERS.read()
+    robots = Robots(distance_target=parameters.target or None,
+                    heading_target=parameters.heading_target or None)
     # Otherwise a robot that starts now drives while viser is imported, and its messages are missed.
     robots.found.wait(FIRST_ROBOT_TIMEOUT)
     try:

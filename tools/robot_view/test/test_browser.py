@@ -28,7 +28,7 @@ def open_page():
 
 @pytest.fixture(scope='module')
 def view(master):
-    with viewing(patient=True) as running:
+    with viewing('_target:=5', patient=True) as running:
         yield running
 
 

@@ -4,19 +4,15 @@ import math
 
 import numpy
 import pytest
-import rospy
 from nav_msgs.msg import OccupancyGrid
 from robot_view.monitor import scan_points
 from robot_view.navigation import HEIGHT, occupied_cells
 from robot_view.path_trace import ORIGIN, PathTrace, Samples
-from robot_view.targets import Targets
 from sensor_msgs.msg import LaserScan
 from sim_turtlebot.geometry import PlanarPose
 from sim_turtlebot.kobuki import DEPTH_CAMERA
 
 PERIOD = 0.05  # s
-HERE = PlanarPose(1.0, 2.0, math.pi / 2)
-SPEED = 0.1  # m/s
 
 
 def follow(trace, poses, start=0.0, ground_truth=None):
@@ -124,61 +120,3 @@ def test_a_maps_occupied_cells_are_where_it_has_them():
     grid.data.pop()
     with pytest.raises(ValueError, match='reshape'):
         occupied_cells(grid)
-
-
-@pytest.fixture
-def targets(master):
-    return Targets('/aim/')
-
-
-def start(targets, node, **parameters):
-    rospy.set_param(f'/aim/{node}', parameters)
-    targets.find({f'/aim/{node}', '/other'})
-
-
-@pytest.mark.parametrize('parameters, y', [
-    ({'distance': 3.0}, 4.5), ({'distance': 3}, 4.5), ({}, 3.5), ({'distance': 3.0, 'speed': -0.2}, -0.5),
-    ({'distance': 0.25}, 1.75)])
-def test_the_goal_is_where_the_mover_stops(targets, parameters, y):
-    """Half a metre has been driven; a negative speed drives backwards."""
-    start(targets, 'test_movement', **parameters)
-    targets.aim(HERE, 0.5, SPEED)
-    assert targets.distance == parameters.get('distance', 2.0)
-    assert targets.goal[:2] == pytest.approx((1.0, y))
-
-
-def test_a_goal_stays_until_another_mover_starts(targets):
-    start(targets, 'test_movement', distance=3.0)
-    targets.aim(HERE, 0.5, SPEED)
-    first = targets.goal
-    targets.aim(ORIGIN, 1.0, SPEED)
-    targets.find(set())
-    assert targets.goal == first and targets.distance == 3.0
-    start(targets, 'test_movement', distance=1.0)
-    targets.aim(ORIGIN, 0.0, SPEED)
-    assert targets.goal == pytest.approx((1.0, 0.0, 0.0))
-
-
-def test_a_relative_mover_counts_from_where_the_robot_was_at_rest(targets):
-    """The page finds the mover when the robot drives already."""
-    targets.aim(HERE, 0.5, 0.0)
-    start(targets, 'test_movement', distance=3.0, relative=True)
-    targets.aim(HERE.then(PlanarPose(0.1, 0.0, 0.0)), 0.6, SPEED)
-    assert targets.distance == 3.5
-    assert targets.goal[:2] == pytest.approx((1.0, 5.0))
-
-
-@pytest.mark.parametrize('nodes, moved', [({'/aim/test_movement'}, 0.5), ({'/other'}, 0.5), ({'/aim/test_movement'}, None)])
-def test_nobody_guesses_a_goal(targets, nodes, moved):
-    """Neither of a relative mover whose start nobody saw, nor without a mover or a moved distance."""
-    rospy.set_param('/aim/test_movement', {'relative': moved is not None})
-    targets.find(nodes)
-    targets.aim(HERE, moved, SPEED)
-    assert targets.goal is None
-
-
-def test_the_rotators_target_is_there_while_it_runs(targets):
-    start(targets, 'rotate_robot', target=30)
-    assert targets.heading == 30.0
-    targets.find(set())
-    assert targets.heading is None

@@ -1,4 +1,4 @@
-"""The page's address and host names, from the parameters; needs no viser."""
+"""The page's parameters, and from them its address and host names; needs no viser."""
 
 import errno
 import os
@@ -23,7 +23,11 @@ PARAMETERS = Parameters(
               f'variable {HOST_VARIABLE} sets the default'),
     Parameter('~allowed_hosts', '', '', ANY,
               'further names of the page, for a proxy, such as robots.example, lab:9000; without a '
-              'port, any port'))
+              'port, any port'),
+    Parameter('~target', 0.0, 'm', ANY,
+              'where the mover stops, ahead of its start; negative: behind; 0: not shown'),
+    Parameter('~heading_target', 0.0, 'degrees', ANY,
+              'heading to turn to, until rotate_robot/target tells another; 0: not shown'))
 
 
 class Address(NamedTuple):

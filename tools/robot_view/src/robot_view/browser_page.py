@@ -104,7 +104,7 @@ class BrowserPage:
                 model.draw_path()
                 if robot is self._chosen:
                     self._readings.show(robot.readings())
-                    self._plots.draw(robot.trace.history.array(), robot.targets.distance)
+                    self._plots.draw(robot.trace.history.array(), robot.distance_target)
 
     def _find_models(self):
         """Show the robots that are recorded, and no others."""

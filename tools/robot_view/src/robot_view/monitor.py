@@ -18,7 +18,6 @@ from sim_turtlebot.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from std_msgs.msg import Empty, Float64
 
 from robot_view.path_trace import PathTrace
-from robot_view.targets import ROTATOR, Targets
 
 SIMULATOR = 'sim_turtlebot'  # node
 EPOCH = 1e9  # s; stamps beyond this are wall time
@@ -28,17 +27,20 @@ RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 class RobotMonitor:
     """The latest state of one robot. Once it `is_known`, hold its `lock` to read it.
 
+    Its distance_target (m, ahead of the odometry's origin) and heading_target (degrees) are None if
+    unknown.
+
     A pose is a pair: x, y, z (m) and a quaternion x, y, z, w of length 1. The namespace is '' or
     ends in a slash.
     """
 
-    def __init__(self, namespace):
+    def __init__(self, namespace, distance_target=None, heading_target=None):
         self.namespace, self.name = namespace, namespace.strip('/')
         self.lock = threading.Lock()
         self.trace = PathTrace()
         self.wheels = {}  # angles (rad) by joint
         self.scan = None  # pose of the robot, and points in its frame: rows of x, y, z (m)
-        self.targets = Targets(namespace)
+        self.distance_target, self.heading_target = distance_target, heading_target
         self._odometry = self._ground_truth = self._moved = None
         self._first_stamp = None
         self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
@@ -49,7 +51,7 @@ class RobotMonitor:
                   ('joint_states', JointState, self._on_joints),
                   ('moved_distance', Float64, self._on_moved),
                   ('scan', LaserScan, self._on_scan),
-                  (f'{ROTATOR}/target', Float64, self._on_target)]
+                  ('rotate_robot/target', Float64, self._on_target)]
         self._connections = [self._poses, self._reset, *(
             rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
             for topic, kind, callback in topics)]
@@ -92,10 +94,10 @@ class RobotMonitor:
 
     def places(self):
         """Return x, y (m) of the robot, of its start, along the path, and of the goal if any."""
-        start, goal = self.trace.origin, self.targets.goal
+        start = self.trace.origin
         places = [self.pose[0][:2], start[:2], *self.trace.trail.array()]
-        if goal:
-            places.append(start.then(goal)[:2])
+        if self.distance_target is not None:
+            places.append(start.then(PlanarPose(self.distance_target, 0.0, 0.0))[:2])
         return places
 
     def readings(self):
@@ -127,9 +129,8 @@ class RobotMonitor:
             if self._first_stamp is None:
                 self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
             self.trace.add_odometry(self.stamp, pose)
-            self.targets.aim(pose, self._moved, message.twist.twist.linear.x)
             self.trace.add_history(self.stamp - self._first_stamp, self._moved,
-                                   self.targets.heading)
+                                   self.heading_target)
 
     def _on_ground_truth(self, message):
         pose = _planar_pose(message)
@@ -150,14 +151,11 @@ class RobotMonitor:
                 self.scan = self.pose, points
 
     def _on_moved(self, message):
-        before = self._moved
         self._moved = message.data if math.isfinite(message.data) else None
-        if None not in (before, self._moved) and self._moved < before:  # counting starts again
-            self.targets.goal = None
 
     def _on_target(self, message):
         if math.isfinite(message.data):
-            self.targets.heading = message.data
+            self.heading_target = message.data
 
 
 def _pose_3d(message):

@@ -22,12 +22,12 @@ class Plots:
     def draw(self, history, wanted):
         """Draw rows of time (s), moved, true distance (m), heading and target (degrees).
 
-        :param wanted: the distance (m) at which the mover stops, or None
+        :param wanted: the distance (m) at which the mover stops, negative backwards; or None
         """
         if len(history) < 2:
             return
         time, moved, true, heading, target = history.T
-        goal = numpy.full(len(time), wanted, dtype=float)  # NaN for None
+        goal = abs(numpy.full(len(time), wanted, dtype=float))  # NaN for None
         self._distance.draw(time, [moved, true, goal])
         self._heading.draw(time, [heading, target])
 

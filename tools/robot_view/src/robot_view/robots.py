@@ -18,7 +18,9 @@ SEARCH_PERIOD = 1.0  # s
 class Robots:
     """Finds robots and their nodes on a thread of its own; records them even without a browser."""
 
-    def __init__(self):
+    def __init__(self, **targets):
+        """Search; targets are those of a RobotMonitor."""
+        self._targets = targets
         self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
         self.is_simulated = False
         self.complaint = ''  # for the status line
@@ -37,11 +39,8 @@ class Robots:
     def _search(self):
         try:
             master = rosgraph.Master(rospy.get_name())
-            publications, subscriptions, services = master.getSystemState()
+            publications, _, services = master.getSystemState()
             self._record(find_robots({topic for topic, _ in publications}))
-            nodes = {node for _, names in subscriptions for node in names}
-            for monitor in self.monitors.values():
-                monitor.targets.find(nodes)
         except (OSError, rosgraph.MasterException):
             self.is_simulated, self.complaint = False, 'the ROS master does not answer'
             return
@@ -55,7 +54,8 @@ class Robots:
             return
         self.complaint = self._warning if self._warnings.get_num_connections() else ''
         before = self.monitors
-        self.monitors = {robot: before.get(robot) or RobotMonitor(robot) for robot in found}
+        self.monitors = {robot: before.get(robot) or RobotMonitor(robot, **self._targets)
+                         for robot in found}
         self.found.set()
         for robot in before.keys() - self.monitors.keys():
             before[robot].close()

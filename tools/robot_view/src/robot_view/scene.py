@@ -79,11 +79,7 @@ class RobotModel:
         robot = self._robot
         _place(self._body, *robot.pose)
         _place(self._odometry, *_on_floor(robot.trace.origin))
-        goal, drift = robot.targets.goal, robot.trace.drift
-        self._goal.visible = goal is not None
-        if goal is not None:
-            _place(self._goal, *_on_floor(goal))
-            self._goal_label.text = f'{robot.targets.distance:g} m'
+        drift = robot.trace.drift
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
@@ -111,10 +107,12 @@ class RobotModel:
         node = self._odometry.name
         self._scene.add_cylinder(f'{node}/start', START_RADIUS, 2 * MARK_HEIGHT, START_COLOUR)
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
-        self._goal = self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
-                                         visible=False)
-        self._goal_label = self._scene.add_label(
-            f'{node}/goal/label', '', position=(0.0, -0.3, 0.0))
+        target = self._robot.distance_target
+        if target is not None:
+            self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
+                                position=(target, 0.0, 0.0))
+            self._scene.add_label(
+                f'{node}/goal/label', f'{abs(target):g} m', position=(0.0, -0.3, 0.0))
 
 
 def _place(node, position, rotation):
