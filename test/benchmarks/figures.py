@@ -6,7 +6,6 @@ import tempfile
 import time
 from functools import partial
 from pathlib import Path
-from typing import Callable, NamedTuple
 
 from answers import Answers
 from geometry_msgs.msg import Twist
@@ -17,9 +16,9 @@ from odometry_tests.processes import Process, hold_port, path_of
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from registry import FIGURES, Figure, figure, in_slices, in_turns
 from worlds import SPEED, BareWorld, RobotWorld, bare_worlds
 
-SLICES = 4  # of a window
 FOLDER = Path(__file__).parent
 LOCKSTEP_RUNS = load_script('sim_turtlebot/test/lockstep_runs.py')
 SCRIPTS = {'demo': 'tools/odometry_tools/src/odometry_tools/runs/following.py',
@@ -30,43 +29,6 @@ ROBOTS, DRIVES, PROCESSES = 50, 1000, 2
 MORE_RUNS = 10
 PACE_WINDOW = 5.0  # s after each; the machine is not as fast in each second
 SWEEP_TIMEOUT = 300.0  # s
-
-
-class Figure(NamedTuple):
-    """What is measured, and what its ratio to its limit should be."""
-
-    title: str
-    unit: str
-    relation: str  # >= or <=
-    bound: float
-    measure: Callable
-
-
-FIGURES = {}
-
-
-def figure(title, unit, relation, bound):
-    """Decorate the function that measures a figure; `./ws bench` takes its name."""
-    def add(measure):
-        FIGURES[measure.__name__] = Figure(title, unit, relation, bound, measure)
-        return measure
-    return add
-
-
-def in_turns(options, measure, measure_limit):
-    """Measure value and limit in turns, so that a noisy moment hits both; return the pairs."""
-    return [(measure(), measure_limit()) for _ in range(options.runs)]
-
-
-def in_slices(options, measure, measure_limit):
-    """Measure value and limit in turns, for a slice of the window each, and return the pairs.
-
-    A slow moment of the machine lasts longer than a slice, and so hits both.
-
-    :param measure, measure_limit: functions of the s of wall time in which to watch
-    """
-    slice_ = options.window / SLICES
-    return [(measure(slice_), measure_limit(slice_)) for _ in range(SLICES * options.runs)]
 
 
 @figure('demo from call to prompt', 's', '<=', 1.1)

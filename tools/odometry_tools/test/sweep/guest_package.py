@@ -1,0 +1,79 @@
+"""The files of a user's package whose launch files are swept."""
+
+NODE = '''#!{python}
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+rospy.init_node('node')
+odometry = Odometry()
+rospy.Subscriber('odom', Odometry, lambda message: globals().update(odometry=message))
+publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+rate = rospy.Rate(10)
+command = Twist()
+command.linear.x = 0.5
+end = rospy.get_param('~end')
+for number in range(10):
+    publisher.publish(command)
+    rate.sleep()
+    if end == 'crash' and number == 5 or end == 'chance' and int(1e4 * odometry.pose.pose.position.x) % 4 == 3:
+        raise ValueError('on purpose')
+    while end == 'busy' and not rospy.is_shutdown():
+        pass
+if end == 'never':
+    rospy.spin()
+'''
+NODES = '''<launch>
+  <arg name="end" default="done"/>
+  <node name="node" pkg="guest" type="node.py" required="true"><param name="end" value="$(arg end)"/></node>
+</launch>'''
+HELPER = '''<launch>
+  <arg name="x" default="done"/>
+  <node name="node" pkg="guest" type="node.py"><param name="end" value="$(arg x)"/></node>
+  <node name="helper" pkg="guest" type="helper.sh"/>
+</launch>'''
+ONE_NODE = '<launch><node name="{0}" pkg="guest" type="{0}.py">{1}</node></launch>'
+NAPPER = '''#!{python}
+import select, threading, time
+import rospy
+from geometry_msgs.msg import Twist
+rospy.init_node('napper')
+publisher, number = rospy.Publisher('cmd_vel', Twist, queue_size=1), 0
+nap = dict(sleep=time.sleep, select=lambda seconds: select.select([], [], [], seconds),
+           event=threading.Event().wait)[rospy.get_param('~nap')]
+while not rospy.is_shutdown():
+    number += 1
+    command = Twist()
+    command.linear.x = 0.1 + 0.02 * (number % 5)
+    publisher.publish(command)
+    nap(0.1)
+'''
+NAPS = '''<launch>
+  <arg name="nap"/>
+  <node name="node" pkg="guest" type="napper.py"><param name="nap" value="$(arg nap)"/></node>
+</launch>'''
+# Fails if another run has left its parameter.
+TIDY = '''#!{python}
+import rospy
+rospy.init_node('tidy')
+assert not rospy.has_param('/left'), 'left'
+rospy.set_param('/left', True)
+'''
+# Commands once, before time begins: the simulator ignores that.
+EARLY = '''#!{python}
+import time
+import rospy
+from geometry_msgs.msg import Twist
+rospy.init_node('early')
+publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+while publisher.get_num_connections() < 2:
+    time.sleep(0.01)
+publisher.publish(Twist())
+rospy.spin()
+'''
+FILES = {
+    'package.xml': '<package><name>guest</name></package>', 'node.py': NODE, 'nodes.launch': NODES,
+    'napper.py': NAPPER, 'naps.launch': NAPS, 'tidy.py': TIDY, 'tidy.launch': ONE_NODE.format('tidy', ''),
+    'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
+    'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
+    'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
+    'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}
