@@ -22,7 +22,9 @@ def runs_of(exercise, scenarios, program):
     :raises RunError: if the check cannot go on
     """
     jobs = min(len(os.sched_getaffinity(0)), len(scenarios))
-    parts = [scenarios[first::jobs] for first in range(jobs)]
+    # Neighbours have the same robot, and so share a simulator.
+    ends = [-(-len(scenarios) * job // jobs) for job in range(jobs + 1)]
+    parts = [scenarios[begin:end] for begin, end in zip(ends, ends[1:])]
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context('fork')) as pool:
         try:
