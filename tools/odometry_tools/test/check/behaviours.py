@@ -100,8 +100,28 @@ def once_a_second(memory, pose):
     return memory['sum']
 
 
+def while_moving(memory, pose):
+    step = one_step(memory, pose)
+    memory['sum'] = memory.get('sum', 0.0) + step
+    return memory['sum'] if step > 0.0005 else None
+
+
+def overshooting(memory, pose):
+    """Drive more than 2.06 m, and come back."""
+    memory['beyond'] = memory.get('beyond') or way(memory['start'], pose) > 2.06
+    if not memory['beyond']:
+        return 0.3, 0.0
+    return (-0.1 if way(memory['start'], pose) > 2.01 else 0.0), 0.0
+
+
 def rounded(last, pose):
     return math.hypot(round(pose.x, 2) - round(last.x, 2), round(pose.y, 2) - round(last.y, 2))
+
+
+def fixed_time(memory, pose):
+    """Take 0.05 s for the time between two messages."""
+    memory['sum'] = memory.get('sum', 0.0) + 0.05 * pose.linear
+    return (0.25 if memory['sum'] < 2.0 else 0.0), 0.0
 
 
 def heading_to_360(yaw):
@@ -116,6 +136,8 @@ CASES = {
         'right': (driving(way), {}),
         'right, fast': (driving(way, 1.0), {}),
         'right, with a rest': (remembering(rest_between), {}),
+        'right, overshoots': (remembering(overshooting), {}),
+        'fixed time': (remembering(fixed_time), {'odom_5hz': 'passed_by slow_odometry'}),
         'position': (driving(lambda start, pose: pose.x), {'moved_start': 'all_zero start'}),
         'one axis': (driving(lambda start, pose: abs(pose.x - start.x)), {'moved_start': 'late one_axis'}),
         'sum': (driving(lambda start, pose: abs(pose.x - start.x) + abs(pose.y - start.y)),
@@ -154,6 +176,10 @@ CASES = {
         'right': (counting(way), {}),
         'right, by speed': (counting(lambda last, pose: abs(pose.linear) * (pose.time - last.time)), {}),
         'right, once a second': (remembering(once_a_second), {}),
+        'right, while it moves': (remembering(while_moving), {}),
+        'kilometres': (counting(lambda last, pose: way(last, pose) / 1000),
+                       dict.fromkeys(ON_THE_ROUTE, 'miscounted')),
+        'never': (lambda: lambda pose: 0.0, dict.fromkeys(ON_THE_ROUTE, 'miscounted')),
         'displacement': (remembering(lambda memory, pose: way(memory['start'], pose)),
                          dict.fromkeys(ON_THE_ROUTE, 'displacement')),
         'one axis': (counting(lambda last, pose: abs(pose.x - last.x)),

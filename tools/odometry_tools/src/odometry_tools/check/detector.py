@@ -16,12 +16,16 @@ def measure_detector(m, run):
         return
     odometry = numpy.array([pose[:6] for pose in run.odometry[run.start:]])
     times, published = numpy.array(run.moved).T
+    # Until its first message a detector has counted nothing.
+    times, published = numpy.append(-numpy.inf, times), numpy.append(0.0, published)
     ends = numpy.array([run.legs[0][1], *(end for *_, end in run.legs)])
     # A leg ends at rest: the last message before has all of it, even if published once a second.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])
     sums = {}
-    for name, steps in _steps(odometry).items():
+    steps_by_name = _steps(odometry)
+    right_steps = steps_by_name['right']
+    for name, steps in steps_by_name.items():
         sum_so_far = numpy.append(0.0, numpy.cumsum(steps))
         sums[name] = sum_so_far[at_ends]
     right = sums.pop('right')
@@ -30,6 +34,7 @@ def measure_detector(m, run):
     m.passed = _agree(counted, right, TOLERANCE)
     m.fits = {*_fits(counted, right, sums), *_factors(counted, right, by_speed)}
     m.largest = published.max()
+    m.largest_step = right_steps.max()
     _note_numbers(m, [name for name, *_ in run.legs], counted, right)
 
 

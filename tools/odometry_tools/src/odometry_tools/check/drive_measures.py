@@ -11,6 +11,7 @@ from odometry_tools.check.run import REST, ZERO
 from odometry_tools.check.scenarios import GOAL
 
 CLOSE = 0.05  # m, of rest from the goal
+OVERSHOOT = 0.25  # m of way beyond the goal, for a node that comes back to it
 AT_TARGET = 3.0  # degrees
 DETOUR = 60.0  # degrees, of overshooting
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
@@ -87,7 +88,9 @@ def _measure_stop(m, run):
     crossing = next((pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3), m.stop.time)
     m.delay = m.stop.time - crossing
     is_in_time = m.delay <= m.bound or m.end.way <= GOAL + CLOSE
-    m.passed = abs(m.end.linear) < REST and not m.is_early and is_in_time
+    from_start = math.dist(m.end[1:3], m.start[1:3])
+    is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT
+    m.passed = abs(m.end.linear) < REST and not m.is_early and (is_in_time or is_back)
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
     # How far from here each mistake would have stopped the robot.

@@ -33,7 +33,8 @@ class Drive:
         if not math.isfinite(run.commands[-1].linear + run.commands[-1].angular):
             return True
         pose = run.odometry[-1]
-        if run.scenario.interrupt and max(pose.way, abs(pose.turn)) > INTERRUPT_AFTER:
+        if (run.scenario.interrupt and run.is_driving
+                and max(pose.way, abs(pose.turn)) > INTERRUPT_AFTER):
             return True
         if max(abs(pose.linear), abs(pose.angular)) > REST or run.commands[-1].moves and (
                 pose.time - run.commands[-1].time < REST_TIME):

@@ -4,6 +4,8 @@ No rule here holds because no other does: each looks at the graph, a traceback, 
 or at a fit.
 """
 
+import math
+
 from odometry_tools.check.rule import Rule
 from odometry_tools.check.scenarios import SLOW, TARGET
 
@@ -63,6 +65,8 @@ ALL = (
          'so nothing arrives'),
     Rule('input', lambda m: m.status is None and not m.hears_robot and m.rule in NOT_BEGUN,
          'You listen to {inputs}; the robot sends, for example, /odom'),
+    Rule('hook', lambda m: m.rule == 'interrupt' and m.error and m.hook_failed,
+         'Your shutdown hook failed: {error}'),
     Rule('on_shutdown', lambda m: m.rule == 'interrupt' and not m.run.is_cpp,
          'Publish a zero Twist in rospy.on_shutdown; after the loop it is too late'),
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',
@@ -128,7 +132,8 @@ FITS = (
          'Speed has a sign, distance has not: use abs(), or positions'),
     Rule('times', _fits('times'),
          'That is {factor:.2f} times the way, on each leg and at each rate'),
-    Rule('last_step', lambda m: m.rule == 'miscounted' and m.largest < 0.3,
+    Rule('last_step', lambda m: (m.rule == 'miscounted'
+                                    and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'))
 COMPARED = (
     Rule('open_loop', lambda m: _is_only_here(m) and abs(getattr(m, 'share', 0) - SLOW) < 0.03
@@ -137,8 +142,9 @@ COMPARED = (
          'count odometry, not time or commands'),
     Rule('slow_odometry', lambda m: (_is_only_here(m) and m.rate < 20
                                      and m.rule in ('passed_by', 'rings', 'long_way')),
-         'With odometry 20 times a second it is right. Here one message is a step '
-         'of {step:.2f} {unit}, which jumps over a narrow window, or swings with a high gain'),
+         'With odometry 20 times a second it is right; here one message is a step of '
+         '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
+         'or a fixed time for each message'),
     Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
          'From (0, 0), heading 0, it is right: what you compute depends on where the robot starts'))
 HINTS = {'moved_distance': (*ALL, *FITS, *COMPARED), 'two_meters': (*ALL, *PLACES, *COMPARED),

@@ -10,6 +10,7 @@ from odometry_tools.check.drive_measures import measure_distance, measure_drive,
 FLOOD = 200  # commands a simulated second
 # rospy's words, and roslaunch's
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
+HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
 # What a node may know of the robot, and its types.
 INPUTS = {
     '/odom': 'nav_msgs/Odometry',
@@ -54,6 +55,7 @@ def _read_output(m, output):
     m.said = quoting.last_line(output)
     m.callback_error = m.error if BAD_CALLBACK in output else ''
     m.keeps_failing = output.count(BAD_CALLBACK) > len(m.run.moved or m.commands)
+    m.hook_failed = HOOK_FAILED in output
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')
     died = quoting.DIED.search(output)
     m.status = int(died[1]) if died else m.run.status
