@@ -145,6 +145,7 @@ CASES = {
         'from the origin': (driving(lambda start, pose: math.hypot(pose.x, pose.y) - math.hypot(start.x, start.y)),
                             {'moved_start': 'passed_by start'}),
         'a point': (remembering(to_point), {'moved_start': 'early place'}),
+        'squares': (driving(lambda start, pose: way(start, pose)**2), dict.fromkeys(EVERYWHERE, 'early')),
         'early': (driving(lambda start, pose: way(start, pose) + 0.1), dict.fromkeys(EVERYWHERE, 'early')),
         'equality': (remembering(lambda memory, pose: (0.3, 0.0)), dict.fromkeys(EVERYWHERE, 'passed_by')),
         'window': (remembering(narrow_window), {'odom_5hz': 'passed_by slow_odometry'}),

@@ -13,7 +13,7 @@ from odometry_tools.check.scenarios import GOAL
 CLOSE = 0.05  # m, of rest from the goal
 OVERSHOOT = 0.25  # m of way beyond the goal, for a node that comes back to it
 AT_TARGET = 3.0  # degrees
-DETOUR = 60.0  # degrees, of overshooting
+DETOUR = 85.0  # degrees, of overshooting and back; the longer way is at least 90 longer
 SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
 MOVED = 1e-4  # m or rad; less than the slowest command moves a robot until the watchdog stops it
 # s at the end of a run, in which a controller has settled, a heading stays.

@@ -26,7 +26,9 @@ def _fits(*names):
 
 
 def _is_nearest(name):
-    return lambda m: m.scenario.name == 'moved_start' and getattr(m, 'fits', None) == {name}
+    """Return a test: whether a mistake, which does not show in the plain scenario, fits alone."""
+    return lambda m: (_is_only_here(m) and m.scenario.name == 'moved_start'
+                      and getattr(m, 'fits', None) == {name})
 
 
 def _follows(name):
