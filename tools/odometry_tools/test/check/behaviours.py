@@ -63,6 +63,12 @@ def turn_by(memory, pose):
     return 0.0, 0.5 * (RIGHT_ANGLE - memory['turned'])
 
 
+def wrong_derivative(memory, pose):
+    error = wrap_to_pi(RIGHT_ANGLE - pose.yaw)
+    last, memory['error'] = memory.get('error', 0.0), error
+    return 0.0, max(-1.0, min(1.0, 0.8 * error + 2.0 * (last - error) / 0.1))
+
+
 def turn_by_time(memory, pose):
     error = wrap_to_pi(RIGHT_ANGLE - memory['start'].yaw)
     return 0.0, math.copysign(0.3, error) if pose.time - memory['start'].time < abs(error) / 0.3 else 0.0
@@ -164,6 +170,11 @@ CASES = {
         'orientation.z': (turning(lambda yaw: RIGHT_ANGLE - math.sin(yaw / 2)),
                           dict.fromkeys(EVERYWHERE, 'long_way quaternion')),
         'asin': (turning(lambda yaw: RIGHT_ANGLE - math.asin(math.sin(yaw))), {'moved_start': 'long_way half_circle'}),
+        'without sign': (turning(lambda yaw: abs(wrap_to_pi(RIGHT_ANGLE - yaw))),
+                         {'moved_start': 'long_way half_circle'}),
+        'gain of 9': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw), 9.0), {'odom_5hz': 'long_way gain_high'}),
+        'wrong derivative': (remembering(wrong_derivative),
+                             dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
         'by': (remembering(turn_by), dict.fromkeys(('moved_start', 'slow_base'), 'elsewhere turns_by')),
         'time': (remembering(turn_by_time), {'slow_base': 'elsewhere open_loop'}),
         'chatter': (turning(lambda yaw: math.copysign(1.0, wrap_to_pi(RIGHT_ANGLE - yaw))),

@@ -4,19 +4,21 @@ import math
 
 import numpy
 
-from odometry_tools.check.scenarios import PERIOD
+from odometry_tools.check.scenarios import PERIOD, TARGET
 
 FEWEST, RESIDUAL = 8, 0.003  # commands that show a gain, and the share of them that it may leave
+UNKNOWN = '', 0.0, 0.0, False
 LIMITED = 0.99  # share of the fastest command from which on the node's own limit may hold
 
 
 def find_controller(run, moves):
     """Return which angle a Run's commands are proportional to, the gain (1/s) and zero (degrees).
 
-    The angle is '' if none fits, or more than one does.
+    The angle is '' if none fits, or more than one does. At last, return whether commands go on
+    the longer way, farther than half a circle from zero.
     """
     if len(moves) < FEWEST:
-        return '', 0.0, 0.0
+        return UNKNOWN
     time, yaw = numpy.array([(pose.time, pose.yaw) for pose in run.odometry]).T
     sent, speed = numpy.array([(command.time, command.angular) for command in moves]).T
     is_free = abs(speed) < LIMITED * abs(speed).max()
@@ -26,9 +28,11 @@ def find_controller(run, moves):
         for name, angle in _angles(seen).items():
             law = _law(angle[is_free], speed[is_free])
             if law and name not in found:
-                found[name] = law
+                _, zero = law
+                error = math.radians(zero) - angle
+                found[name] = *law, bool(numpy.any((abs(error) > math.pi) & (error * speed > 0)))
     if len(found) != 1:
-        return '', 0.0, 0.0
+        return UNKNOWN
     (name, law), = found.items()
     return (name, *law)
 
@@ -48,9 +52,16 @@ def _law(angle, speed):
 
 
 def _angles(yaw):
-    """Return what a learner may take for the heading, where it is not the same."""
+    """Return what a learner may take for the heading, where it is not the same.
+
+    Negative angles are those of an error with the wrong sign.
+    """
+    error = math.radians(TARGET) - yaw
+    wrapped = (error + math.pi) % (2 * math.pi) - math.pi
     angles = {'yaw_to_360': yaw % (2 * math.pi),
               'half_circle': numpy.arcsin(numpy.sin(yaw)),
-              'quaternion': numpy.sin(yaw / 2)}
-    different = {name: angle for name, angle in angles.items() if not numpy.allclose(angle, yaw)}
-    return {'yaw': yaw, **different}
+              'quaternion': numpy.sin(yaw / 2),
+              'minus_wrapped': wrapped - math.radians(TARGET)}
+    different = {name: angle for name, angle in angles.items()
+                 if not (numpy.allclose(angle, yaw) or numpy.allclose(angle, -yaw))}
+    return {'yaw': yaw, 'minus_yaw': -yaw, **different}

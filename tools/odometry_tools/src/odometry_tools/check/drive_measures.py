@@ -127,13 +127,12 @@ def measure_heading(m, run):
     is_there = max(map(abs, still)) <= AT_TARGET
     is_direct = m.turned <= m.shortest + DETOUR
     m.passed = is_there and is_direct and not m.rings and not m.has_ceased
-    m.follows, m.gain, m.zero = find_controller(run, m.moves)
+    m.follows, m.gain, m.zero, m.is_unwrapped = find_controller(run, m.moves)
 
 
 def _measure_swings(m, run):
     """Measure the speeds of the commands, and how often their sign changes."""
     swings = [command for command in m.moves if command.swings]
-    m.turns_away = bool(swings) and m.scenario.yaw == 0.0 and swings[0].angular < 0
     flips = [
         after.time for before, after in zip(swings, swings[1:])
         if before.angular * after.angular < 0]

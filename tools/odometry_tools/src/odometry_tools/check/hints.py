@@ -10,7 +10,8 @@ from odometry_tools.check.rule import Rule
 from odometry_tools.check.scenarios import SLOW, TARGET
 
 UNKNOWN = 'We do not know why: print the {quantity} in your loop, and look at the picture'
-YAW = 'yaw', 'yaw_to_360'
+YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
+SAME_ANGLE = 5.0  # degrees
 NOT_BEGUN = 'no_node', 'crash', 'silent', 'all_zero'
 # degrees, if the target is mistaken for radians, or the yaw
 DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578
@@ -33,6 +34,10 @@ def _is_nearest(name):
 
 def _follows(name):
     return lambda m: getattr(m, 'follows', '') == name
+
+
+def _has_wrong_sign(m):
+    return getattr(m, 'follows', '') in MINUS and abs(m.zero + TARGET) < SAME_ANGLE
 
 
 def _is_only_here(m):
@@ -97,16 +102,16 @@ ANGLES = (
     Rule('radians', lambda m: _follows('yaw')(m) and abs(m.zero - RADIANS) < 0.5,
          'Your commands are zero at {zero:.1f} degrees: '
          'the yaw in degrees was compared with 90 degrees in radians'),
-    Rule('sign', lambda m: (m.rule in ('rings', 'long_way', 'unfinished')
-                            and (m.plain or m).turns_away),
-         'From heading 0 your first command turns right, away from 90: '
+    Rule('sign', lambda m: _has_wrong_sign(m) or m.plain and _has_wrong_sign(m.plain),
+         'Your commands follow yaw - target, and turn away from it: '
          'ROS turns left for positive, so error = target - yaw'),
     Rule('quaternion', _follows('quaternion'),
          'Your commands follow orientation.z, which is sin(yaw / 2) and no angle: '
          'use euler_from_quaternion'),
     Rule('half_circle', _follows('half_circle'),
-         'Your commands follow a yaw of half a circle, as from asin: use euler_from_quaternion'),
-    Rule('not_wrapped', lambda m: m.rule == 'long_way' and m.follows in YAW,
+         'Your commands follow the error without its sign, as from asin() or abs(): '
+         'use euler_from_quaternion, and keep the sign'),
+    Rule('not_wrapped', lambda m: m.rule == 'long_way' and m.follows in YAW and m.is_unwrapped,
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
