@@ -1,12 +1,113 @@
 """What the check says of a robot's behaviour, without ROS: each node is a function of the odometry."""
 
+import math
+
 import pytest
-from behaviours import CASES, RIGHT_ANGLE, counting, remembering, turning, without_zero
+from behaviours import (
+    RIGHT_ANGLE,
+    by_time,
+    counting,
+    driving,
+    fixed_time,
+    from_origin,
+    heading_to_360,
+    narrow_window,
+    once,
+    once_a_second,
+    one_step,
+    overshooting,
+    remembering,
+    rest_between,
+    rounded,
+    to_point,
+    turn_by,
+    turn_by_time,
+    turning,
+    way,
+    while_moving,
+    without_zero,
+    wrong_derivative,
+)
 from kinematic_robot import drive, verdicts
 from odometry_common.angles import wrap_to_pi
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command
 from odometry_tools.check.scenarios import EXERCISES
+
+EVERYWHERE = 'plain', 'moved_start', 'odom_5hz', 'slow_base'
+ON_THE_ROUTE = 'route', *EVERYWHERE[1:]
+# The node, and the rule and hint of the scenarios that are not passed.
+CASES = {
+    'two_meters': {
+        'right': (driving(way), {}),
+        'right, fast': (driving(way, 1.0), {}),
+        'right, with a rest': (remembering(rest_between), {}),
+        'right, overshoots': (remembering(overshooting), {}),
+        'fixed time': (remembering(fixed_time), {'odom_5hz': 'passed_by slow_odometry'}),
+        'position': (driving(lambda start, pose: pose.x), {'moved_start': 'all_zero start'}),
+        'one axis': (driving(lambda start, pose: abs(pose.x - start.x)), {'moved_start': 'late one_axis'}),
+        'sum': (driving(lambda start, pose: abs(pose.x - start.x) + abs(pose.y - start.y)),
+                {'moved_start': 'early sum_of_axes'}),
+        'from the origin': (driving(lambda start, pose: math.hypot(pose.x, pose.y) - math.hypot(start.x, start.y)),
+                            {'moved_start': 'passed_by start'}),
+        'a point': (remembering(to_point), {'moved_start': 'early place'}),
+        'squares': (driving(lambda start, pose: way(start, pose)**2), dict.fromkeys(EVERYWHERE, 'early')),
+        'early': (driving(lambda start, pose: way(start, pose) + 0.1), dict.fromkeys(EVERYWHERE, 'early')),
+        'equality': (remembering(lambda memory, pose: (0.3, 0.0)), dict.fromkeys(EVERYWHERE, 'passed_by')),
+        'window': (remembering(narrow_window), {'odom_5hz': 'passed_by slow_odometry'}),
+        'time': (remembering(by_time), {'slow_base': 'early open_loop'}),
+        'no zero': (remembering(without_zero), dict.fromkeys(EVERYWHERE, 'ceased no_zero')),
+        'once': (remembering(once), dict.fromkeys(EVERYWHERE, 'ceased one_command')),
+        'zero': (lambda: lambda pose: (0.0, 0.0), dict.fromkeys(EVERYWHERE, 'all_zero')),
+        'creeps': (driving(way, 0.004), dict.fromkeys(EVERYWHERE, 'unfinished')),
+        'turns': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw)), dict.fromkeys(EVERYWHERE, 'only_turned'))},
+    'heading': {
+        'right': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw)), {}),
+        'not wrapped': (turning(lambda yaw: RIGHT_ANGLE - yaw), {'moved_start': 'long_way not_wrapped'}),
+        'to 360': (turning(heading_to_360), {'slow_base': 'long_way not_wrapped'}),
+        'sign': (turning(lambda yaw: wrap_to_pi(yaw - RIGHT_ANGLE)), dict.fromkeys(EVERYWHERE, 'rings sign')),
+        'degrees': (turning(lambda yaw: 90 - yaw), dict.fromkeys(EVERYWHERE, 'long_way degrees')),
+        'orientation.z': (turning(lambda yaw: RIGHT_ANGLE - math.sin(yaw / 2)),
+                          dict.fromkeys(EVERYWHERE, 'long_way quaternion')),
+        'asin': (turning(lambda yaw: RIGHT_ANGLE - math.asin(math.sin(yaw))), {'moved_start': 'long_way half_circle'}),
+        'without sign': (turning(lambda yaw: abs(wrap_to_pi(RIGHT_ANGLE - yaw))),
+                         {'moved_start': 'long_way half_circle'}),
+        'gain of 9': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw), 9.0), {'odom_5hz': 'long_way gain_high'}),
+        'wrong derivative': (remembering(wrong_derivative),
+                             dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
+        'by': (remembering(turn_by), dict.fromkeys(('moved_start', 'slow_base'), 'elsewhere turns_by')),
+        'time': (remembering(turn_by_time), {'slow_base': 'elsewhere open_loop'}),
+        'chatter': (turning(lambda yaw: math.copysign(1.0, wrap_to_pi(RIGHT_ANGLE - yaw))),
+                    dict.fromkeys(EVERYWHERE, 'rings')),
+        'high gain': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw), 10.0), {'odom_5hz': 'rings gain_high'}),
+        'low gain': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw), 0.01),
+                     dict.fromkeys(EVERYWHERE, 'unfinished gain_low')),
+        'equality': (lambda: lambda pose: (0.0, 0.5), dict.fromkeys(EVERYWHERE, 'long_way')),
+        'drives': (driving(way), dict.fromkeys(EVERYWHERE, 'only_drove'))},
+    'moved_distance': {
+        'right': (counting(way), {}),
+        'right, by speed': (counting(lambda last, pose: abs(pose.linear) * (pose.time - last.time)), {}),
+        'right, once a second': (remembering(once_a_second), {}),
+        'right, while it moves': (remembering(while_moving), {}),
+        'kilometres': (counting(lambda last, pose: way(last, pose) / 1000),
+                       dict.fromkeys(ON_THE_ROUTE, 'miscounted')),
+        'never': (lambda: lambda pose: 0.0, dict.fromkeys(ON_THE_ROUTE, 'miscounted')),
+        'displacement': (remembering(lambda memory, pose: way(memory['start'], pose)),
+                         dict.fromkeys(ON_THE_ROUTE, 'displacement')),
+        'one axis': (counting(lambda last, pose: abs(pose.x - last.x)),
+                     dict.fromkeys(ON_THE_ROUTE, 'miscounted one_axis')),
+        'sum': (counting(lambda last, pose: pose.x - last.x + pose.y - last.y),
+                dict.fromkeys(ON_THE_ROUTE, 'miscounted sum_of_axes')),
+        'rounded': (counting(rounded), {'route': 'miscounted rounded', 'moved_start': 'miscounted rounded',
+                                        'slow_base': 'miscounted rounded'}),
+        'squares': (counting(lambda last, pose: way(last, pose)**2),
+                    dict.fromkeys(ON_THE_ROUTE, 'miscounted squares')),
+        'backwards': (counting(lambda last, pose: pose.linear * (pose.time - last.time)),
+                      dict.fromkeys(ON_THE_ROUTE, 'miscounted backwards')),
+        'fixed time': (counting(lambda last, pose: abs(pose.linear) * 0.05), {'odom_5hz': 'miscounted fixed_dt'}),
+        'twice': (counting(lambda last, pose: 2 * way(last, pose)), dict.fromkeys(ON_THE_ROUTE, 'miscounted times')),
+        'from zero': (remembering(from_origin), {'moved_start': 'miscounted from_origin'}),
+        'one step': (remembering(one_step), dict.fromkeys(ON_THE_ROUTE, 'miscounted last_step'))}}
 
 
 @pytest.mark.parametrize('exercise, case', [(exercise, case) for exercise, cases in CASES.items() for case in cases])

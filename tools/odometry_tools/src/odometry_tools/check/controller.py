@@ -58,10 +58,11 @@ def _angles(yaw):
     """
     error = math.radians(TARGET) - yaw
     wrapped = (error + math.pi) % (2 * math.pi) - math.pi
-    angles = {'yaw_to_360': yaw % (2 * math.pi),
-              'half_circle': numpy.arcsin(numpy.sin(yaw)),
-              'quaternion': numpy.sin(yaw / 2),
-              'minus_wrapped': wrapped - math.radians(TARGET)}
+    angles = {
+        'yaw_to_360': yaw % (2 * math.pi),
+        'half_circle': numpy.arcsin(numpy.sin(yaw)),
+        'quaternion': numpy.sin(yaw / 2),
+        'minus_wrapped': wrapped - math.radians(TARGET)}
     different = {name: angle for name, angle in angles.items()
                  if not (numpy.allclose(angle, yaw) or numpy.allclose(angle, -yaw))}
     return {'yaw': yaw, 'minus_yaw': -yaw, **different}

@@ -21,9 +21,13 @@ COMMANDED = {'color': PALE, 'linewidth': 5, 'label': 'commanded', 'where': 'post
 TARGET = {'color': DARK, 'linestyle': ':', 'label': 'target'}
 MIN_DISTANCE, MIN_TURN = 0.1, 10.0  # m, degrees; less is no drive, or no turn
 # By panel: its label, and its minimum span; on a shorter axis noise would look like motion.
-PANELS = {'distance': ('distance (m)', 0.1), 'off truth': ('off truth (m)', 0.02),
-          'speed': ('speed (m/s)', 0.05), 'heading': ('heading (degrees)', 2.0),
-          'error': ('error (degrees)', 2.0), 'turn rate': ('turn rate (rad/s)', 0.05)}
+PANELS = {
+    'distance': ('distance (m)', 0.1),
+    'off truth': ('off truth (m)', 0.02),
+    'speed': ('speed (m/s)', 0.05),
+    'heading': ('heading (degrees)', 2.0),
+    'error': ('error (degrees)', 2.0),
+    'turn rate': ('turn rate (rad/s)', 0.05)}
 PATH_SPAN = 0.6  # m
 LONGEST_NAME = 55  # characters, beside the legend
 

@@ -64,9 +64,13 @@ class Move:
         poses = [PlanarPose(*motion.position[:2], _yaw(motion)) for motion in (start, end)]
         travel = poses[0].inverse().then(poses[1])
         true_distance = math.hypot(travel.x, travel.y)
-        return {'moved': moved, 'moved_error': moved - wanted,
-                'true_distance': true_distance, 'true_error': true_distance - wanted,
-                'sideways': travel.y, 'heading': degrees(travel.yaw)}
+        return {
+            'moved': moved,
+            'moved_error': moved - wanted,
+            'true_distance': true_distance,
+            'true_error': true_distance - wanted,
+            'sideways': travel.y,
+            'heading': degrees(travel.yaw)}
 
 
 class Rotate:
@@ -112,10 +116,12 @@ class Rotate:
     def metrics(self, start, end):
         """Return the metrics by name, without time, from the true first and last Motion."""
         true_yaw = _yaw(end) - _yaw(start)
-        return {'heading': degrees(self._yaw), 'heading_error': math.degrees(-self._error),
-                'true_heading': degrees(true_yaw),
-                'true_error': math.degrees(-self._turn.error_at(true_yaw)),
-                'overshoot': math.degrees(self._overshoot)}
+        return {
+            'heading': degrees(self._yaw),
+            'heading_error': math.degrees(-self._error),
+            'true_heading': degrees(true_yaw),
+            'true_error': math.degrees(-self._turn.error_at(true_yaw)),
+            'overshoot': math.degrees(self._overshoot)}
 
 
 TUTORIALS = {'move': Move, 'rotate': Rotate}

@@ -120,14 +120,16 @@ def _launch_metrics(recorded):
     # An earlier command is ignored, and lost unless its connection has been made by then.
     commands = numpy.count_nonzero(run.commands[:, 0] > 0)
     moving = (abs(truth.speed) > REST_SPEED) | (abs(truth.turn_rate) > REST_ANGULAR_SPEED)
-    return {'distance': truth.distance[-1],
-            'from_start': math.hypot(travel.x, travel.y),
-            'sideways': travel.y,
-            'heading': degrees(travel.yaw),
-            'heading_error': degrees(error.yaw),
-            'odometry_error': math.hypot(error.x, error.y),
-            'time': truth.time[moving].max(initial=0.0),
-            'commands': commands, 'ended': _ended(recorded)}
+    return {
+        'distance': truth.distance[-1],
+        'from_start': math.hypot(travel.x, travel.y),
+        'sideways': travel.y,
+        'heading': degrees(travel.yaw),
+        'heading_error': degrees(error.yaw),
+        'odometry_error': math.hypot(error.x, error.y),
+        'time': truth.time[moving].max(initial=0.0),
+        'commands': commands,
+        'ended': _ended(recorded)}
 
 
 def _ended(recorded):
