@@ -49,9 +49,8 @@ ALL = (
     Rule('keyboard', lambda m: m.run.has_read_keyboard and m.rule in NOT_BEGUN,
          'Your node reads the keyboard, which a launch file cannot offer: '
          'make the value a parameter'),
-    Rule('error', lambda m: m.error and (m.rule in ('no_node', 'crash')
-                                         or m.callback_error and m.keeps_failing
-                                         or m.is_silent), '{error}'),
+    Rule('error', lambda m: m.error and (m.rule in ('no_node', 'crash', 'silent')
+                                         or m.keeps_failing and m.rule == 'all_zero'), '{error}'),
     Rule('not_there', lambda m: m.lost_node and m.rule in NOT_BEGUN, 'roslaunch says: {lost_node}'),
     Rule('last_words', lambda m: m.status and m.said and m.rule in ('no_node', 'crash'),
          'It said last: {said}'),
@@ -79,6 +78,9 @@ ALL = (
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',
          'Publish a zero Twist before ros::shutdown(): '
          'take ros::init_options::NoSigintHandler and handle SIGINT'),
+    Rule('handler', lambda m: m.rule == 'interrupt_ignored' and m.run.answers and not m.run.is_cpp,
+         'rospy did not learn of Ctrl-C: a signal handler of your own, disable_signals, '
+         'or a caught KeyboardInterrupt keeps it away'),
     Rule('is_shutdown', lambda m: m.rule == 'interrupt_ignored' and not m.run.is_cpp,
          'Each loop, in each thread, needs while not rospy.is_shutdown()'),
     Rule('ok', _is_one_of('interrupt_ignored'),
@@ -100,8 +102,8 @@ ANGLES = (
     Rule('degrees', lambda m: _follows('yaw')(m) and abs(m.zero - DEGREES) < TARGET,
          'Your commands are 90 minus the yaw in radians: take math.radians(90)'),
     Rule('radians', lambda m: _follows('yaw')(m) and abs(m.zero - RADIANS) < 0.5,
-         'Your commands are zero at {zero:.1f} degrees: '
-         'the yaw in degrees was compared with 90 degrees in radians'),
+         'Your commands are zero at {zero:.1f} degrees, as if 90 degrees in radians were degrees: '
+         'convert once, and compare like with like'),
     Rule('sign', lambda m: _has_wrong_sign(m) or m.plain and _has_wrong_sign(m.plain),
          'Your commands follow yaw - target, and turn away from it: '
          'ROS turns left for positive, so error = target - yaw'),
@@ -147,12 +149,12 @@ COMPARED = (
          and m.scenario.name == 'slow_base',
          'This base reaches 70 % of your speed, and so does your result: '
          'count odometry, not time or commands'),
-    Rule('slow_odometry', lambda m: (_is_only_here(m) and m.rate < 20
+    Rule('slow_odometry', lambda m: (m.fails_alone and m.rate < 20
                                      and m.rule in ('passed_by', 'rings', 'long_way')),
          'With odometry 20 times a second it is right; here one message is a step of '
          '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
          'or a fixed time for each message'),
     Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
-         'From (0, 0), heading 0, it is right: what you compute depends on where the robot starts'))
+         'From (0, 0), heading 0, it is right: the result depends on where the robot starts'))
 HINTS = {'moved_distance': (*ALL, *FITS, *COMPARED), 'two_meters': (*ALL, *PLACES, *COMPARED),
          'heading': (*ALL, *ANGLES, *COMPARED)}

@@ -56,8 +56,11 @@ def _compare(all_measures):
     fits = [m.fits for m in all_measures if m.exercise.route and hasattr(m, 'fits')]
     has_slow_odometry = any(m.rate < 20 for m in all_measures)
     common_fits = set.intersection(*fits) if fits and has_slow_odometry else set()
-    nets = [m.net for m in all_measures if hasattr(m, 'net') and m.run.interrupted is None]
+    whole = [m for m in all_measures if m.run.interrupted is None]
+    nets = [m.net for m in whole if hasattr(m, 'net') and m.rate >= 20]
     for m in all_measures:
+        m.fails_alone = len(whole) > 1 and not any(
+            one.passed == (one is m) for one in whole)
         m.plain = all_measures[0] if len(all_measures) > 1 else None
         m.common_fits = common_fits
         m.factor = next((factor for _, factor in common_fits), None)

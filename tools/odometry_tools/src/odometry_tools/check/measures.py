@@ -78,7 +78,7 @@ def _read_graph(m, publishes, subscribes):
                                if kind == m.type and topic != m.topic)
     m.output_type = publishes.get(m.topic) or m.type
     heard = subscribes.keys() - {'/clock', '/rosout'}
-    m.inputs = quoting.listed(heard) or 'nothing'
+    m.inputs = quoting.listed(heard) or 'nothing so far'
     m.hears_robot = bool(heard & INPUTS.keys())
     m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
                                     for topic in heard & INPUTS.keys()

@@ -81,6 +81,7 @@ class Run:
         self.unawaited = None  # why lockstep does not wait for the node
         self.interrupted = None  # index of the command after Ctrl-C
         self.ends = True  # whether Ctrl-C ends the node
+        self.answers = False  # whether, after Ctrl-C, the node still answers others
         self.leaves_process = False  # whether another program that it started goes on
         self.nodes = set()  # names of the nodes that the learner's process contains
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known

@@ -120,7 +120,8 @@ class Runner:
         """Press Ctrl-C; note whether that ends the node, and all that it has started."""
         node.interrupt()
         has_ended = node.wait(HOOK_PATIENCE) or not self._is_stubborn and self._ends_in_time(node)
-        run.ends = has_ended or node.status is not None and not any(map(self._bench.ask, run.nodes))
+        run.answers = not has_ended and any(map(self._bench.ask, run.nodes))
+        run.ends = has_ended or node.status is not None and not run.answers
         run.leaves_process = run.ends and not has_ended
         self._is_stubborn = not run.ends
 
