@@ -18,8 +18,8 @@ QUIET, BUSY = 0.3, 2.0  # s of wall time
 # computing at the end or after so much computing, will not.
 REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0
 HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
-# s of wall and simulated time; lockstep waits for a busy machine
-INTERRUPT_PATIENCE, INTERRUPT_TIME = 6.0, 30.0
+# s of wall and simulated time; lockstep waits for a busy machine, a pace does not
+INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
 FASTEST = 5.0  # times real time, to begin with
 SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times real time
@@ -130,7 +130,7 @@ class Runner:
         self._bench.call('unpause_physics')
         begin, latest = rospy.get_time(), time.monotonic() + STANDSTILL
         try:
-            has_ended = node.wait(INTERRUPT_PATIENCE)
+            has_ended = node.wait(INTERRUPT_PATIENCE if self.pace.lockstep else PACED_PATIENCE)
             while (not has_ended and rospy.get_time() < begin + INTERRUPT_TIME
                    and time.monotonic() < latest):
                 has_ended = node.wait(SIGNAL_PERIOD)

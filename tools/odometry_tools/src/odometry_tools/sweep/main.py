@@ -37,8 +37,8 @@ def _run():
     campaign = options.campaign
     campaign.check()
     with (on_cluster(options.cluster) if options.cluster
-          else on_this_machine(campaign, options.jobs)) as executor:
-        return _sweep(campaign, run_all(campaign, executor), options.junit)
+          else on_this_machine(campaign, options.jobs)) as (executor, is_lost):
+        return _sweep(campaign, run_all(campaign, executor, is_lost), options.junit)
 
 
 def _sweep(campaign, runs, report):

@@ -21,11 +21,12 @@ CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
-def run_all(campaign, executor):
+def run_all(campaign, executor, is_lost):
     """Yield parameters and metrics of each run of a Campaign, in order.
 
     Every CHECK_PERIOD without one, yield None.
 
+    :param is_lost: function that returns whether no run will be done any more
     :raises RunError: if a run cannot be done, or the processes are lost
     """
     begun = ((parameters, executor.submit(campaign.subject.run, parameters))
@@ -36,6 +37,8 @@ def run_all(campaign, executor):
             parameters, future = ahead[0]
             # Dask does not wake result() if the scheduler is gone.
             if not concurrent.futures.wait([future], CHECK_PERIOD).done:
+                if is_lost():
+                    raise concurrent.futures.CancelledError
                 yield None
                 continue
             yield parameters, future.result()
@@ -51,13 +54,13 @@ def run_all(campaign, executor):
 
 @contextlib.contextmanager
 def on_this_machine(campaign, jobs=None):
-    """Yield an executor with so many processes, or with one for each processor."""
+    """Yield an executor with so many processes, or with one for each processor; as on_cluster()."""
     processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
             processes, multiprocessing.get_context('fork'), _reset_signals) as executor:
         try:
-            yield executor
+            yield executor, lambda: False
         except BaseException:
             for process in multiprocessing.active_children():
                 process.kill()  # a run may take minutes
@@ -74,6 +77,9 @@ def _reset_signals():
 def on_cluster(address):
     """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT.
 
+    And a function that returns whether the scheduler is gone: Dask then cancels what it knows, but
+    fails if something is submitted meanwhile.
+
     :raises StartError: if it is not usable
     """
     import distributed
@@ -82,7 +88,7 @@ def on_cluster(address):
         client = distributed.Client(address, timeout=CONNECT_TIMEOUT)
     except (OSError, ValueError) as error:
         raise StartError(f'no scheduler answers at {address}: {error}') from None
-    with client:
+    with _closing(client):
         try:
             client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
             results = client.run(run, *TRIAL)
@@ -94,4 +100,14 @@ def on_cluster(address):
         for worker, metrics in results.items():
             if metrics != expected:  # in the last digits
                 raise StartError(f'the worker {worker} has another version of these packages')
-        yield client.get_executor()
+        yield client.get_executor(), lambda: client.status != 'running'
+
+
+@contextlib.contextmanager
+def _closing(client):
+    """Close a client at the end, though its thread may have failed as the scheduler went."""
+    try:
+        yield
+    finally:
+        with contextlib.suppress(RuntimeError):
+            client.close()
