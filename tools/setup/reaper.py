@@ -5,7 +5,7 @@ usage: python3 -I -S reaper.py COMMAND [ARGUMENT...]
 The reaper sends SIGTERM to the command, then to its orphans, then to all descendants at once, and
 finally kills them. It reports a process that it cannot kill, such as another user's, and leaves it
 running. It exits with the status that a shell shows for the command; after a signal with the
-signal's, unless the command exits with 0.
+signal's, unless the command exits with 0. ./ws starts it with these signals blocked.
 
 It imports little, to start in a few hundredths of a second.
 """
