@@ -1,6 +1,7 @@
 """In which order requests are served."""
 
 import threading
+import time
 import types
 from concurrent import futures
 from functools import partial
@@ -47,12 +48,15 @@ def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(reque
 
 def test_of_a_topic_the_latest_message_of_each_sender_is_served(requests):
     """In the order in which they came, or in that of the senders' names; a message on another topic stays."""
-    served = []
+    served, begin = [], time.monotonic()
     requests.put('/a', '/set_pose', partial(served.append, 'pose'))
     for number in range(3):
         for name in '/b', '/a', '/c':
             requests.put(name, '/cmd_vel', partial(served.append, (name, number)))
-    assert requests.nodes == {'/a', '/b', '/c'}
+    latest = time.monotonic()
+    arrivals = requests.arrivals
+    assert arrivals.keys() == {'/a', '/b', '/c'}
+    assert begin <= arrivals['/b'] < arrivals['/a'] < arrivals['/c'] <= latest
     requests.serve_all(by_name=True)
     assert served == [('/a', 2), 'pose', ('/b', 2), ('/c', 2)]
     for name in '/b', '/a', '/b':

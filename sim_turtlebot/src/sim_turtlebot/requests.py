@@ -1,6 +1,7 @@
 """Requests from rospy's threads to the main thread, since only it may touch the robots."""
 
 import threading
+import time
 from concurrent import futures
 from typing import Any, NamedTuple
 
@@ -32,20 +33,22 @@ class RequestQueue:
     def __init__(self):
         self._changed = threading.Condition()
         self._messages = {}  # functions by node and topic
+        self._arrivals = {}  # of the latest message of each node that waits (monotonic, s)
         self._calls = []
         self._is_serving_calls = False
 
     @property
-    def nodes(self):
-        """The names of the nodes whose messages are waiting."""
+    def arrivals(self):
+        """When the latest waiting message of each node came (monotonic, s), by name of the node."""
         with self._changed:
-            return {node for node, _ in self._messages}
+            return {**self._arrivals}
 
     def put(self, node, topic, request):
         """Add a message's request; it replaces an earlier one of the same node and topic."""
         with self._changed:
             self._messages.pop((node, topic), None)  # the new one is the last in order
             self._messages[node, topic] = request
+            self._arrivals[node] = time.monotonic()
             self._changed.notify()
 
     def call(self, node, service, request):
@@ -78,7 +81,7 @@ class RequestQueue:
         :return: whether a call was among them
         """
         with self._changed:
-            messages, self._messages = self._messages, {}
+            messages, self._messages, self._arrivals = self._messages, {}, {}
             calls = []
             if not self._is_serving_calls:
                 calls, self._calls = self._calls, calls

@@ -97,7 +97,8 @@ class Simulator:
                 self._advance()
 
     def _wait_and_serve(self):
-        self._nodes.check_senders(self._requests.nodes, self._timeline.now / 1e9, unprompted=True)
+        now = self._timeline.now / 1e9
+        self._nodes.check_senders(self._requests.arrivals, now, unprompted=True)
         self._nodes.wait()
         self._serve()
 
@@ -128,11 +129,13 @@ class Simulator:
         # Paced by the wall clock, apply commands at the next step.
         is_paced = self._settings.real_time_factor and not self._settings.lockstep
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
-        unprompted = self._requests.nodes
+        unprompted = self._requests.arrivals
         self._publish(new_odometry)
         now = self._timeline.now / 1e9
         self._nodes.check_senders(unprompted, now, unprompted=True)
-        self._nodes.check_senders(self._requests.nodes - unprompted, now, unprompted=False)
+        prompted = {name: arrival for name, arrival in self._requests.arrivals.items()
+                    if name not in unprompted}
+        self._nodes.check_senders(prompted, now, unprompted=False)
         self._serve()
         if new_odometry and self._settings.gui:
             self._simulation.world.look_at(self._simulation.robots[0].body)

@@ -9,7 +9,7 @@ class FreeRunning:
     def wait(self, only_clock=False):
         """Return at once."""
 
-    def check_senders(self, names, now, unprompted):
+    def check_senders(self, arrivals, now, unprompted):
         """Name nobody: a node may send at any time."""
 
     def is_graph_stable(self, stable_time=0.0):

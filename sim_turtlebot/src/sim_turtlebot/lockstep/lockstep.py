@@ -86,18 +86,19 @@ class Lockstep:
             self._known, self._changed = known, now
         return now - self._changed > stable_time
 
-    def check_senders(self, names, now, unprompted):
+    def check_senders(self, arrivals, now, unprompted):
         """Name the nodes that send messages by wall time.
 
-        :param names: of nodes that have sent something since the last call
+        :param arrivals: when the latest message of each node that has sent one since the last call
+            came (monotonic, s), by name
         :param now: simulated time (s)
         :param unprompted: whether all nodes were idle, and nothing has been published since
         """
         awaited = {process.name for process in self._waiter.processes.values()}
-        for name in names & awaited - self._reported:
+        for name in arrivals.keys() & awaited - self._reported:
             self._unprompted[name] += unprompted
             times = self._times.setdefault(name, deque(maxlen=MIN_INTERVALS + 1))
-            times.append((time.monotonic(), now))
+            times.append((arrivals[name], now))
             if self._unprompted[name] >= MAX_UNPROMPTED or _follow_wall_time(times, self._tick):
                 self._report(name, SLEEPS)
 
