@@ -86,6 +86,18 @@ def rest_between(memory, pose):
     return (0.2 if there < 2.0 else 0.0), 0.0
 
 
+def drives_again(memory, pose):
+    """Rest a second at 2 m, and drive them once more."""
+    there = way(memory['start'], pose)
+    if there >= 2.0 and pose.time - memory.setdefault('there', pose.time) < 1.0:
+        return 0.0, 0.0
+    return (0.2 if there < 4.0 else 0.0), 0.0
+
+
+def silent_halfway(memory, pose):
+    return (0.2, 0.0) if way(memory['start'], pose) < 1.0 else None
+
+
 def from_origin(memory, pose):
     last = memory.get('last')
     memory['sum'] = memory.get('sum', 0.0) + (way(last, pose) if last else math.hypot(pose.x, pose.y))

@@ -7,6 +7,7 @@ from behaviours import (
     RIGHT_ANGLE,
     by_time,
     counting,
+    drives_again,
     driving,
     fixed_time,
     from_origin,
@@ -19,6 +20,7 @@ from behaviours import (
     remembering,
     rest_between,
     rounded,
+    silent_halfway,
     to_point,
     turn_by,
     turn_by_time,
@@ -33,6 +35,7 @@ from odometry_common.angles import wrap_to_pi
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command
 from odometry_tools.check.scenarios import EXERCISES
+from test_no_message import BAD_CALLBACK, ERROR
 
 EVERYWHERE = 'plain', 'moved_start', 'odom_5hz', 'slow_base'
 ON_THE_ROUTE = 'route', *EVERYWHERE[1:]
@@ -57,6 +60,7 @@ CASES = {
         'window': (remembering(narrow_window), {'odom_5hz': 'passed_by slow_odometry'}),
         'time': (remembering(by_time), {'slow_base': 'early open_loop'}),
         'no zero': (remembering(without_zero), dict.fromkeys(EVERYWHERE, 'ceased no_zero')),
+        'again': (remembering(drives_again), dict.fromkeys(EVERYWHERE, 'drove_on')),
         'once': (remembering(once), dict.fromkeys(EVERYWHERE, 'ceased one_command')),
         'zero': (lambda: lambda pose: (0.0, 0.0), dict.fromkeys(EVERYWHERE, 'all_zero')),
         'creeps': (driving(way, 0.004), dict.fromkeys(EVERYWHERE, 'unfinished')),
@@ -131,6 +135,27 @@ def test_where_nothing_proves_a_cause_the_report_says_so():
         'We do not know why: print the heading in your loop, and look at the picture')
     ceased = verdicts('two_meters', remembering(without_zero), ['plain'])['plain']
     assert 'came at 1.99 m' in ceased.sentence and 'at 2.11 m' in ceased.sentence
+
+
+@pytest.mark.parametrize('output, hint', [
+    (f'Exception in thread Thread-6:\n{ERROR}', 'error'), (300 * BAD_CALLBACK, 'error'), (BAD_CALLBACK, 'no_zero')])
+def test_an_error_is_the_cause_of_silence_on_the_way_if_it_goes_on_meanwhile(output, hint):
+    """A callback that failed once is a note."""
+    exercise = EXERCISES['two_meters']
+    run = drive(exercise.scenarios[0], remembering(silent_halfway), exercise.target)
+    run.output = output
+    verdict, = verdicts_on([run], exercise)
+    assert (verdict.rule, verdict.hint) == ('ceased', hint), verdict
+    assert ('callback' in verdict.notes) == (hint == 'no_zero')
+
+
+@pytest.mark.parametrize('speeds, hint', [([0.0, 0.2], 'again'), ([0.2], 'on_shutdown')])
+def test_whether_there_was_a_zero_after_ctrl_c_tells_what_is_wrong(speeds, hint):
+    exercise = EXERCISES['two_meters']
+    run = drive(exercise.scenarios[2], driving(way), exercise.target)
+    run.commands[run.interrupted:] = [Command(run.now, speed, 0.0, (), 'cmd_vel') for speed in speeds]
+    verdict, = verdicts_on([run], exercise)
+    assert (verdict.rule, verdict.hint) == ('interrupt', hint), verdict.sentence
 
 
 def test_a_command_before_time_begins_moves_no_robot():

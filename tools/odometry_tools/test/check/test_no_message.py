@@ -5,13 +5,14 @@ import signal
 import pytest
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.judging import verdicts_on
-from odometry_tools.check.run import Pose, Run
+from odometry_tools.check.run import Command, Pose, Run
 from odometry_tools.check.scenarios import EXERCISES
 
 ERROR = 'Traceback (most recent call last):\n  File "/home/me/a.py", line 7, in go\n    x\nNameError: no x\n'
 BAD_CALLBACK = f'[ERROR] [1.5, 0.2]: bad callback: <function cb at 0x7f00>\n{ERROR}'
 HEARS = {'/odom': 'nav_msgs/Odometry'}
 TWIST, FLOAT = 'geometry_msgs/Twist', 'std_msgs/Float64'
+ZERO = [Command(0.0, 0.0, 0.0, (), 'cmd_vel')]
 DIED = '[mine-2] process has died [pid 17, exit code 1, cmd /x].\n'
 
 
@@ -40,6 +41,7 @@ def verdict_on(exercise='two_meters', **facts):
     ({'output': BAD_CALLBACK}, 'silent error'),
     ({'output': 'Error: 1.57\n'}, 'silent'),
     ({'status': 0}, 'silent ended'),
+    ({'status': 0, 'commands': ZERO, 'output': 'gave up\n'}, 'all_zero last_words'),
     ({'publishes': {'/cmd_vel': TWIST}, 'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),
     ({'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),

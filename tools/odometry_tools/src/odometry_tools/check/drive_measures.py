@@ -40,6 +40,8 @@ def measure_drive(m, run):
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.seconds = m.driven = 0.0
     m.has_ceased = False
+    m.zero_after_ctrl_c = (run.interrupted is not None
+                           and any(not command.moves for command in m.commands[run.interrupted:]))
     m.stop = None
     if m.moves:
         _measure_last_command(m, run)
@@ -77,7 +79,7 @@ def measure_distance(m, run):
     m.share = m.end.way / GOAL
     speeds = [abs(command.linear) for command in m.moves]
     m.step = max(speeds, default=0.0) / m.rate
-    m.is_early = m.end.way < GOAL - CLOSE
+    m.is_short = m.end.way < GOAL - CLOSE
     if m.stop:
         _measure_stop(m, run)
 
@@ -87,10 +89,12 @@ def _measure_stop(m, run):
     m.at_stop = _pose_at(run, m.stop.time)
     crossing = next((pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3), m.stop.time)
     m.delay = m.stop.time - crossing
+    m.pause = next((_pose_at(run, command.time) for command in m.commands
+                    if not command.moves and crossing <= command.time < m.moves[-1].time), None)
     is_in_time = m.delay <= m.bound or m.end.way <= GOAL + CLOSE
     from_start = math.dist(m.end[1:3], m.start[1:3])
     is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT
-    m.passed = abs(m.end.linear) < REST and not m.is_early and (is_in_time or is_back)
+    m.passed = abs(m.end.linear) < REST and not m.is_short and (is_in_time or is_back)
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
     # How far from here each mistake would have stopped the robot.
@@ -116,6 +120,7 @@ def measure_heading(m, run):
     _, last = errors[-1]
     m.shortest = abs(first)
     m.heading_error = abs(last)
+    m.is_short = m.heading_error > AT_TARGET
     m.turned = math.degrees(m.end.turned - m.start.turned)
     m.net = math.degrees(m.end.turn - m.start.turn)
     m.share = m.net / (first or 1.0)

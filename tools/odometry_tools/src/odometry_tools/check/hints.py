@@ -7,6 +7,7 @@ or at a fit.
 import math
 
 from odometry_tools.check.rule import Rule
+from odometry_tools.check.rules import is_cause
 from odometry_tools.check.scenarios import SLOW, TARGET
 
 UNKNOWN = 'We do not know why: print the {quantity} in your loop, and look at the picture'
@@ -49,10 +50,10 @@ ALL = (
     Rule('keyboard', lambda m: m.run.has_read_keyboard and m.rule in NOT_BEGUN,
          'Your node reads the keyboard, which a launch file cannot offer: '
          'make the value a parameter'),
-    Rule('error', lambda m: m.error and (m.rule in ('no_node', 'crash', 'silent')
-                                         or m.keeps_failing and m.rule == 'all_zero'), '{error}'),
+    Rule('error', is_cause, '{error}'),
     Rule('not_there', lambda m: m.lost_node and m.rule in NOT_BEGUN, 'roslaunch says: {lost_node}'),
-    Rule('last_words', lambda m: m.status and m.said and m.rule in ('no_node', 'crash'),
+    Rule('last_words', lambda m: m.said and (m.status and m.rule in ('no_node', 'crash')
+                                             or m.status == 0 and m.rule == 'all_zero'),
          'It said last: {said}'),
     Rule('main', lambda m: m.rule == 'no_node' and m.status == 0,
          'It never called rospy.init_node or ros::init: is main() called?'),
@@ -73,6 +74,9 @@ ALL = (
          'You listen to {inputs}; the robot sends, for example, /odom'),
     Rule('hook', lambda m: m.rule == 'interrupt' and m.error and m.hook_failed,
          'Your shutdown hook failed: {error}'),
+    Rule('again', lambda m: m.rule == 'interrupt' and m.zero_after_ctrl_c,
+         'You sent zero, and then drove again: a callback or a thread goes on while your shutdown '
+         'hook runs. Have it look at a flag that the hook sets first'),
     Rule('on_shutdown', lambda m: m.rule == 'interrupt' and not m.run.is_cpp,
          'Publish a zero Twist in rospy.on_shutdown; after the loop it is too late'),
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',

@@ -10,6 +10,7 @@ from odometry_tools.check.drive_measures import measure_distance, measure_drive,
 FLOOD = 200  # commands a simulated second
 # rospy's words, and roslaunch's
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
+DEAD_THREAD = 'Exception in thread '  # Python's words
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
 # What a node may know of the robot, and its types.
 INPUTS = {
@@ -54,7 +55,8 @@ def _read_output(m, output):
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
     m.callback_error = m.error if BAD_CALLBACK in output else ''
-    m.keeps_failing = output.count(BAD_CALLBACK) > len(m.run.moved or m.commands)
+    m.failures = output.count(BAD_CALLBACK)
+    m.has_dead_thread = DEAD_THREAD in output
     m.hook_failed = HOOK_FAILED in output
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')
     died = quoting.DIED.search(output)

@@ -6,6 +6,16 @@ The first rule that holds is the verdict; why is in hints.py.
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
+
+def is_cause(m):
+    """Return whether an error in the output is why the node does not do what it should."""
+    if m.rule == 'ceased':  # on the way: since then a callback has failed, or a thread is dead
+        messages = m.rate * (m.run.now - m.commands[-1].time)
+        return m.is_short and (m.has_dead_thread or m.failures > messages / 2)
+    return bool(m.error) and (m.rule in ('no_node', 'crash', 'silent')
+                              or m.rule == 'all_zero' and m.failures > len(m.commands))
+
+
 START = (
     Rule('crash', lambda m: m.status and m.run.interrupted is None, 'your node ended {how}{at}'),
     Rule('no_node', lambda m: not m.run.nodes and m.status is None,
@@ -43,13 +53,16 @@ DISTANCE = (
          'your last command, {last_word}, came at {at_last.way:.2f} m, '
          "and only the base's watchdog stopped the robot, "
          'at {end.way:.2f} m'),
-    Rule('early', lambda m: m.stop and m.is_early,
+    Rule('early', lambda m: m.stop and m.is_short,
          'you stopped at {at_stop.way:.2f} m, and rest at {end.way:.2f} of 2.00 m'),
-    Rule('unfinished', lambda m: m.is_early,
+    Rule('unfinished', lambda m: m.is_short,
          'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m'),
     Rule('passed_by', lambda m: not m.stop,
          'you passed 2.00 m and were at {end.way:.2f} m when this was ended, '
          'still with {last_word}'),
+    Rule('drove_on', lambda m: m.pause,
+         'you sent zero at {pause.way:.2f} m, and then drove on; '
+         'the robot rests at {end.way:.2f} m'),
     Rule('late', lambda m: True,
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, '
          'where two periods are {bound:.1f} s; the robot rests at {end.way:.2f} m'))
@@ -92,8 +105,7 @@ NOTES = (
     Rule('wall_time', lambda m: m.run.unawaited and not m.floods,
          'your node acts by wall time, as after time.sleep(), or never rests. '
          'It is judged at a pace, since lockstep cannot wait for it'),
-    Rule('callback', lambda m: m.callback_error and not (
-        m.is_silent or m.keeps_failing and m.rule == 'all_zero'),
+    Rule('callback', lambda m: m.callback_error and not is_cause(m),
          'a callback failed, and the node went on: {callback_error}'),
     Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
          'your node ended {how} after it had done all: {said}'),

@@ -17,7 +17,7 @@ QUIET, BUSY = 0.3, 2.0  # s of wall time
 # s of wall time, and of processor time: a node that has not registered after so long, without
 # computing at the end or after so much computing, will not.
 REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0
-HOOK_PATIENCE = 1.0  # s of wall time after Ctrl-C, for a node that needs no simulated time to end
+HOOK_PATIENCE = 0.25  # s of wall time after Ctrl-C; then time goes on, with odometry for callbacks
 # s of wall and simulated time; lockstep waits for a busy machine, a pace does not
 INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
