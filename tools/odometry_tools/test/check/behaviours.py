@@ -94,6 +94,29 @@ def drives_again(memory, pose):
     return (0.2 if there < 4.0 else 0.0), 0.0
 
 
+def spins_at_the_goal(memory, pose):
+    if way(memory['start'], pose) < 2.0:
+        return 0.3, 0.0
+    return 0.0, (1.0 if pose.time - memory.setdefault('there', pose.time) < 6.0 else 0.0)
+
+
+def rarely(memory, pose):
+    """Command once in ten seconds."""
+    if pose.time < memory.get('next', 0.0) - 1e-6:
+        return None
+    memory['next'] = pose.time + 10.0
+    return (0.3 if way(memory['start'], pose) < 2.0 else 0.0), 0.0
+
+
+def place_by_speed(memory, pose):
+    """Return the distance from the start by dead reckoning."""
+    last, memory['last'] = memory.get('last', pose), pose
+    step = pose.linear * (pose.time - last.time)
+    memory['x'] = memory.get('x', 0.0) + step * math.cos(pose.yaw)
+    memory['y'] = memory.get('y', 0.0) + step * math.sin(pose.yaw)
+    return math.hypot(memory['x'], memory['y'])
+
+
 def silent_halfway(memory, pose):
     return (0.2, 0.0) if way(memory['start'], pose) < 1.0 else None
 

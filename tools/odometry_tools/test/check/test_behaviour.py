@@ -17,10 +17,13 @@ from behaviours import (
     once_a_second,
     one_step,
     overshooting,
+    place_by_speed,
+    rarely,
     remembering,
     rest_between,
     rounded,
     silent_halfway,
+    spins_at_the_goal,
     to_point,
     turn_by,
     turn_by_time,
@@ -46,6 +49,7 @@ CASES = {
         'right, fast': (driving(way, 1.0), {}),
         'right, with a rest': (remembering(rest_between), {}),
         'right, overshoots': (remembering(overshooting), {}),
+        'right, spins at the goal': (remembering(spins_at_the_goal), {}),
         'fixed time': (remembering(fixed_time), {'odom_5hz': 'passed_by slow_odometry'}),
         'position': (driving(lambda start, pose: pose.x), {'moved_start': 'all_zero start'}),
         'one axis': (driving(lambda start, pose: abs(pose.x - start.x)), {'moved_start': 'late one_axis'}),
@@ -63,6 +67,8 @@ CASES = {
         'again': (remembering(drives_again), dict.fromkeys(EVERYWHERE, 'drove_on')),
         'once': (remembering(once), dict.fromkeys(EVERYWHERE, 'ceased one_command')),
         'zero': (lambda: lambda pose: (0.0, 0.0), dict.fromkeys(EVERYWHERE, 'all_zero')),
+        'rarely': (remembering(rarely), {
+            **dict.fromkeys(EVERYWHERE, 'late rare'), 'slow_base': 'unfinished rare'}),
         'creeps': (driving(way, 0.004), dict.fromkeys(EVERYWHERE, 'unfinished')),
         'turns': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw)), dict.fromkeys(EVERYWHERE, 'only_turned'))},
     'heading': {
@@ -98,6 +104,7 @@ CASES = {
         'never': (lambda: lambda pose: 0.0, dict.fromkeys(ON_THE_ROUTE, 'miscounted')),
         'displacement': (remembering(lambda memory, pose: way(memory['start'], pose)),
                          dict.fromkeys(ON_THE_ROUTE, 'displacement')),
+        'displacement, by speed': (remembering(place_by_speed), dict.fromkeys(ON_THE_ROUTE, 'displacement')),
         'one axis': (counting(lambda last, pose: abs(pose.x - last.x)),
                      dict.fromkeys(ON_THE_ROUTE, 'miscounted one_axis')),
         'sum': (counting(lambda last, pose: pose.x - last.x + pose.y - last.y),
@@ -146,7 +153,7 @@ def test_an_error_is_the_cause_of_silence_on_the_way_if_it_goes_on_meanwhile(out
     run.output = output
     verdict, = verdicts_on([run], exercise)
     assert (verdict.rule, verdict.hint) == ('ceased', hint), verdict
-    assert ('callback' in verdict.notes) == (hint == 'no_zero')
+    assert ('error' in verdict.notes) == (hint == 'no_zero')
 
 
 @pytest.mark.parametrize('speeds, hint', [([0.0, 0.2], 'again'), ([0.2], 'on_shutdown')])
@@ -156,6 +163,15 @@ def test_whether_there_was_a_zero_after_ctrl_c_tells_what_is_wrong(speeds, hint)
     run.commands[run.interrupted:] = [Command(run.now, speed, 0.0, (), 'cmd_vel') for speed in speeds]
     verdict, = verdicts_on([run], exercise)
     assert (verdict.rule, verdict.hint) == ('interrupt', hint), verdict.sentence
+
+
+def test_an_exit_status_at_the_goal_is_a_note_and_the_drive_is_judged():
+    exercise = EXERCISES['two_meters']
+    run = drive(exercise.scenarios[0], remembering(without_zero), exercise.target)
+    run.status, run.output = 1, 'Goal reached\n'
+    verdict, = verdicts_on([run], exercise)
+    assert (verdict.rule, verdict.hint) == ('ceased', 'no_zero'), verdict.sentence
+    assert verdict.notes['exit_status'] == 'your node ended with status 1, and said last: Goal reached'
 
 
 def test_a_command_before_time_begins_moves_no_robot():

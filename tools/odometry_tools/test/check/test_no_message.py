@@ -39,6 +39,8 @@ def verdict_on(exercise='two_meters', **facts):
     ({'status': -signal.SIGSEGV}, 'crash'),
     ({'output': ERROR + DIED}, 'crash error'),
     ({'output': BAD_CALLBACK}, 'silent error'),
+    ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent error'),
+    ({'output': ERROR, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
     ({'output': 'Error: 1.57\n'}, 'silent'),
     ({'status': 0}, 'silent ended'),
     ({'status': 0, 'commands': ZERO, 'output': 'gave up\n'}, 'all_zero last_words'),

@@ -18,6 +18,7 @@ SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
 MOVED = 1e-4  # m or rad; less than the slowest command moves a robot until the watchdog stops it
 # s at the end of a run, in which a controller has settled, a heading stays.
 RINGING, STILL = 5.0, 2.0
+LONGEST_PERIOD = 1.0  # s, of a loop, of which a late zero may take two
 FLIPS = 4  # changes of sign that a controller may make while it settles
 CEASED = 0.55  # s
 FITS = 0.04  # m
@@ -54,11 +55,16 @@ def _measure_last_command(m, run):
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
     m.has_ceased = last.moves and run.now - last.time > CEASED
     if not last.moves:
-        m.stop = m.commands[m.commands.index(m.moves[-1]) + 1]
+        m.stop = _first_after(m.commands, lambda command: command.moves)
     m.at_last = _pose_at(run, last.time)
     m.turned_at_last = math.degrees(m.at_last.turned - m.start.turned)
     m.seconds = run.now - m.moves[0].time
     m.driven = (m.stop or last).time - m.moves[0].time
+
+
+def _first_after(commands, holds):
+    """Return the first command after the last one for which a function holds."""
+    return commands[max(number for number, command in enumerate(commands) if holds(command)) + 1]
 
 
 def _pose_at(run, time):
@@ -71,30 +77,34 @@ def measure_distance(m, run):
     """Measure how a robot drives two metres."""
     times = [command.time for command in m.moves]
     intervals = [after - before for before, after in zip(times, times[1:])]
-    own_period = statistics.median(intervals or [0.0])
-    period = max(1 / m.rate, own_period)
-    m.bound = 2 * period + SLACK
+    m.own_period = statistics.median(intervals or [0.0])
+    m.bound = 2 * max(1 / m.rate, min(m.own_period, LONGEST_PERIOD)) + SLACK
     if not run.pace.lockstep:
         m.bound += PACED_SLACK * run.pace.real_time_factor
     m.share = m.end.way / GOAL
     speeds = [abs(command.linear) for command in m.moves]
     m.step = max(speeds, default=0.0) / m.rate
     m.is_short = m.end.way < GOAL - CLOSE
-    if m.stop:
+    m.reached = f'{m.end.way:.2f} m'
+    if m.stop and m.drives:
         _measure_stop(m, run)
 
 
 def _measure_stop(m, run):
-    """Measure when and where the zero came."""
+    """Measure when and where the zero came; the robot may turn afterwards."""
+    m.stop = _first_after(m.commands, lambda command: abs(command.linear) > ZERO)
     m.at_stop = _pose_at(run, m.stop.time)
     crossing = next((pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3), m.stop.time)
     m.delay = m.stop.time - crossing
     m.pause = next((_pose_at(run, command.time) for command in m.commands
-                    if not command.moves and crossing <= command.time < m.moves[-1].time), None)
+                    if abs(command.linear) <= ZERO
+                    and crossing <= command.time < m.stop.time), None)
     is_in_time = m.delay <= m.bound or m.end.way <= GOAL + CLOSE
     from_start = math.dist(m.end[1:3], m.start[1:3])
     is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT
     m.passed = abs(m.end.linear) < REST and not m.is_short and (is_in_time or is_back)
+    if is_back:
+        m.reached = f'{from_start:.2f} m from the start, {m.reached} of way,'
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
     # How far from here each mistake would have stopped the robot.

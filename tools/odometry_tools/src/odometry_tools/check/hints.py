@@ -13,6 +13,7 @@ from odometry_tools.check.scenarios import SLOW, TARGET
 UNKNOWN = 'We do not know why: print the {quantity} in your loop, and look at the picture'
 YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
 SAME_ANGLE = 5.0  # degrees
+WATCHDOG = 0.6  # s
 NOT_BEGUN = 'no_node', 'crash', 'silent', 'all_zero'
 # degrees, if the target is mistaken for radians, or the yaw
 DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578
@@ -65,8 +66,8 @@ ALL = (
     Rule('output', lambda m: m.is_silent and m.outputs and m.topic not in m.run.publishes,
          'You publish {type} on {outputs}; the exercise names {topic}'),
     Rule('ended', lambda m: m.is_silent and m.status == 0,
-         'It ended by itself: rospy.spin() or ros::spin() keeps a node with callbacks alive, '
-         'and what you publish before anybody is connected is lost'),
+         'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() keeps '
+         'it alive; what you publish before anybody is connected is lost'),
     Rule('input_type', lambda m: m.wrong_inputs and m.rule in NOT_BEGUN,
          'You subscribe to {wrong_inputs}, which is not the type that the robot sends, '
          'so nothing arrives'),
@@ -83,14 +84,17 @@ ALL = (
          'Publish a zero Twist before ros::shutdown(): '
          'take ros::init_options::NoSigintHandler and handle SIGINT'),
     Rule('handler', lambda m: m.rule == 'interrupt_ignored' and m.run.answers and not m.run.is_cpp,
-         'rospy did not learn of Ctrl-C: a signal handler of your own, disable_signals, '
-         'or a caught KeyboardInterrupt keeps it away'),
+         "rospy's shutdown has not come to its end: a hook of yours waits, or Ctrl-C was kept from "
+         'rospy, by a signal handler of your own, disable_signals or a caught KeyboardInterrupt'),
     Rule('is_shutdown', lambda m: m.rule == 'interrupt_ignored' and not m.run.is_cpp,
          'Each loop, in each thread, needs while not rospy.is_shutdown()'),
     Rule('ok', _is_one_of('interrupt_ignored'),
          'Each loop, in each thread, needs while (ros::ok())'),
     Rule('one_command', lambda m: m.rule in ('ceased', 'before_start') and len(m.moves) <= 5,
          'It stops 0.6 s after the last command, and you sent no more: repeat it in your loop'),
+    Rule('rare', lambda m: (m.rule in ('late', 'unfinished')
+                            and getattr(m, 'own_period', 0.0) > WATCHDOG),
+         'Your commands come every {own_period:.1f} s, and the base stops 0.6 s after each'),
     Rule('no_zero', _is_one_of('ceased'),
          'Publish a zero Twist when you are there, and before your node ends'))
 PLACES = (
@@ -159,6 +163,6 @@ COMPARED = (
          '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
          'or a fixed time for each message'),
     Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
-         'From (0, 0), heading 0, it is right: the result depends on where the robot starts'))
+         'In {plain.scenario.name} it is right: the result depends on where the robot starts'))
 HINTS = {'moved_distance': (*ALL, *FITS, *COMPARED), 'two_meters': (*ALL, *PLACES, *COMPARED),
          'heading': (*ALL, *ANGLES, *COMPARED)}

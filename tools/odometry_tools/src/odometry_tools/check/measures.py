@@ -54,7 +54,7 @@ def _read_output(m, output):
     """Note what the node has printed, and how it ended."""
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
-    m.callback_error = m.error if BAD_CALLBACK in output else ''
+    m.after_words = f', and said last: {m.said}' if m.said else ''
     m.failures = output.count(BAD_CALLBACK)
     m.has_dead_thread = DEAD_THREAD in output
     m.hook_failed = HOOK_FAILED in output

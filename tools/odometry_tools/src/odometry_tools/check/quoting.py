@@ -34,7 +34,7 @@ def error_in(output):
         return ''
     places, name, words = found[-1].groups()
     lines = [line for path, line in PLACE.findall(places) if not NOT_USER_CODE.search(path)]
-    error = ': '.join(filter(None, [name.rpartition('.')[2], words]))[:MOST]
+    error = ': '.join(filter(None, [name.rpartition('.')[2], words]))[:MOST].rstrip(' .')
     return f'{error}, line {lines[-1]}' if lines else error
 
 

@@ -12,12 +12,20 @@ def is_cause(m):
     if m.rule == 'ceased':  # on the way: since then a callback has failed, or a thread is dead
         messages = m.rate * (m.run.now - m.commands[-1].time)
         return m.is_short and (m.has_dead_thread or m.failures > messages / 2)
-    return bool(m.error) and (m.rule in ('no_node', 'crash', 'silent')
+    if m.rule == 'silent':  # a node that goes on may have printed one that it expects
+        return bool(m.error) and (m.status is not None or m.failures or m.has_dead_thread)
+    return bool(m.error) and (m.rule in ('no_node', 'crash')
                               or m.rule == 'all_zero' and m.failures > len(m.commands))
 
 
+def _exits_at_goal(m):
+    """Return whether a node drove as far as it should, and then chose its exit status."""
+    return m.status > 0 and not m.error and not getattr(m, 'is_short', True)
+
+
 START = (
-    Rule('crash', lambda m: m.status and m.run.interrupted is None, 'your node ended {how}{at}'),
+    Rule('crash', lambda m: m.status and m.run.interrupted is None and not _exits_at_goal(m),
+         'your node ended {how}{at}'),
     Rule('no_node', lambda m: not m.run.nodes and m.status is None,
          'your process registered no node within 20 s'),
     Rule('no_node', lambda m: not m.run.nodes,
@@ -27,7 +35,7 @@ START = (
          'as time.time() does, or chance. '
          'rospy.get_time() follows the robot', explains=True),
     Rule('silent', lambda m: m.is_silent,
-         'your node published 0 messages on {topic}, where odometry comes {rate:g} times a second'),
+         'your node published nothing on {topic}'),
     Rule('not_finite', lambda m: not m.is_finite,
          'you published what is not a number (nan or inf) on {topic}'))
 DRIVE = (
@@ -65,7 +73,7 @@ DISTANCE = (
          'the robot rests at {end.way:.2f} m'),
     Rule('late', lambda m: True,
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, '
-         'where two periods are {bound:.1f} s; the robot rests at {end.way:.2f} m'))
+         'where {bound:.1f} s are allowed; the robot rests at {end.way:.2f} m'))
 HEADING = (
     Rule('only_drove', lambda m: m.drives and not m.turns,
          'you only drove the robot; this exercise turns it', explains=True),
@@ -73,7 +81,7 @@ HEADING = (
          'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
          "base's watchdog stopped the robot, at heading {heading:.1f}"),
     Rule('rings', lambda m: m.rings,
-         'your command changed its sign {flips} times, '
+         'your command changed its sign {flips} times until this was ended, '
          'and the robot did not come to rest at 90 degrees'),
     Rule('long_way', lambda m: m.turned > m.shortest + DETOUR,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
@@ -92,7 +100,7 @@ DETECTOR = (
          'and {total:.2f} of {right:.2f} in all'))
 PRAISE = {
     'moved_distance': 'counted {total:.2f} of {right:.2f} m',
-    'two_meters': 'at {end.way:.2f} m after {driven:.1f} s',
+    'two_meters': 'at {reached} after {driven:.1f} s',
     'heading': 'at {heading:.2f} degrees after {arrival:.1f} s',
     'interrupt': 'stopped the robot after Ctrl-C',
     'paced': 'as far as can be said of a node that lockstep does not wait for'}
@@ -105,10 +113,12 @@ NOTES = (
     Rule('wall_time', lambda m: m.run.unawaited and not m.floods,
          'your node acts by wall time, as after time.sleep(), or never rests. '
          'It is judged at a pace, since lockstep cannot wait for it'),
-    Rule('callback', lambda m: m.callback_error and not is_cause(m),
-         'a callback failed, and the node went on: {callback_error}'),
-    Rule('exit_status', lambda m: m.passed and m.status and m.run.interrupted is None,
-         'your node ended {how} after it had done all: {said}'),
+    Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
+                             and not is_cause(m)),
+         'your node printed an error, and went on: {error}'),
+    Rule('exit_status', lambda m: (m.status and m.run.interrupted is None
+                                   and m.rule not in ('no_node', 'crash')),
+         'your node ended {how}{after_words}'),
     Rule('ctrl_c', lambda m: not m.run.ends and m.run.interrupted is None,
          'Ctrl-C did not end your node within 30 simulated seconds'),
     Rule('leaves_process', lambda m: m.run.leaves_process,
@@ -117,6 +127,8 @@ NOTES = (
          'it passed only when it was looked at again. '
          'What a program publishes as it ends can be lost: '
          'rospy.sleep(0.5) after it gives it time to arrive'),
+    Rule('commands', lambda m: m.exercise.route and m.commands,
+         'your detector drives the robot, too, so it was not where the check drove it'),
     Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
          'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),
     Rule('mux', lambda m: getattr(m, 'mux', ''),
