@@ -103,7 +103,7 @@ def _measure_stop(m, run):
     from_start = math.dist(m.end[1:3], m.start[1:3])
     is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT
     m.passed = abs(m.end.linear) < REST and not m.is_short and (is_in_time or is_back)
-    if is_back:
+    if not is_in_time and is_back:
         m.reached = f'{from_start:.2f} m from the start, {m.reached} of way,'
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
