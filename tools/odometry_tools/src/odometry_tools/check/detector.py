@@ -18,7 +18,8 @@ def measure_detector(m, run):
     times, published = numpy.array(run.moved).T
     # Until its first message a detector has counted nothing.
     times, published = numpy.append(-numpy.inf, times), numpy.append(0.0, published)
-    ends = numpy.array([run.legs[0][1], *(end for *_, end in run.legs)])
+    _, first, _ = run.legs[0]
+    ends = numpy.array([first, *(end for *_, end in run.legs)])
     # A leg ends at rest: the last message before has all of it, even if published once a second.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])

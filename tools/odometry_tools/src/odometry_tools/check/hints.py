@@ -164,5 +164,7 @@ COMPARED = (
          'or a fixed time for each message'),
     Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
          'In {plain.scenario.name} it is right: the result depends on where the robot starts'))
-HINTS = {'moved_distance': (*ALL, *FITS, *COMPARED), 'two_meters': (*ALL, *PLACES, *COMPARED),
-         'heading': (*ALL, *ANGLES, *COMPARED)}
+HINTS = {
+    'moved_distance': (*ALL, *FITS, *COMPARED),
+    'two_meters': (*ALL, *PLACES, *COMPARED),
+    'heading': (*ALL, *ANGLES, *COMPARED)}

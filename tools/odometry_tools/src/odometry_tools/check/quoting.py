@@ -34,13 +34,16 @@ def error_in(output):
         return ''
     places, name, words = found[-1].groups()
     lines = [line for path, line in PLACE.findall(places) if not NOT_USER_CODE.search(path)]
-    error = ': '.join(filter(None, [name.rpartition('.')[2], words]))[:MOST].rstrip(' .')
+    kind = name.rpartition('.')[2]
+    error = f'{kind}: {words}' if words else kind
+    error = error[:MOST].rstrip(' .')
     return f'{error}, line {lines[-1]}' if lines else error
 
 
 def last_line(output):
     """Return the last line that is not empty, or ''."""
-    return next((line.strip()[:MOST] for line in reversed(output.split('\n')) if line.strip()), '')
+    lines = [line.strip() for line in output.split('\n') if line.strip()]
+    return lines[-1][:MOST] if lines else ''
 
 
 def listed(names):

@@ -39,9 +39,13 @@ class Exercise(NamedTuple):
     target: float = None  # degrees
 
 
-ROUTE = (Leg('on the way out', 0.5, 0.0, 4.0), Leg('on the way back', -0.5, 0.0, 4.0),
-         Leg('on an arc', 0.2, 0.6283, 2.5), Leg('on the rest of its circle', 0.2, 0.6283, 7.5),
-         Leg('while spinning', 0.0, 1.5708, 2.0), Leg('while standing', 0.0, 0.0, 1.4))
+ROUTE = (
+    Leg('on the way out', 0.5, 0.0, 4.0),
+    Leg('on the way back', -0.5, 0.0, 4.0),
+    Leg('on an arc', 0.2, 0.6283, 2.5),
+    Leg('on the rest of its circle', 0.2, 0.6283, 7.5),
+    Leg('while spinning', 0.0, 1.5708, 2.0),
+    Leg('while standing', 0.0, 0.0, 1.4))
 SLOW = 0.7
 PLAIN, INTERRUPT = Scenario('plain'), Scenario('interrupt', interrupt=True)
 SLOW_ODOMETRY = Scenario('odom_5hz', odom_rate=5.0)
