@@ -103,16 +103,16 @@ PRAISE = {
     'two_meters': 'at {reached} after {driven:.1f} s',
     'heading': 'at {heading:.2f} degrees after {arrival:.1f} s',
     'interrupt': 'stopped the robot after Ctrl-C',
-    'paced': 'as far as can be said of a node that lockstep does not wait for'}
+    'paced': 'as far as can be said of a node that acts by wall time'}
 # These hold or not, whatever the verdict.
 NOTES = (
     Rule('no_sleep', lambda m: m.run.unawaited and m.floods,
          'your loop sends more than 200 commands a second, where 10 do: '
          'add rospy.Rate(10) and rate.sleep(). '
-         'It is judged at a pace, since lockstep cannot wait for it'),
+         'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('wall_time', lambda m: m.run.unawaited and not m.floods,
          'your node acts by wall time, as after time.sleep(), or never rests. '
-         'It is judged at a pace, since lockstep cannot wait for it'),
+         'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
                              and not is_cause(m)),
          'your node printed an error, and went on: {error}'),
