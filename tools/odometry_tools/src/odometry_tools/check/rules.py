@@ -9,13 +9,15 @@ from odometry_tools.check.rule import Rule
 
 def is_cause(m):
     """Return whether an error in the output is why the node does not do what it should."""
+    if not m.error:
+        return False
     if m.rule == 'ceased':  # on the way: since then a callback has failed, or a thread is dead
         messages = m.rate * (m.run.now - m.commands[-1].time)
         return m.is_short and (m.has_dead_thread or m.failures > messages / 2)
     if m.rule == 'silent':  # a node that goes on may have printed one that it expects
-        return bool(m.error) and (m.status is not None or m.failures or m.has_dead_thread)
-    return bool(m.error) and (m.rule in ('no_node', 'crash')
-                              or m.rule == 'all_zero' and m.failures > len(m.commands))
+        return m.status is not None or m.failures or m.has_dead_thread
+    return (m.rule in ('no_node', 'crash')
+            or m.rule == 'all_zero' and m.failures > len(m.commands))
 
 
 def _exits_at_goal(m):
