@@ -31,8 +31,8 @@ def test_it_prints_the_url_and_exits_quietly(master, signum):
 
 @pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])
 def test_an_environment_variable_sets_the_default_of_host(master, arguments, address):
-    with hold_port() as port, rosrun('robot_view', 'view.py', f'_port:={port}', *arguments,
-                                     env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
+    with hold_port(address) as port, rosrun('robot_view', 'view.py', f'_port:={port}', *arguments,
+                                            env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
         viewer.wait_for_output(f'view: http://{address}:{port}')
         with socket.create_connection((address, port)):
             pass
@@ -94,7 +94,7 @@ def test_a_codespace_forwards_the_page(monkeypatch):
                                        ('127.0.0.2', 'http://127.0.0.2')])
 def test_the_page_has_a_url_that_every_browser_finds(host, url):
     """0.0.0.0 is an address to listen on; not every browser takes it for this machine."""
-    with hold_port() as port:
+    with hold_port(host) as port:
         address = read_address({'host': host, 'port': port, 'allowed_hosts': 'LAB:81, b'})
     assert address.url == f'{url}:{port}'
     assert {'localhost', host, 'lab:81', 'b'} <= address.names
