@@ -58,8 +58,9 @@ case $1 in
             set -- "${@:1:2}" --host "${host:=127.0.0.1}" --dashboard-address "$host:0" "${@:3}" ;;
 esac
 # Nothing that a script starts outlives this process. It runs in a session without the terminal's signals.
-# Perl blocks them from the beginning: while Python starts, Ctrl-C would print a traceback.
-[ -z "${script:-}" ] || exec perl -MPOSIX=:signal_h -e 'sigprocmask(SIG_BLOCK, POSIX::SigSet->new(
+# Perl blocks them first: while Python starts, Ctrl-C would print a traceback. PERL_BADLANG: a locale that is not
+# installed is no matter here.
+[ -z "${script:-}" ] || PERL_BADLANG=0 exec perl -MPOSIX=:signal_h -e 'sigprocmask(SIG_BLOCK, POSIX::SigSet->new(
         SIGCHLD, SIGINT, SIGQUIT, SIGHUP, SIGTERM)); exec @ARGV' "$VENV/bin/python3" -I -S "$ROOT/tools/setup/reaper.py" \
     bash "$ROOT/tools/setup/enter.bash" python3 "$ROOT/$script" "${@:2}"
 exec bash "$ROOT/tools/setup/enter.bash" "$@"

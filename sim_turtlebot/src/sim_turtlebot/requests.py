@@ -32,8 +32,7 @@ class RequestQueue:
 
     def __init__(self):
         self._changed = threading.Condition()
-        self._messages = {}  # functions by node and topic
-        self._arrivals = {}  # of the latest message of each node that waits (monotonic, s)
+        self._messages = {}  # time of arrival (monotonic, s) and function, by node and topic
         self._calls = []
         self._is_serving_calls = False
 
@@ -41,14 +40,13 @@ class RequestQueue:
     def arrivals(self):
         """When the latest waiting message of each node came (monotonic, s), by name of the node."""
         with self._changed:
-            return {**self._arrivals}
+            return {node: arrival for (node, _), (arrival, _) in self._messages.items()}
 
     def put(self, node, topic, request):
         """Add a message's request; it replaces an earlier one of the same node and topic."""
         with self._changed:
             self._messages.pop((node, topic), None)  # the new one is the last in order
-            self._messages[node, topic] = request
-            self._arrivals[node] = time.monotonic()
+            self._messages[node, topic] = time.monotonic(), request
             self._changed.notify()
 
     def call(self, node, service, request):
@@ -81,14 +79,15 @@ class RequestQueue:
         :return: whether a call was among them
         """
         with self._changed:
-            messages, self._messages, self._arrivals = self._messages, {}, {}
+            messages, self._messages = self._messages, {}
             calls = []
             if not self._is_serving_calls:
                 calls, self._calls = self._calls, calls
         if by_name:
             calls.sort(key=lambda call: (call.node, call.service))
         for sender in sorted(messages) if by_name else messages:
-            messages[sender]()
+            _, request = messages[sender]
+            request()
         if not calls:
             return False
         self._is_serving_calls = True

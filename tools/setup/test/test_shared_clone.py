@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 from checkout import FASTER, RUN_MINE, START, in_checkout, set_up
+from odometry_tests.scripts import ROOT
 
 # Without root's right to write everywhere.
 READ_ONLY = 'setpriv --bounding-set=-dac_override ' if os.getuid() == 0 else ''
@@ -35,6 +36,14 @@ build_fingerprint
 """
     found = {in_checkout(checkout, commands, LC_ALL=name).stdout for name in ('C.UTF-8', 'en_US.UTF-8')}
     assert len(found) == 1, found
+
+
+def test_a_locale_that_is_not_installed_is_no_matter():
+    """As over ssh, which brings the locale of another machine."""
+    names = {name: value for name, value in os.environ.items() if not name.startswith('LC_')}
+    run = subprocess.run([ROOT / 'ws', 'check', '--help'], env={**names, 'LANG': 'xx_YY.UTF-8'},
+                         check=True, capture_output=True, text=True)
+    assert not run.stderr
 
 
 def test_who_cannot_write_the_clone_runs_what_is_built(checkout, read_only):

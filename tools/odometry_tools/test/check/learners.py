@@ -1,9 +1,11 @@
-"""Nodes as learners write them: whole ones, and others that differ from one of these by a few words."""
+"""Nodes as learners write them: whole ones, and others that differ from one of these by a few words; what they print."""
 
 from pathlib import Path
 
 import yaml
 
+ERROR = 'Traceback (most recent call last):\n  File "/home/me/a.py", line 7, in go\n    x\nNameError: no x\n'
+BAD_CALLBACK = f'[ERROR] [1.5, 0.2]: bad callback: <function cb at 0x7f00>\n{ERROR}'
 NODES = Path(__file__).with_name('nodes')
 # By exercise and node: `base`, what to `replace`, and the `expected` rule and hint by scenario, or of `all`.
 VARIANTS = yaml.safe_load((NODES / 'variants.yaml').read_text())

@@ -34,11 +34,11 @@ from behaviours import (
     wrong_derivative,
 )
 from kinematic_robot import drive, verdicts
+from learners import BAD_CALLBACK, ERROR
 from odometry_common.angles import wrap_to_pi
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command
 from odometry_tools.check.scenarios import EXERCISES
-from test_no_message import BAD_CALLBACK, ERROR
 
 EVERYWHERE = 'plain', 'moved_start', 'odom_5hz', 'slow_base'
 ON_THE_ROUTE = 'route', *EVERYWHERE[1:]
@@ -142,6 +142,8 @@ def test_where_nothing_proves_a_cause_the_report_says_so():
         'We do not know why: print the heading in your loop, and look at the picture')
     ceased = verdicts('two_meters', remembering(without_zero), ['plain'])['plain']
     assert 'came at 1.99 m' in ceased.sentence and 'at 2.11 m' in ceased.sentence
+    spins = verdicts('two_meters', remembering(spins_at_the_goal), ['plain'])['plain']
+    assert spins.sentence.endswith('after 6.7 s'), spins.sentence
 
 
 @pytest.mark.parametrize('output, hint', [

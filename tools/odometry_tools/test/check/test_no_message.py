@@ -3,13 +3,12 @@
 import signal
 
 import pytest
+from learners import BAD_CALLBACK, ERROR
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command, Pose, Run
 from odometry_tools.check.scenarios import EXERCISES
 
-ERROR = 'Traceback (most recent call last):\n  File "/home/me/a.py", line 7, in go\n    x\nNameError: no x\n'
-BAD_CALLBACK = f'[ERROR] [1.5, 0.2]: bad callback: <function cb at 0x7f00>\n{ERROR}'
 HEARS = {'/odom': 'nav_msgs/Odometry'}
 TWIST, FLOAT = 'geometry_msgs/Twist', 'std_msgs/Float64'
 ZERO = [Command(0.0, 0.0, 0.0, (), 'cmd_vel')]

@@ -39,7 +39,7 @@ def measure_drive(m, run):
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
-    m.seconds = m.driven = 0.0
+    m.seconds = 0.0
     m.has_ceased = False
     m.zero_after_ctrl_c = (run.interrupted is not None
                            and any(not command.moves for command in m.commands[run.interrupted:]))
@@ -59,7 +59,6 @@ def _measure_last_command(m, run):
     m.at_last = _pose_at(run, last.time)
     m.turned_at_last = math.degrees(m.at_last.turned - m.start.turned)
     m.seconds = run.now - m.moves[0].time
-    m.driven = (m.stop or last).time - m.moves[0].time
 
 
 def _first_after(commands, holds):
@@ -94,6 +93,7 @@ def _measure_stop(m, run):
     """Measure when and where the zero came; the robot may turn afterwards."""
     m.stop = _first_after(m.commands, lambda command: abs(command.linear) > ZERO)
     m.at_stop = _pose_at(run, m.stop.time)
+    m.driven = m.stop.time - m.moves[0].time
     crossing = next((pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3), m.stop.time)
     m.delay = m.stop.time - crossing
     m.pause = next((_pose_at(run, command.time) for command in m.commands

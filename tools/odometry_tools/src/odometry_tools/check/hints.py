@@ -76,8 +76,8 @@ ALL = (
     Rule('hook', lambda m: m.rule == 'interrupt' and m.error and m.hook_failed,
          'Your shutdown hook failed: {error}'),
     Rule('again', lambda m: m.rule == 'interrupt' and m.zero_after_ctrl_c,
-         'You sent zero, and then drove again: a callback or a thread goes on while your shutdown '
-         'hook runs. Have it look at a flag that the hook sets first'),
+         'You sent zero, and then drove again: let all loops, callbacks and threads that drive '
+         'look at a flag, and set it before you send zero'),
     Rule('on_shutdown', lambda m: m.rule == 'interrupt' and not m.run.is_cpp,
          'Publish a zero Twist in rospy.on_shutdown; after the loop it is too late'),
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',

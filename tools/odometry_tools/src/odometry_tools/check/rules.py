@@ -130,7 +130,7 @@ NOTES = (
          'What a program publishes as it ends can be lost: '
          'rospy.sleep(0.5) after it gives it time to arrive'),
     Rule('commands', lambda m: m.exercise.route and m.commands,
-         'your detector drives the robot, too, so it was not where the check drove it'),
+         'your detector commands the robot, too, which the check drives'),
     Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
          'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),
     Rule('mux', lambda m: getattr(m, 'mux', ''),

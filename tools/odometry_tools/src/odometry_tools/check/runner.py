@@ -17,7 +17,9 @@ QUIET, BUSY = 0.3, 2.0  # s of wall time
 # s of wall time, and of processor time: a node that has not registered after so long, without
 # computing at the end or after so much computing, will not.
 REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0
-HOOK_PATIENCE = 0.25  # s of wall time after Ctrl-C; then time goes on, with odometry for callbacks
+# Looks after Ctrl-C, s of wall time apart; a look after a zero is the last. Then time goes on, so
+# that callbacks have odometry.
+HOOK_LOOKS, HOOK_PERIOD = 10, 0.1
 # s of wall and simulated time; lockstep waits for a busy machine, a pace does not
 INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
 LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
@@ -119,7 +121,8 @@ class Runner:
     def _press_ctrl_c(self, node, run):
         """Press Ctrl-C; note whether that ends the node, and all that it has started."""
         node.interrupt()
-        has_ended = node.wait(HOOK_PATIENCE) or not self._is_stubborn and self._ends_in_time(node)
+        has_ended = (_ends_at_once(node, run)
+                     or not self._is_stubborn and self._ends_in_time(node))
         run.answers = not has_ended and any(map(self._bench.ask, run.nodes))
         run.ends = has_ended or node.status is not None and not run.answers
         run.leaves_process = run.ends and not has_ended
@@ -175,3 +178,14 @@ class Runner:
         for name in run.nodes:
             run.publishes.update(self._bench.ask(name, 'getPublications') or ())
             run.subscribes.update(self._bench.ask(name, 'getSubscriptions') or ())
+
+
+def _ends_at_once(node, run):
+    """Return whether a node ends that needs no simulated time; one that has sent zero should."""
+    for _ in range(HOOK_LOOKS):
+        has_stopped = bool(run.commands) and not run.commands[-1].moves
+        if node.wait(HOOK_PERIOD):
+            return True
+        if has_stopped:
+            break
+    return False

@@ -54,7 +54,10 @@ def run_all(campaign, executor, is_lost):
 
 @contextlib.contextmanager
 def on_this_machine(campaign, jobs=None):
-    """Yield an executor with so many processes, or with one for each processor; as on_cluster()."""
+    """Yield an executor with so many processes, or with one for each processor.
+
+    And a function as on_cluster() does.
+    """
     processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
