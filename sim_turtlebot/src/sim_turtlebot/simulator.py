@@ -82,10 +82,10 @@ class Simulator:
     def _take_turn(self):
         """Serve the waiting requests; advance if a tick is due, even if more requests arrive."""
         if self._paused:
-            self._requests.wait(LONGEST_WAIT)
-            self._requests.serve_all()
             if self._inputs.poses_are_set():
                 self._publish_robots()
+            self._requests.wait(LONGEST_WAIT)
+            self._requests.serve_all()
         elif not self._begun:
             self._begin()
         else:

@@ -60,7 +60,7 @@ class IdleWaiter:
             thread
         """
         begin, budgets, usage, polls = time.monotonic(), None, None, {}
-        next_look = begin
+        next_look = begin + BUDGET_PERIOD
         while not self.is_over():
             check_begin = time.monotonic()
             try:
@@ -83,9 +83,9 @@ class IdleWaiter:
                     # These checks may take the processor from those that have work.
                     os.sched_yield()
                     continue
-                budgets = budgets or Budgets(self._awaited)
                 if check_begin >= next_look:
                     next_look = check_begin + BUDGET_PERIOD
+                    budgets = budgets or Budgets(self._awaited)
                     if self._gives_up(busy, budgets, check_begin - begin):
                         begin, budgets = check_begin, None
             except OSError as error:

@@ -84,7 +84,7 @@ class Lockstep:
         now, known = time.monotonic(), self._graph.names | self._waiter.processes.keys()
         if known != self._known or not self._graph.names - {rospy.get_name()}:
             self._known, self._changed = known, now
-        return now - self._changed > stable_time
+        return now - self._changed >= stable_time
 
     def check_senders(self, arrivals, now, unprompted):
         """Name the nodes that send messages by wall time.

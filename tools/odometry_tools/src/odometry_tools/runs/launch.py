@@ -7,11 +7,13 @@ import queue
 import signal
 import threading
 import time
+import types
 import uuid
 
 import rosgraph
 import roslaunch.core
 import roslaunch.launch
+import roslaunch.pmon
 import roslib
 from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
@@ -25,6 +27,9 @@ START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
 ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by SIGKILL
 CHECK_PERIOD = 0.02  # s
+# For roslaunch's monitor, which looks ten times a second. Lockstep waits for a thread in
+# time.sleep(), which may poll for work, but not for one that waits for an event.
+MONITOR_TIME = types.SimpleNamespace(time=time.monotonic, sleep=threading.Event().wait)
 RUN_ID = str(uuid.uuid1())  # roslaunch compares it with the master's
 
 
@@ -58,6 +63,7 @@ class Launch(ProcessListener):
         roslaunch.core.clear_printerrlog_handlers()
         roslaunch.core.add_printerrlog_handler(self._output.add)
         roslaunch.launch._TIMEOUT_MASTER_START = START_TIMEOUT
+        roslaunch.pmon.time = MONITOR_TIME
         self._monitor = start_process_monitor()
         self._monitor.add_process_listener(self)
         # On a thread: the main thread imports rospy meanwhile.
@@ -167,15 +173,18 @@ class Launch(ProcessListener):
 
 def _wait(condition, outcome):
     """Put None into a queue once a condition holds, or its exception."""
-    holds = False
     try:
-        while not holds:
+        while not _holds(condition):
             time.sleep(CHECK_PERIOD)
-            with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
-                holds = condition()
         outcome.put(None)
     except Exception as error:  # noqa: BLE001
         outcome.put(error)
+
+
+def _holds(condition):
+    with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
+        return condition()
+    return False
 
 
 def _how(status):
