@@ -1,5 +1,6 @@
 """A sweep of somebody's launch file: rows, what is refused, and nodes that end or crash."""
 
+import contextlib
 import os
 import re
 import shutil
@@ -106,6 +107,18 @@ def test_a_session_that_breaks_is_replaced_once(monkeypatch):
     assert Broken.made == 3
     with pytest.raises(RunError):
         session_process.run_in_session(subject, {'x': None, 'seed': 0})
+
+
+def test_a_session_whose_run_fails_after_the_sweep_has_ended_says_nothing(monkeypatch):
+    def fail(connection):
+        sweep_end.close()
+        raise RunError('sim_turtlebot has ended')
+
+    monkeypatch.setenv('ROS_LOG_DIR', '')
+    monkeypatch.setattr(session_process, '_answer', fail)
+    sweep_end, session_end = session_process.CONTEXT.Pipe()
+    with contextlib.closing(session_end):
+        session_process._serve(session_end)  # an exception would be printed
 
 
 def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_parameters_name():

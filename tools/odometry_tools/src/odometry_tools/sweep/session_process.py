@@ -59,7 +59,7 @@ def _serve(connection):
     """Do runs in a Session, and leave no file, until the connection is closed or a run fails."""
     with tempfile.TemporaryDirectory() as logs, contextlib.redirect_stdout(io.StringIO()), \
             contextlib.redirect_stderr(io.StringIO()), \
-            contextlib.suppress(EOFError, KeyboardInterrupt):
+            contextlib.suppress(EOFError, ConnectionError, KeyboardInterrupt):
         os.environ['ROS_LOG_DIR'] = logs  # else each run leaves a log
         try:
             _answer(connection)
