@@ -35,6 +35,12 @@ def test_lockstep_does_not_wait_for_the_thread_that_watches_the_nodes():
     assert 'nanosleep' not in process.stdout, process.output
 
 
+def test_a_real_time_signal_has_no_name():
+    launch = Launch('odometry_launch', 'sim.launch', {})
+    launch.process_died('node-1', -40)
+    assert launch.end_of('node') == 'node has ended by signal 40'
+
+
 def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
     monkeypatch.setattr(time, 'strftime', lambda _: 'now')
     monkeypatch.setattr('odometry_tools.runs.folders.RUNS', tmp_path / 'runs')
@@ -43,7 +49,8 @@ def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize('arguments', [
-    ['--speed', '0'], ['--distance', 'far'], ['--target', '45'], ['rotate', '--speed', '-0.1'], ['dance']])
+    ['--speed', '0'], ['--distance', 'far'], ['--target', '45'], ['rotate', '--speed', '-0.1'], ['dance'],
+    ['--real-time-factor', '-1']])
 def test_bad_options_get_one_clear_line(arguments, capsys):
     with pytest.raises(SystemExit) as ending:
         parse(arguments)

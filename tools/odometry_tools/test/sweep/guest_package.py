@@ -70,10 +70,42 @@ while publisher.get_num_connections() < 2:
 publisher.publish(Twist())
 rospy.spin()
 '''
+# Calls a service of the robot, and goes on.
+CALLER = '''#!{python}
+import rospy
+from std_srvs.srv import Empty
+rospy.init_node('caller')
+rospy.sleep(1.0)
+rospy.ServiceProxy(rospy.get_param('~service'), Empty)()
+rospy.spin()
+'''
+CALLS = '''<launch>
+  <arg name="service"/>
+  <node name="node" pkg="guest" type="caller.py">
+    <param name="service" value="sim_turtlebot/$(arg service)"/>
+  </node>
+</launch>'''
+# Of another type, which may not be there.
+TYPED = '''<launch>
+  <arg name="type"/>
+  <arg name="time" default="1"/>
+  <node name="node" pkg="guest" type="$(arg type)"/>
+</launch>'''
+AGAIN = '<launch><node name="again" pkg="guest" type="again.sh" respawn="true"/></launch>'
+REMOTE = '''<launch>
+  <machine name="other" address="192.0.2.7" env-loader="/env.sh"/>
+  <node name="node" pkg="guest" type="node.py" machine="other"/>
+</launch>'''
 FILES = {
     'package.xml': '<package><name>guest</name></package>', 'node.py': NODE, 'nodes.launch': NODES,
     'napper.py': NAPPER, 'naps.launch': NAPS, 'tidy.py': TIDY, 'tidy.launch': ONE_NODE.format('tidy', ''),
     'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
+    'caller.py': CALLER, 'calls.launch': CALLS, 'typed.launch': TYPED, 'remote.launch': REMOTE,
+    'again.sh': '#!/bin/sh\necho again >&2\n', 'again.launch': AGAIN,
+    'stranger.launch': '<launch><node name="node" pkg="stranger" type="node.py"/></launch>',
+    'missing.launch': '<launch><include file="$(find stranger)/a.launch"/></launch>',
+    'eval.launch': '<launch><param name="x" value="$(eval 1 / 0)"/></launch>',
+    'robot.launch': '<launch><node name="sim_turtlebot" pkg="guest" type="node.py"/></launch>',
     'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
     'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
     'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}

@@ -4,19 +4,30 @@ import contextlib
 import os
 import re
 import shutil
+import signal
 import sys
 
+import psutil
 import pytest
 from guest_package import FILES
 from odometry_common.parameters import StartError
+from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
+from odometry_tests.waiting import wait_until
 from odometry_tools.runs.output import RunError
 from odometry_tools.sweep import session_process
 from odometry_tools.sweep.campaign import Campaign
 from odometry_tools.sweep.subjects import Launched
-from sweeps import SCRIPT, folder_of, rows_in, sweep
+from sweeps import SCRIPT, TIMEOUT, folder_of, rows_in, sweep
 
 EXAMPLE = ROOT / 'docs' / 'example'
+START_AGAIN = '''
+import threading
+from odometry_tools.runs.launch import Launch
+with Launch('guest', 'again.launch', {}) as launch:
+    launch.wait_until_started()
+    threading.Event().wait(60.0)
+'''
 
 
 @pytest.fixture(autouse=True)
@@ -83,6 +94,36 @@ def test_a_run_leaves_no_parameter_to_the_next_in_its_session():
     assert [row['ended'] for row in rows_in(folder_of(printed))] == ['until', 'until'], printed
 
 
+@pytest.mark.parametrize('service, line', [
+    ('unpause_physics', 'sweep: a node has called unpause_physics, but '),
+    ('reset_simulation', 'sweep: a node has called reset_simulation after 1')])
+def test_a_node_that_changes_how_time_goes_on_is_named(service, line):
+    printed = sweep('guest', 'calls.launch', '--until', '3', '--set', f'service={service}', status=1, command=SCRIPT)
+    assert printed.stderr.startswith(line) and len(printed.stderr.splitlines()) == 1, printed.stderr
+
+
+def test_a_node_that_respawns_is_started_again_and_the_run_says_so():
+    with Process(sys.executable, '-c', START_AGAIN) as process:
+        process.wait_for_output('again\nagain\n')  # what it printed first is in memory
+    printed = sweep('guest', 'again.launch', '--until', '1', command=SCRIPT).stdout
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == ['not awaited'], printed
+
+
+def test_ctrl_c_ends_runs_that_would_go_on_for_long():
+    """With all that they have started, and one line."""
+    with Process(*SCRIPT, 'guest', 'nodes.launch', '--until', '1e5', '--set', 'end=never', '--seeds', '3') as run:
+        wait_until(nodes_of_guest, TIMEOUT, 'a node')
+        run.send(signal.SIGINT)
+        assert run.wait(TIMEOUT) == 130, run.output
+    assert re.fullmatch(r'sweep: interrupted after 0 of 3 runs, which are in \S+', run.stderr), run.stderr
+    wait_until(lambda: not nodes_of_guest(), TIMEOUT, nodes_of_guest)
+
+
+def nodes_of_guest():
+    return [process for process in psutil.process_iter(['cmdline'])
+            if any(word.endswith('guest/node.py') for word in process.info['cmdline'] or ())]
+
+
 def test_a_session_that_breaks_is_replaced_once(monkeypatch):
     class Broken:
         """A session whose second run fails, and each without a value."""
@@ -142,6 +183,13 @@ def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
     (('guest', 'nodes.launch', 1), {'scan_rate': [5], 'clock_rate': [10], 'odom_rate': [20]},
      'parameter ~clock_rate is 10, but must be a number 0 or from ~odom_rate (20) to 1000 Hz'),
     (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
+    (('guest', 'typed.launch', 1), {'type': ['node.py', 'none.py']}, 'node node, guest/none.py, is not there'),
+    (('guest', 'typed.launch', 1), {'type': ['node.py'], 'time': [2]}, 'parameter time cannot be set in a sweep of typed'),
+    (('guest', 'stranger.launch', 1), {}, 'node node, stranger/node.py, is not there'),
+    (('guest', 'missing.launch', 1), {}, 'missing.launch: stranger'),
+    (('guest', 'eval.launch', 1), {}, 'eval.launch: division by zero'),
+    (('guest', 'remote.launch', 1), {}, 'node node, guest/node.py, is for the machine other, where the robot is not'),
+    (('guest', 'robot.launch', 1), {}, 'robot.launch: a node has the name of the robot, sim_turtlebot'),
     (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but there is one already'),
     (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
     (('guest', 'other.launch', 1), {}, 'other.launch] is neither a launch file in package'),

@@ -29,7 +29,7 @@ END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by 
 CHECK_PERIOD = 0.02  # s
 # For roslaunch's monitor, which looks ten times a second. Lockstep waits for a thread in
 # time.sleep(), which may poll for work, but not for one that waits for an event.
-MONITOR_TIME = types.SimpleNamespace(time=time.monotonic, sleep=threading.Event().wait)
+MONITOR_TIME = types.SimpleNamespace(**{**vars(time), 'sleep': threading.Event().wait})
 RUN_ID = str(uuid.uuid1())  # roslaunch compares it with the master's
 
 
@@ -86,12 +86,14 @@ class Launch(ProcessListener):
         config = load(*self._file, self.port.number)
         self.names = {name_of(node) for node in config.nodes}
         self.required = {name_of(node) for node in config.nodes if node.required}
+        self.respawning = {name_of(node) for node in config.nodes if node.respawn}
         for node in config.nodes:
             node.required = False  # roslaunch would end the others; check() notices it
         config.nodes_core.clear()  # no rosout: nobody reads its log
         runner = ROSLaunchRunner(RUN_ID, config, pmon=self._monitor, sigint_timeout=END_TIMEOUT)
         with self._output.capture():
             runner.launch()
+        self._ended.update({name_of(node): None for node in config.nodes if not node.process_name})
 
     def __exit__(self, *_):
         """Wait until everything has exited; nodes may write logs until then."""
@@ -192,5 +194,6 @@ def _how(status):
     if status is None:
         return ' before it started'
     if status < 0:
-        return f' by {signal.Signals(-status).name}'
+        names = {signum.value: signum.name for signum in signal.Signals}
+        return f' by {names.get(-status, f"signal {-status}")}'
     return f' with status {status}' if status else ''

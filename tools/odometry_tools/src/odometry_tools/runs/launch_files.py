@@ -1,5 +1,6 @@
 """Read launch files, as roslaunch does."""
 
+import contextlib
 import os
 
 from odometry_common.parameters import StartError
@@ -7,6 +8,8 @@ from rosgraph.names import ns_join
 from roslaunch.config import load_config_default
 from roslaunch.core import RLException
 from roslaunch.rlutil import resolve_launch_arguments
+
+SIMULATOR = 'sim_turtlebot'  # the name of the robot's node
 
 
 def load(path, arguments, port=None):
@@ -17,13 +20,23 @@ def load(path, arguments, port=None):
 def nodes_beside_robot(path, arguments):
     """Return the nodes of a launch file; StartError: unreadable, or it starts its own robot."""
     name = os.path.basename(path)
-    try:
+    with refused(name):
         nodes = load(path, arguments).nodes
-    except RLException as error:
-        raise StartError(f'{name}: {" ".join(str(error).split())}') from None
     if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
         raise StartError(f'{name} starts a robot, but there is one already: leave out sim.launch')
+    if any(name_of(node) == SIMULATOR for node in nodes):
+        raise StartError(f'{name}: a node has the name of the robot, {SIMULATOR}: give it another')
     return nodes
+
+
+@contextlib.contextmanager
+def refused(name):
+    """Turn each error into a StartError about a launch file, in one line."""
+    try:
+        yield
+    except Exception as error:  # noqa: BLE001
+        # $(eval) and $(find) may raise any.
+        raise StartError(f'{name}: {" ".join(str(error).split()) or repr(error)}') from None
 
 
 def path_of(package, name):

@@ -4,11 +4,13 @@ import argparse
 
 from heading_control import turn
 from odometry_common.parameters import ParameterError
+from sim_turtlebot.settings import PARAMETERS as OF_ROBOT
 from straight_drive import drive
 
 PAGE_PORT = 8080
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo allows
-PARAMETERS = {row.name[1:]: row for table in (drive, turn) for row in table.PARAMETERS.rows}
+PARAMETERS = {row.name[1:]: row for table in (OF_ROBOT, drive.PARAMETERS, turn.PARAMETERS)
+              for row in table.rows}
 MODES = 'move', 'rotate'
 TUTORIALS = {'distance': 'move', 'speed': 'move', 'target': 'rotate'}  # of an option
 
@@ -44,7 +46,8 @@ def make_parser():
     parser.add_argument('--target', type=_value_of('target'), metavar='DEGREES',
                         help='rotate: heading to turn to '
                              f'(default: {PARAMETERS["target"].default})')
-    parser.add_argument('--real-time-factor', type=float, default=1.0, metavar='N',
+    parser.add_argument('--real-time-factor', type=_value_of('real_time_factor'), default=1.0,
+                        metavar='N',
                         help='simulated seconds per second; 0: as fast as possible; other than 1, '
                              'in lockstep (default: %(default)s)')
     parser.add_argument('--gui', action='store_true', help="open PyBullet's window")

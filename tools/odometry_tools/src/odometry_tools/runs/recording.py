@@ -46,7 +46,7 @@ class Recording:
     def heard_since(self, moment):
         """Return the names of the nodes whose messages have come since a moment (monotonic, s)."""
         with self._lock:
-            return {name for name, last in self._heard.items() if last > moment}
+            return {name.lstrip('/') for name, last in self._heard.items() if last > moment}
 
     def close(self):
         """Close the bag; return its path, or None if it is incomplete."""

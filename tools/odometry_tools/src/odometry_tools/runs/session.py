@@ -14,11 +14,11 @@ import yaml
 from std_srvs.srv import Empty, Trigger
 
 from odometry_tools.runs.launch import CHECK_PERIOD, Launch
+from odometry_tools.runs.launch_files import SIMULATOR
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.recording import Recording
 from odometry_tools.runs.starting import Starting, is_answered, join, registered
 
-SIMULATOR = 'sim_turtlebot'
 SERVICES = {'step': Trigger,
             **dict.fromkeys(('pause_physics', 'unpause_physics', 'reset_simulation'), Empty)}
 UNAWAITED = re.compile(r'lockstep does not wait for (/\S+), .*?: it (.*)')  # of the simulator's log
@@ -26,6 +26,8 @@ ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
 SLACK = 1e-6  # s
 ARRIVAL, WATCH_TIME = 0.025, 0.5  # s of wall time, after the last step
 ACTS = 'acts by wall time: it sends while simulated time stands still'
+AGAIN = 'has been started again, at a wall time'
+LATE = 'became a node only after simulated time had begun'
 END_TIMEOUT = 20.0  # s of wall time; rospy takes a tenth of a second
 
 
@@ -116,6 +118,7 @@ class Session:
                         beside=self.simulator) as launch:
                 starting = self._start(launch, recording)
                 self._advance(launch, end)
+                late = (registered() | recording.heard_since(0.0)) & launch.names - starting.nodes
                 restless = set() if are_watched else _send_while_time_stands_still(recording)
                 _await_ends(launch, starting.nodes)
                 statuses, bag = launch.statuses(), recording.close()
@@ -123,8 +126,9 @@ class Session:
             forget(f'/{name}' for name in registered() - nodes_before)
         if not bag:
             raise RunError('the run is not recorded')
-        unawaited = {name: ACTS for name in restless
-                     if name.lstrip('/') not in statuses}  # who ends may send a zero
+        unawaited = dict.fromkeys(restless - statuses.keys(), ACTS)  # who ends may send a zero
+        unawaited.update(dict.fromkeys(late, LATE))
+        unawaited.update(dict.fromkeys(launch.respawning & statuses.keys(), AGAIN))
         unawaited.update(self.unawaited(lines_before))
         return Recorded(bag, {*statuses}, crashes, launch.required, unawaited)
 
@@ -138,14 +142,20 @@ class Session:
 
     def _advance(self, launch, end):
         """Advance simulated time until `end` (s); each step waits until all nodes are idle."""
-        now = -1.0
+        now = before = -1.0
         while now < end - SLACK:
             launch.check()
             try:
-                now = float(self._services['step']().message)
+                answer = self._services['step']()
+                if not answer.success:
+                    raise RunError('a node has called unpause_physics, but this advances time')
+                now = float(answer.message)
             except rospy.ServiceException:  # a busy machine, or node; the step still goes on
                 self.call('pause_physics')
                 now = rospy.get_time()
+            if now < before:
+                raise RunError(f'a node has called reset_simulation after {before:g} s')
+            before = now
 
     def _is_served(self):
         """Return whether the simulator serves what it announces last."""
@@ -156,10 +166,8 @@ class Session:
     def _restored_parameters(self):
         """Put all parameters back to what they are now, once the nodes have ended."""
         before = self.master.getParam('/')
-        try:
-            yield
-        finally:
-            self.master.setParam('/', before)
+        yield
+        self.master.setParam('/', before)
 
 
 def forget(names):

@@ -17,7 +17,7 @@ from odometry_tools.sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, t
 from odometry_tools.sweep.running import on_cluster, on_this_machine, run_all
 from odometry_tools.sweep.subjects import LAUNCH
 
-PROGRAM = 'sweep'
+PROGRAM, SUITE = 'sweep', 'odometry_sweep'
 LINE_PERIOD = 5.0  # s
 
 
@@ -36,13 +36,18 @@ def _run():
         return 0
     campaign = options.campaign
     campaign.check()
+    if options.junit:
+        junit.write(options.junit, SUITE, [])  # that it cannot be written shows now
     with (on_cluster(options.cluster) if options.cluster
           else on_this_machine(campaign, options.jobs)) as (executor, is_lost):
         return _sweep(campaign, run_all(campaign, executor, is_lost), options.junit)
 
 
 def _sweep(campaign, runs, report):
-    """Save runs as run_all() yields them, and a report for CI, if any; return the exit status."""
+    """Save runs as run_all() yields them, and a report for CI, if any; return the exit status.
+
+    :raises SystemExit: if not all can be done
+    """
     folder, rows, lost = new_folder('sweep-'), [], None
     try:
         rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
@@ -57,7 +62,8 @@ def _sweep(campaign, runs, report):
         return int(_exceeds_limits(campaign, combinations, folder, report))
     complain(f'{str(lost) or "interrupted"} after {len(rows)} of {campaign.count} runs, '
              f'which are in {os.path.relpath(folder)}', PROGRAM)
-    return 1 if str(lost) else 128 + signal.SIGINT
+    # An exception, so that no other run is waited for.
+    raise SystemExit(1 if str(lost) else 128 + signal.SIGINT)
 
 
 def with_progress(runs, total):
@@ -123,7 +129,7 @@ def _exceeds_limits(campaign, combinations, folder, report):
                     worst[index * campaign.seeds + run + 1] = limit
         cases.append(junit.Case(campaign.subject.name, limit, '; '.join(lines), 'limit'))
     if report:
-        junit.write(report, 'odometry_sweep', cases)
+        junit.write(report, SUITE, cases)
     for number in worst:  # in a process of its own, which is a node only once
         subprocess.run([sys.executable, sys.argv[0], '--replay', str(folder), str(number)],
                        check=False)

@@ -21,8 +21,8 @@ def parse(arguments):
         if not 1 <= len(options.what) <= 2:
             parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, '
                          'or a package and its launch file')
-        if len(options.what) == 1 and options.until is not None:
-            parser.error('argument --until: only for a launch file')
+        if (len(options.what) == 2) != (options.until is not None):
+            parser.error('argument --until: a launch file needs it, a tutorial has none')
         if len(values := dict(options.set)) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
         subject = (Launched(options.what, options.until) if len(options.what) == 2
@@ -69,7 +69,7 @@ def make_parser():
 
 def _values(text):
     name, separator, values = text.partition('=')
-    if not separator or not name.replace(LAUNCH_ARGUMENT, '', 1).isidentifier():
+    if not separator or not name.replace(LAUNCH_ARGUMENT, '', 1).replace('-', '_').isidentifier():
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
         return name, yaml.safe_load(f'[{values}]')

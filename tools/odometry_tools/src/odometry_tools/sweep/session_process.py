@@ -5,6 +5,8 @@ import io
 import multiprocessing
 import multiprocessing.util
 import os
+import select
+import signal
 import tempfile
 import threading
 from pathlib import Path
@@ -70,7 +72,16 @@ def _serve(connection):
 def _answer(connection):
     from odometry_tools.runs.session import Session
     with Session() as session:
+        threading.Thread(target=_end_with_sweep, args=[connection], daemon=True).start()
         while True:
             subject, parameters = connection.recv()
             with tempfile.TemporaryDirectory() as folder:
                 connection.send(run_nodes(session, subject, parameters, Path(folder))[0])
+
+
+def _end_with_sweep(connection):
+    """Interrupt this process once the other end is closed: a run may take minutes."""
+    end = select.poll()
+    end.register(connection, select.POLLRDHUP)
+    end.poll()
+    os.kill(os.getpid(), signal.SIGINT)

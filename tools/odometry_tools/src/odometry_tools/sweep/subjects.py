@@ -8,9 +8,10 @@ from sim_turtlebot.settings import PARAMETERS
 
 from odometry_tools.runs.tutorials import TUTORIALS
 from odometry_tools.sweep import closed_loop
+from odometry_tools.sweep.results import METRICS
 
 LAUNCH = 'launch'  # in place of a tutorial
-LAUNCH_ARGUMENT = 'launch:'  # before an argument's name that is a parameter of the robot, too
+LAUNCH_ARGUMENT = 'launch:'  # before the name of an argument that names a column already
 UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
 # The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
@@ -19,6 +20,7 @@ NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'sc
              'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
              'publish_tf', 'cpu_budget'}
 ROBOT = {row.name[1:]: row for row in PARAMETERS.rows}
+TAKEN = {*ROBOT, *METRICS[LAUNCH], 'run', 'ended'}
 
 
 class Tutorial(NamedTuple):
@@ -50,22 +52,28 @@ class Launched(NamedTuple):
 
     def check(self, values):
         """Raise StartError if this cannot run with these values: lists by parameter."""
-        import roslaunch
         from roslaunch.arg_dump import get_args
 
-        from odometry_tools.runs.launch_files import nodes_beside_robot, path_of
+        from odometry_tools.runs.launch_files import path_of, refused
         UNTIL.check(self.until)
         if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
             raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
-        try:
+        with refused(self.name):
             path = path_of(*self.launch)
             names = get_args([path])
-        except roslaunch.RLException as error:
-            raise StartError(f'{self.name}: {" ".join(str(error).split())}') from None
-        arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in ROBOT else name for name in names]
+        arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in TAKEN else name for name in names]
         _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
-        *_, first = self.nodes({name: several[0] for name, several in values.items()})
-        nodes = nodes_beside_robot(path, [f'{name}:={value}' for name, value in first.items()])
+        first = {name: several[0] for name, several in values.items()}
+        others = [{**first, name: value} for name in values if name not in ROBOT
+                  for value in values[name][1:]]
+        for parameters in [first, *others]:
+            self._check_nodes(path, parameters)
+
+    def _check_nodes(self, path, parameters):
+        """Raise StartError if a node of the launch file cannot run beside the robot."""
+        from odometry_tools.runs.launch_files import nodes_beside_robot
+        *_, arguments = self.nodes(parameters)
+        nodes = nodes_beside_robot(path, [f'{name}:={value}' for name, value in arguments.items()])
         if not nodes:
             raise StartError(f'{self.name} starts no node')
         for node in nodes:
@@ -86,13 +94,17 @@ class Launched(NamedTuple):
 def _check_node(file, node):
     """Raise StartError if roslaunch cannot start a node, or the node would not find the robot."""
     from roslib.packages import find_node
+    from rospkg import ResourceNotFound
     program = f'{file}: node {node.name}, {node.package}/{node.type}'
     try:
         found = find_node(node.package, node.type)
-    except LookupError:
+    except (LookupError, ResourceNotFound):
         found = []
     if not found:
         raise StartError(f'{program}, is not there, or not executable (chmod +x)')
+    if node.machine_name:
+        raise StartError(
+            f'{program}, is for the machine {node.machine_name}, where the robot is not')
     if 'ROS_MASTER_URI' in dict(node.env_args):
         raise StartError(f'{program}, has a ROS_MASTER_URI of its own, where the robot is not')
 
