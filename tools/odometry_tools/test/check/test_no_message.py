@@ -7,6 +7,7 @@ from learners import BAD_CALLBACK, ERROR
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command, Pose, Run
+from odometry_tools.check.runner import _has_node_logged
 from odometry_tools.check.scenarios import EXERCISES
 
 HEARS = {'/odom': 'nav_msgs/Odometry'}
@@ -28,6 +29,7 @@ def verdict_on(exercise='two_meters', **facts):
 @pytest.mark.parametrize('facts, expected', [
     ({}, 'silent'),
     ({'nodes': (), 'status': 0}, 'no_node main'),
+    ({'nodes': (), 'has_begun': True, 'status': 0}, 'silent ended'),
     ({'nodes': ()}, 'no_node'),
     ({'nodes': (), 'status': 1, 'output': ERROR}, 'crash error'),
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
@@ -65,3 +67,13 @@ def test_a_cause_has_a_witness(facts, expected):
     ({'subscribes': {'/odom': 'geometry_msgs/PoseStamped'}}, 'You subscribe to /odom as geometry_msgs/PoseStamped')])
 def test_the_sentence_has_what_was_seen(facts, words):
     assert words in verdict_on(**facts).sentence
+
+
+def test_the_log_of_rospy_shows_that_a_node_has_begun(tmp_path):
+    """Also of one that has ended before anybody looked; roslaunch's logs do not."""
+    (tmp_path / 'run').mkdir()
+    for name in 'roslaunch-host-1.log', 'mine-1-stdout.log':
+        (tmp_path / 'run' / name).touch()
+    assert not _has_node_logged(tmp_path)
+    (tmp_path / 'run' / 'mine-1.log').touch()
+    assert _has_node_logged(tmp_path)

@@ -7,7 +7,6 @@ from odometry_tools.check import quoting
 from odometry_tools.check.detector import measure_detector
 from odometry_tools.check.drive_measures import measure_distance, measure_drive, measure_heading
 
-FLOOD = 200  # commands a simulated second
 # rospy's words, and roslaunch's
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # Python's words
@@ -65,13 +64,12 @@ def _read_output(m, output):
 
 
 def _measure_messages(m):
-    """Note what the node has published, and how often."""
+    """Note what the node has published."""
     published = [speed for command in m.commands for speed in (command.linear, command.angular)]
     if m.exercise.route:
         published = [value for _, value in m.run.moved] if m.run.legs else []
     m.is_silent = not published
     m.is_finite = all(map(math.isfinite, published))
-    m.floods = len(m.commands) > FLOOD * max(m.run.now, 1.0)
 
 
 def _read_graph(m, publishes, subscribes):

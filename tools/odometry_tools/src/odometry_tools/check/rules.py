@@ -6,6 +6,8 @@ The first rule that holds is the verdict; why is in hints.py.
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
+BUSY = 'has been busy'  # lockstep's words: it has used its processor time
+
 
 def is_cause(m):
     """Return whether an error in the output is why the node does not do what it should."""
@@ -30,7 +32,7 @@ START = (
          'your node ended {how}{at}'),
     Rule('no_node', lambda m: not m.run.nodes and m.status is None,
          'your process registered no node within 20 s'),
-    Rule('no_node', lambda m: not m.run.nodes,
+    Rule('no_node', lambda m: not (m.run.nodes or m.run.has_begun),
          'your process ended {how} without having become a node'),
     Rule('wall_clock', lambda m: m.run.follows_wall,
          "two runs of this scenario differ: your node follows the wall's clock, "
@@ -108,12 +110,11 @@ PRAISE = {
     'paced': 'as far as can be said of a node that acts by wall time'}
 # These hold or not, whatever the verdict.
 NOTES = (
-    Rule('no_sleep', lambda m: m.run.unawaited and m.floods,
-         'your loop sends more than 200 commands a second, where 10 do: '
-         'add rospy.Rate(10) and rate.sleep(). '
+    Rule('no_sleep', lambda m: m.run.unawaited and BUSY in m.run.unawaited,
+         'your node computes without a pause: in a loop, add rospy.Rate(10) and rate.sleep(). '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
-    Rule('wall_time', lambda m: m.run.unawaited and not m.floods,
-         'your node acts by wall time, as after time.sleep(), or never rests. '
+    Rule('wall_time', lambda m: m.run.unawaited and BUSY not in m.run.unawaited,
+         'your node acts by wall time, as after time.sleep(). '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
                              and not is_cause(m)),

@@ -84,6 +84,7 @@ class Run:
         self.answers = False  # whether, after Ctrl-C, the node still answers others
         self.leaves_process = False  # whether another program that it started goes on
         self.nodes = set()  # names of the nodes that the learner's process contains
+        self.has_begun = False  # whether it has called rospy.init_node, seen or not
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
         self.refuses = False  # whether the node that is to publish is there, and sends nothing
         self.is_cpp = False

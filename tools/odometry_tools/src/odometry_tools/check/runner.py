@@ -1,6 +1,9 @@
 """Runs one node in scenarios, unmodified and in a process of its own."""
 
+import re
+import tempfile
 import time
+from pathlib import Path
 
 import rospy
 
@@ -62,7 +65,17 @@ class Runner:
         log = len(self._bench.simulator.lines())
         ending = Route(self._bench.drive) if self.exercise.route else Drive(self.exercise.target)
         self._bench.run = run = Run(scenario, self.pace, ending.is_over)
-        node = ChildProcess(*self._program)
+        with tempfile.TemporaryDirectory() as logs:
+            command, environment = self._program
+            self._run_node(ChildProcess(command, [*environment, ('ROS_LOG_DIR', logs)]), run, log)
+            run.has_begun = _has_node_logged(logs)
+        return run
+
+    def _run_node(self, node, run, log):
+        """Run a node until its Run is over.
+
+        :param log: number of lines that the simulator's log had before the node started
+        """
         try:
             self._await_ready(node, run)
             run.is_cpp = node.is_cpp()
@@ -79,13 +92,9 @@ class Runner:
                 self._press_ctrl_c(node, run)
             node.end()
             forget(run.nodes)
-        return run
 
     def _begin(self, run, node, log):
-        """Let time go on until the run is over; then press Ctrl-C, if the scenario says so.
-
-        :param log: number of lines that the simulator's log had before the node started
-        """
+        """Let time go on until the run is over; then press Ctrl-C, if the scenario says so."""
         run.begin = time.monotonic()
         self._bench.call('unpause_physics')
         seen, since = 0, run.begin
@@ -178,6 +187,12 @@ class Runner:
         for name in run.nodes:
             run.publishes.update(self._bench.ask(name, 'getPublications') or ())
             run.subscribes.update(self._bench.ask(name, 'getSubscriptions') or ())
+
+
+def _has_node_logged(folder):
+    """Return whether rospy has begun a log, as it does in init_node; roslaunch's are others."""
+    return any(not re.search('^roslaunch-|-stdout.log$', path.name)
+               for path in Path(folder).rglob('*.log'))
 
 
 def _ends_at_once(node, run):
