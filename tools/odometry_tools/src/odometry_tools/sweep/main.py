@@ -1,7 +1,6 @@
 """Run a campaign, show its progress, and print the result."""
 
 import os
-import signal
 import subprocess
 import sys
 import time
@@ -46,7 +45,7 @@ def _run():
 def _sweep(campaign, runs, report):
     """Save runs as run_all() yields them, and a report for CI, if any; return the exit status.
 
-    :raises SystemExit: if not all can be done
+    :raises RunError, KeyboardInterrupt: if not all are done
     """
     folder, rows, lost = new_folder('sweep-'), [], None
     try:
@@ -60,10 +59,12 @@ def _sweep(campaign, runs, report):
     if lost is None:
         _report(campaign, combinations, folder)
         return int(_exceeds_limits(campaign, combinations, folder, report))
-    complain(f'{str(lost) or "interrupted"} after {len(rows)} of {campaign.count} runs, '
-             f'which are in {os.path.relpath(folder)}', PROGRAM)
-    # An exception, so that no other run is waited for.
-    raise SystemExit(1 if str(lost) else 128 + signal.SIGINT)
+    left = f'after {len(rows)} of {campaign.count} runs, which are in {os.path.relpath(folder)}'
+    # Exceptions, so that no other run is waited for.
+    if isinstance(lost, RunError):
+        raise RunError(f'{lost} {left}')
+    complain(f'interrupted {left}', PROGRAM)
+    raise lost
 
 
 def with_progress(runs, total):
