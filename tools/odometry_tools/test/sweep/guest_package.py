@@ -101,6 +101,8 @@ FILES = {
     'napper.py': NAPPER, 'naps.launch': NAPS, 'tidy.py': TIDY, 'tidy.launch': ONE_NODE.format('tidy', ''),
     'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
     'caller.py': CALLER, 'calls.launch': CALLS, 'typed.launch': TYPED, 'remote.launch': REMOTE,
+    'late.sh': '#!/bin/sh\nsleep 2\nexec "${0%/*}/node.py" "$@"\n',
+    'late.launch': '<launch><node name="late" pkg="guest" type="late.sh"><param name="end" value="never"/></node></launch>',
     'again.sh': '#!/bin/sh\necho again >&2\n', 'again.launch': AGAIN,
     'stranger.launch': '<launch><node name="node" pkg="stranger" type="node.py"/></launch>',
     'missing.launch': '<launch><include file="$(find stranger)/a.launch"/></launch>',

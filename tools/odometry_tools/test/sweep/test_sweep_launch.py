@@ -78,6 +78,12 @@ def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
     assert [row['ended'] for row in rows_in(folder_of(printed))] == 3 * ['not awaited'], printed
 
 
+def test_a_node_that_begins_after_simulated_time_has_begun_says_so():
+    printed = sweep('guest', 'late.launch', '--until', '100', command=SCRIPT).stdout
+    row, = rows_in(folder_of(printed))
+    assert row['ended'] == 'not awaited', row
+
+
 def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
     printed = sweep('guest', 'nodes.launch', '--until', '2', '--seeds', '4', '--set', 'end=chance', '--set',
                     'odometry_source=encoder', '--set', 'wheel_noise=0.05', command=SCRIPT).stdout

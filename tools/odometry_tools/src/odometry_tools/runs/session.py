@@ -116,9 +116,9 @@ class Session:
             recording = Recording(folder)
             with Launch(*nodes, watched=None if are_watched else (),
                         beside=self.simulator) as launch:
-                starting = self._start(launch, recording)
+                starting, begin = self._start(launch, recording), time.monotonic()
                 self._advance(launch, end)
-                late = (registered() | recording.heard_since(0.0)) & launch.names - starting.nodes
+                late = (registered() | recording.heard_since(begin)) & launch.names - starting.nodes
                 restless = set() if are_watched else _send_while_time_stands_still(recording)
                 _await_ends(launch, starting.nodes)
                 statuses, bag = launch.statuses(), recording.close()
