@@ -57,7 +57,7 @@ ALL = (
                                              or m.status == 0 and m.rule == 'all_zero'),
          'It said last: {said}'),
     Rule('main', lambda m: m.rule == 'no_node' and m.status == 0,
-         'It never called rospy.init_node or ros::init: is main() called?'),
+         'It never called rospy.init_node, and no ros::init was seen: is main() called?'),
     Rule('output_type', lambda m: m.is_silent and m.output_type != m.type,
          'You publish {topic} as {output_type}, so nothing receives it: the exercise needs {type}'),
     Rule('queue_size', lambda m: m.is_silent and m.run.refuses,
