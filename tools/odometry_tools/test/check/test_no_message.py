@@ -6,8 +6,8 @@ import pytest
 from learners import BAD_CALLBACK, ERROR
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.judging import verdicts_on
+from odometry_tools.check.processes import has_node_logged
 from odometry_tools.check.run import Command, Pose, Run
-from odometry_tools.check.runner import _has_node_logged
 from odometry_tools.check.scenarios import EXERCISES
 
 HEARS = {'/odom': 'nav_msgs/Odometry'}
@@ -74,6 +74,6 @@ def test_the_log_of_rospy_shows_that_a_node_has_begun(tmp_path):
     (tmp_path / 'run').mkdir()
     for name in 'roslaunch-host-1.log', 'mine-1-stdout.log':
         (tmp_path / 'run' / name).touch()
-    assert not _has_node_logged(tmp_path)
+    assert not has_node_logged(tmp_path)
     (tmp_path / 'run' / 'mine-1.log').touch()
-    assert _has_node_logged(tmp_path)
+    assert has_node_logged(tmp_path)

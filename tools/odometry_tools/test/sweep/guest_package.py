@@ -1,5 +1,7 @@
 """The files of a user's package whose launch files are swept."""
 
+import psutil
+
 NODE = '''#!{python}
 import rospy
 from geometry_msgs.msg import Twist
@@ -111,3 +113,17 @@ FILES = {
     'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
     'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
     'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}
+# Starts again.launch, and waits.
+START_AGAIN = '''
+import threading
+from odometry_tools.runs.launch import Launch
+with Launch('guest', 'again.launch', {}) as launch:
+    launch.wait_until_started()
+    threading.Event().wait(60.0)
+'''
+
+
+def nodes_of_guest():
+    """Return the processes of node.py."""
+    return [process for process in psutil.process_iter(['cmdline'])
+            if any(word.endswith('guest/node.py') for word in process.info['cmdline'] or ())]

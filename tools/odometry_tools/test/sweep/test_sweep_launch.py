@@ -7,9 +7,8 @@ import shutil
 import signal
 import sys
 
-import psutil
 import pytest
-from guest_package import FILES
+from guest_package import FILES, START_AGAIN, nodes_of_guest
 from odometry_common.parameters import StartError
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
@@ -21,13 +20,6 @@ from odometry_tools.sweep.subjects import Launched
 from sweeps import SCRIPT, TIMEOUT, folder_of, rows_in, sweep
 
 EXAMPLE = ROOT / 'docs' / 'example'
-START_AGAIN = '''
-import threading
-from odometry_tools.runs.launch import Launch
-with Launch('guest', 'again.launch', {}) as launch:
-    launch.wait_until_started()
-    threading.Event().wait(60.0)
-'''
 
 
 @pytest.fixture(autouse=True)
@@ -123,11 +115,6 @@ def test_ctrl_c_ends_runs_that_would_go_on_for_long():
         assert run.wait(TIMEOUT) == 130, run.output
     assert re.fullmatch(r'sweep: interrupted after 0 of 3 runs, which are in \S+', run.stderr), run.stderr
     wait_until(lambda: not nodes_of_guest(), TIMEOUT, nodes_of_guest)
-
-
-def nodes_of_guest():
-    return [process for process in psutil.process_iter(['cmdline'])
-            if any(word.endswith('guest/node.py') for word in process.info['cmdline'] or ())]
 
 
 def test_a_session_that_breaks_is_replaced_once(monkeypatch):

@@ -2,12 +2,14 @@
 
 import contextlib
 import os
+import re
 import signal
 import subprocess
 import tempfile
 import threading
 import time
 import uuid
+from pathlib import Path
 
 import psutil
 
@@ -101,3 +103,9 @@ class ChildProcess:
                     process.send_signal(signum)
             if self.wait(patience):
                 return
+
+
+def has_node_logged(folder):
+    """Return whether rospy has begun a log, as it does in init_node; roslaunch's are others."""
+    return any(not re.search('^roslaunch-|-stdout.log$', path.name)
+               for path in Path(folder).rglob('*.log'))

@@ -1,15 +1,13 @@
 """Runs one node in scenarios, unmodified and in a process of its own."""
 
-import re
 import tempfile
 import time
-from pathlib import Path
 
 import rospy
 
 from odometry_tools.check.bench import Pace
 from odometry_tools.check.endings import Drive, Route
-from odometry_tools.check.processes import ChildProcess
+from odometry_tools.check.processes import ChildProcess, has_node_logged
 from odometry_tools.check.run import Run
 from odometry_tools.runs.session import forget
 
@@ -68,7 +66,7 @@ class Runner:
         with tempfile.TemporaryDirectory() as logs:
             command, environment = self._program
             self._run_node(ChildProcess(command, [*environment, ('ROS_LOG_DIR', logs)]), run, log)
-            run.has_begun = _has_node_logged(logs)
+            run.has_begun = has_node_logged(logs)
         return run
 
     def _run_node(self, node, run, log):
@@ -187,12 +185,6 @@ class Runner:
         for name in run.nodes:
             run.publishes.update(self._bench.ask(name, 'getPublications') or ())
             run.subscribes.update(self._bench.ask(name, 'getSubscriptions') or ())
-
-
-def _has_node_logged(folder):
-    """Return whether rospy has begun a log, as it does in init_node; roslaunch's are others."""
-    return any(not re.search('^roslaunch-|-stdout.log$', path.name)
-               for path in Path(folder).rglob('*.log'))
 
 
 def _ends_at_once(node, run):
