@@ -1,5 +1,6 @@
 """The demo's command line; what a demo waits for, where it records, where its master is."""
 
+import sys
 import threading
 import time
 
@@ -29,7 +30,7 @@ def test_a_master_that_is_suspended_ends_a_wait(monkeypatch):
 
 
 def test_lockstep_does_not_wait_for_the_thread_that_watches_the_nodes():
-    with Process('python3', '-c', WATCH_A_MONITOR) as process:
+    with Process(sys.executable, '-c', WATCH_A_MONITOR) as process:
         assert process.wait() == 0, process.output
     assert 'its thread is in' in process.stdout
     assert 'nanosleep' not in process.stdout, process.output

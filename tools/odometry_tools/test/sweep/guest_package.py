@@ -1,7 +1,5 @@
 """The files of a user's package whose launch files are swept."""
 
-import psutil
-
 NODE = '''#!{python}
 import rospy
 from geometry_msgs.msg import Twist
@@ -72,6 +70,25 @@ while publisher.get_num_connections() < 2:
 publisher.publish(Twist())
 rospy.spin()
 '''
+# Computes at each odometry, so that ten simulated seconds take at least four.
+BRAKE = '''#!{python}
+import time
+import rospy
+from nav_msgs.msg import Odometry
+
+def compute(_message):
+    end = time.process_time() + 0.02
+    while time.process_time() < end:
+        pass
+
+rospy.init_node('brake')
+rospy.Subscriber('odom', Odometry, compute)
+rospy.spin()
+'''
+LATE = '''<launch>
+  <node name="brake" pkg="guest" type="brake.py"/>
+  <node name="late" pkg="guest" type="late.sh"><param name="end" value="never"/></node>
+</launch>'''
 # Calls a service of the robot, and goes on.
 CALLER = '''#!{python}
 import rospy
@@ -104,7 +121,7 @@ FILES = {
     'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
     'caller.py': CALLER, 'calls.launch': CALLS, 'typed.launch': TYPED, 'remote.launch': REMOTE,
     'late.sh': '#!/bin/sh\nsleep 2\nexec "${0%/*}/node.py" "$@"\n',
-    'late.launch': '<launch><node name="late" pkg="guest" type="late.sh"><param name="end" value="never"/></node></launch>',
+    'late.launch': LATE, 'brake.py': BRAKE,
     'again.sh': '#!/bin/sh\necho again >&2\n', 'again.launch': AGAIN,
     'stranger.launch': '<launch><node name="node" pkg="stranger" type="node.py"/></launch>',
     'missing.launch': '<launch><include file="$(find stranger)/a.launch"/></launch>',
@@ -113,17 +130,16 @@ FILES = {
     'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
     'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
     'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}
-# Starts again.launch, and waits.
-START_AGAIN = '''
+# Follows a launch file until one of the nodes that are named has ended.
+FOLLOW = '''
+import sys
 import threading
 from odometry_tools.runs.launch import Launch
-with Launch('guest', 'again.launch', {}) as launch:
-    launch.wait_until_started()
-    threading.Event().wait(60.0)
+from odometry_tools.runs.output import run_command
+
+def follow():
+    with Launch('guest', sys.argv[1], {}, watched=sys.argv[2:]) as launch:
+        launch.wait_for(threading.Event().is_set, 'nothing happens')
+
+run_command('follow', follow, ())
 '''
-
-
-def nodes_of_guest():
-    """Return the processes of node.py."""
-    return [process for process in psutil.process_iter(['cmdline'])
-            if any(word.endswith('guest/node.py') for word in process.info['cmdline'] or ())]

@@ -8,8 +8,9 @@ import signal
 import sys
 
 import pytest
-from guest_package import FILES, START_AGAIN, nodes_of_guest
+from guest_package import FILES, FOLLOW
 from odometry_common.parameters import StartError
+from odometry_tests.linux import marked
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
@@ -71,9 +72,8 @@ def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
 
 
 def test_a_node_that_begins_after_simulated_time_has_begun_says_so():
-    printed = sweep('guest', 'late.launch', '--until', '100', command=SCRIPT).stdout
-    row, = rows_in(folder_of(printed))
-    assert row['ended'] == 'not awaited', row
+    printed = sweep('guest', 'late.launch', '--until', '10', command=SCRIPT).stdout
+    assert [row['ended'] for row in rows_in(folder_of(printed))] == ['not awaited'], printed
 
 
 def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
@@ -93,28 +93,34 @@ def test_a_run_leaves_no_parameter_to_the_next_in_its_session():
 
 
 @pytest.mark.parametrize('service, line', [
-    ('unpause_physics', 'sweep: a node has called unpause_physics, but '),
-    ('reset_simulation', 'sweep: a node has called reset_simulation after 1')])
+    ('unpause_physics', 'sweep: somebody has called unpause_physics, but '),
+    ('reset_simulation', 'sweep: somebody has called reset_simulation after 1')])
 def test_a_node_that_changes_how_time_goes_on_is_named(service, line):
     printed = sweep('guest', 'calls.launch', '--until', '3', '--set', f'service={service}', status=1, command=SCRIPT)
     assert printed.stderr.startswith(line) and len(printed.stderr.splitlines()) == 1, printed.stderr
 
 
 def test_a_node_that_respawns_is_started_again_and_the_run_says_so():
-    with Process(sys.executable, '-c', START_AGAIN) as process:
+    with Process(sys.executable, '-c', FOLLOW, 'again.launch') as process:
         process.wait_for_output('again\nagain\n')  # what it printed first is in memory
     printed = sweep('guest', 'again.launch', '--until', '1', command=SCRIPT).stdout
     assert [row['ended'] for row in rows_in(folder_of(printed))] == ['not awaited'], printed
 
 
-def test_ctrl_c_ends_runs_that_would_go_on_for_long():
+def test_a_node_that_cannot_be_started_is_not_waited_for():
+    with Process(sys.executable, '-c', FOLLOW, 'plain.launch', 'plain') as process:
+        assert process.wait() == 1, process.output
+    assert process.stderr == 'follow: plain has ended before it started'
+
+
+def test_ctrl_c_ends_runs_that_would_go_on_for_long(mark):
     """With all that they have started, and one line."""
     with Process(*SCRIPT, 'guest', 'nodes.launch', '--until', '1e5', '--set', 'end=never', '--seeds', '3') as run:
-        wait_until(nodes_of_guest, TIMEOUT, 'a node')
+        wait_until(lambda: 'node.py' in str([one.info for one in marked(mark)]), TIMEOUT, 'a node')
         run.send(signal.SIGINT)
         assert run.wait(TIMEOUT) == 130, run.output
     assert re.fullmatch(r'sweep: interrupted after 0 of 3 runs, which are in \S+', run.stderr), run.stderr
-    wait_until(lambda: not nodes_of_guest(), TIMEOUT, nodes_of_guest)
+    wait_until(lambda: not marked(mark), TIMEOUT, lambda: f'an end of {marked(mark)}')
 
 
 def test_a_session_that_breaks_is_replaced_once(monkeypatch):

@@ -107,5 +107,5 @@ class ChildProcess:
 
 def has_node_logged(folder):
     """Return whether rospy has begun a log, as it does in init_node; roslaunch's are others."""
-    return any(not re.search('^roslaunch-|-stdout.log$', path.name)
+    return any(not re.search(r'^roslaunch-|-stdout\.log$', path.name)
                for path in Path(folder).rglob('*.log'))

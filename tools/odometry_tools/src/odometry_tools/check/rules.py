@@ -107,14 +107,14 @@ PRAISE = {
     'two_meters': 'at {reached} after {driven:.1f} s',
     'heading': 'at {heading:.2f} degrees after {arrival:.1f} s',
     'interrupt': 'stopped the robot after Ctrl-C',
-    'paced': 'as far as can be said of a node that acts by wall time'}
+    'paced': 'as far as can be said of a node that simulated time cannot wait for'}
 # These hold or not, whatever the verdict.
 NOTES = (
     Rule('no_sleep', lambda m: m.run.unawaited and BUSY in m.run.unawaited,
          'your node computes without a pause: in a loop, add rospy.Rate(10) and rate.sleep(). '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('wall_time', lambda m: m.run.unawaited and BUSY not in m.run.unawaited,
-         'your node acts by wall time, as after time.sleep(). '
+         'your node {run.unawaited}. '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
                              and not is_cause(m)),

@@ -4,12 +4,12 @@ import argparse
 
 from heading_control import turn
 from odometry_common.parameters import ParameterError
-from sim_turtlebot.settings import PARAMETERS as OF_ROBOT
+from sim_turtlebot.settings import PARAMETERS as ROBOT
 from straight_drive import drive
 
 PAGE_PORT = 8080
 VIEW_TOLERANCE = 0.05  # degrees, half of what the demo allows
-PARAMETERS = {row.name[1:]: row for table in (OF_ROBOT, drive.PARAMETERS, turn.PARAMETERS)
+PARAMETERS = {row.name[1:]: row for table in (ROBOT, drive.PARAMETERS, turn.PARAMETERS)
               for row in table.rows}
 MODES = 'move', 'rotate'
 TUTORIALS = {'distance': 'move', 'speed': 'move', 'target': 'rotate'}  # of an option

@@ -112,18 +112,18 @@ class Session:
         rospy.set_param(f'{SIMULATOR}/seed', seed)
         self.call('reset_simulation')
         lines_before, nodes_before = len(self.simulator.lines()), registered()
-        with self._restored_parameters():
-            recording = Recording(folder)
-            with Launch(*nodes, watched=None if are_watched else (),
-                        beside=self.simulator) as launch:
-                starting, begin = self._start(launch, recording), time.monotonic()
-                self._advance(launch, end)
-                late = (registered() | recording.heard_since(begin)) & launch.names - starting.nodes
-                restless = set() if are_watched else _send_while_time_stands_still(recording)
-                _await_ends(launch, starting.nodes)
-                statuses, bag = launch.statuses(), recording.close()
-                crashes = [launch.end_of(name) for name, status in statuses.items() if status != 0]
-            forget(f'/{name}' for name in registered() - nodes_before)
+        parameters = self.master.getParam('/')
+        recording = Recording(folder)
+        with Launch(*nodes, watched=None if are_watched else (), beside=self.simulator) as launch:
+            starting, begin = self._start(launch, recording), time.monotonic()
+            self._advance(launch, end)
+            late = (registered() | recording.heard_since(begin)) & launch.names - starting.nodes
+            restless = set() if are_watched else _send_while_time_stands_still(recording)
+            _await_ends(launch, starting.nodes)
+            statuses, bag = launch.statuses(), recording.close()
+            crashes = [launch.end_of(name) for name, status in statuses.items() if status != 0]
+        forget(f'/{name}' for name in registered() - nodes_before)
+        self.master.setParam('/', parameters)
         if not bag:
             raise RunError('the run is not recorded')
         unawaited = dict.fromkeys(restless - statuses.keys(), ACTS)  # who ends may send a zero
@@ -142,32 +142,25 @@ class Session:
 
     def _advance(self, launch, end):
         """Advance simulated time until `end` (s); each step waits until all nodes are idle."""
-        now = before = -1.0
+        now = -1.0
         while now < end - SLACK:
             launch.check()
             try:
                 answer = self._services['step']()
-                if not answer.success:
-                    raise RunError('a node has called unpause_physics, but this advances time')
-                now = float(answer.message)
             except rospy.ServiceException:  # a busy machine, or node; the step still goes on
                 self.call('pause_physics')
-                now = rospy.get_time()
-            if now < before:
-                raise RunError(f'a node has called reset_simulation after {before:g} s')
-            before = now
+                now = max(now, rospy.get_time())
+                continue
+            if not answer.success:
+                raise RunError('somebody has called unpause_physics, but the run advances time')
+            if float(answer.message) < now - SLACK:
+                raise RunError(f'somebody has called reset_simulation after {now:g} s')
+            now = float(answer.message)
 
     def _is_served(self):
         """Return whether the simulator serves what it announces last."""
         self.master.lookupService(f'/{SIMULATOR}/step')
         return True
-
-    @contextlib.contextmanager
-    def _restored_parameters(self):
-        """Put all parameters back to what they are now, once the nodes have ended."""
-        before = self.master.getParam('/')
-        yield
-        self.master.setParam('/', before)
 
 
 def forget(names):
