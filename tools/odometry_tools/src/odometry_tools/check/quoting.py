@@ -10,7 +10,7 @@ CHANGING = [(re.compile(pattern), by) for pattern, by in (
     (r'(\[ *\w+\] )?\[\d+\.\d+(, \d+\.\d+)?\]: ', ''),
     (r'0x[0-9a-fA-F]+', '0x...'),
     (r'(localhost|\d+\.\d+\.\d+\.\d+):\d+', r'\1:...'),
-    (r'\bpid \d+', 'pid ...'))]
+    (r'\b(pid|process) \d+', r'\1 ...'))]
 # Without `Traceback` and `File` a line is none of Python's; a syntax error has `File` only.
 TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*)(?:: (.*))?$',
                        re.MULTILINE)
