@@ -28,7 +28,7 @@ DRAW_SELDOM = ('window.requestAnimationFrame = (draw) => setTimeout('
 ANSWER_TIMEOUT = 120.0 * PATIENCE  # s
 LOOKING_PERIOD = 0.1  # s; each look keeps three processes busy
 PAGE_TIMEOUT = 30.0  # s; two processors that draw, simulate and browse take their time
-FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow").control'
+FOLLOW = '[...document.querySelectorAll("label")].find((label) => label.innerText == "follow")?.control'
 
 
 class Page(webdriver.Chrome):
@@ -52,13 +52,13 @@ class Page(webdriver.Chrome):
     def open(self, url):
         """Return the page once it has the panel."""
         self.get(url)
-        self._wait_for_readings()
+        self._wait_for_panel()
         return self
 
     def reload(self):
         """Open it again."""
         self.refresh()
-        self._wait_for_readings()
+        self._wait_for_panel()
 
     @contextlib.contextmanager
     def resized(self, metrics):
@@ -139,9 +139,10 @@ class Page(webdriver.Chrome):
         colours = numpy.moveaxis(self.scene(), 2, 0)
         return (colours[more] - colours[less] > 50).sum()
 
-    def _wait_for_readings(self):
-        self._wait_until(lambda: self.run('return !!document.getElementById("readings")'),
-                         'a page with readings')
+    def _wait_for_panel(self):
+        # What each browser has of its own comes after the rest.
+        self._wait_until(lambda: self.run(f'return !!document.getElementById("readings") && !!{FOLLOW}'),
+                         'a page with readings, and a box of its own')
 
     def _button(self, label):
         # At once in the page: it may replace its buttons at any time.

@@ -61,7 +61,7 @@ def is_in_the_middle(page):
 def test_a_page_without_a_robot_says_what_it_waits_for(page):
     page.wait_for_text('waiting for odometry on /odom')
     page.dismiss_notices()
-    assert page.scene().std() > 1, 'the picture is blank'
+    wait_until(lambda: page.scene().std() > 1, TIMEOUT, 'a picture that is not blank')
     assert 'distance' not in page.text and 'time' not in page.text.split('plots')[0], 'a row without a value'
 
 
@@ -84,7 +84,8 @@ def test_the_robot_is_in_the_picture_after_five_metres(robot, page):
 def test_a_wall_is_drawn_as_long_as_the_world_has_it(robot, page):
     markers = rospy.Publisher('/sim_turtlebot/world_markers', MarkerArray, queue_size=1, latch=True)
     wall = Marker(type=Marker.CUBE, scale=Vector3(0.1, 2.0, 0.5), color=ColorRGBA(1.0, 0.0, 0.0, 1.0))
-    wall.pose.position.x, wall.pose.orientation.w = robot.last.pose.pose.position.x + 1.0, 1.0
+    wall.pose.position.x = robot.wait_until_resting().pose.pose.position.x + 1.0
+    wall.pose.orientation.w = 1.0
     markers.publish([wall])
     wait_until(lambda: page.count_pixels(0, 1) > WALL_PIXELS, TIMEOUT, 'a red wall in the picture')
     markers.publish([])

@@ -73,6 +73,7 @@ def test_the_whole_path_is_in_view_when_a_page_is_opened_late_and_on_a_click(pag
 
 def test_following_belongs_to_one_browser(page, open_page):
     other = open_page()
+    wait_for_all(other)
     other.follow()
     page.click('show all')
     wait_until(lambda: not page.follows, TIMEOUT, 'a browser that does not follow')
