@@ -135,3 +135,9 @@ def test_what_makes_no_sense_is_one_line(words, line):
     run = check(*words, status=2)
     assert line in run.stderr.splitlines()[-1]
     assert not run.stdout
+
+
+def test_a_check_that_cannot_run_leaves_ci_no_suite_that_passed(tmp_path):
+    junit = tmp_path / 'junit.xml'
+    check('heading', 'no_such.py', '--junit', junit, status=2)
+    assert not junit.read_bytes()

@@ -10,6 +10,7 @@ from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import parse, program_of
 from odometry_tools.check.scenarios import EXERCISES
+from odometry_tools.runs import junit
 from odometry_tools.runs.folders import use_writable_logs
 from odometry_tools.runs.output import RunError, run_command
 from odometry_tools.runs.ports import HOST, next_port
@@ -34,8 +35,7 @@ def _run(arguments):
     table = report.Table(options.csv or os.devnull)
     rows = []
     if options.junit:
-        # Now, and not after all, it says that it cannot be written.
-        report.write_junit(options.junit, rows)
+        junit.begin(options.junit)
     for new in _judge_all(options):
         table.add(new)
         rows += new

@@ -36,7 +36,7 @@ def _run():
     campaign = options.campaign
     campaign.check()
     if options.junit:
-        junit.write(options.junit, SUITE, [])  # that it cannot be written shows now
+        junit.begin(options.junit)
     with (on_cluster(options.cluster) if options.cluster
           else on_this_machine(campaign, options.jobs)) as (executor, is_lost):
         return _sweep(campaign, run_all(campaign, executor, is_lost), options.junit)
