@@ -3,9 +3,8 @@
 from types import SimpleNamespace
 
 import pytest
-from odometry_common.timing import RestDetector, Watchdog
-
-from odometry_common import timing
+from odometry_common.rest import RestDetector
+from odometry_common.watchdog import Watchdog
 
 BAND = 0.001
 START, HOUR = 100.0, 3600.0  # s
@@ -15,7 +14,7 @@ START, HOUR = 100.0, 3600.0  # s
 def wall(monkeypatch):
     """Return a wall clock that stands still unless the test advances it."""
     clock = SimpleNamespace(now=START, monotonic=lambda: clock.now)
-    monkeypatch.setattr(timing, 'time', clock)
+    monkeypatch.setattr('odometry_common.watchdog.time', clock)
     return clock
 
 

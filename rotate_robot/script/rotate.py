@@ -29,12 +29,11 @@ from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.orientation import yaw_from_orientation
 from odometry_common.publisher_conflicts import warn_of_conflicts
+from odometry_common.rest import ANGLE, RestDetector
 from odometry_common.subscribing import Subscriber
-from odometry_common.timing import RestDetector, Watchdog
 from odometry_common.velocity import VelocityPublisher
+from odometry_common.watchdog import Watchdog
 from std_msgs.msg import Float64
-
-REST_BAND = math.radians(0.1)
 
 
 class RotateRobot:
@@ -46,7 +45,7 @@ class RotateRobot:
         self._hertz = parameters.rate
         self._tolerance = math.radians(parameters.tolerance)
         self._watchdog = Watchdog(parameters.timeout)
-        self._rest = RestDetector(REST_BAND)
+        self._rest = RestDetector(ANGLE)
         self._yaw = None
         self._velocity = VelocityPublisher('cmd_vel')
         self._odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')

@@ -3,7 +3,7 @@
 import rospy
 from std_srvs.srv import Empty
 
-from odometry_tests.tutorial import REST_SPEED, speed
+from odometry_tests.tutorial import is_at_rest
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 
 TURNS = 200  # of the simulator's loop; were it not paused, it would simulate between them
@@ -51,7 +51,7 @@ def moves_on(truth, action):
     truth.wait_for(lambda m: m.header.stamp.to_sec() > paused + WATCHED,
                    what=f'{WATCHED:g} s of the robot\'s time')
     return max((m.header.stamp.to_sec() - paused for m in truth.messages
-                if speed(m) >= REST_SPEED), default=0.0)
+                if not is_at_rest(m)), default=0.0)
 
 
 def _pause_in_motion(truth):
@@ -63,7 +63,7 @@ def _pause_in_motion(truth):
         call('unpause_physics')
         truth.wait_until_moving()
         pause(truth)
-        return speed(truth.last) >= REST_SPEED
+        return not is_at_rest(truth.last)
 
     wait_until(moves, TIMEOUT, 'a robot that moves')
     return truth.stamp

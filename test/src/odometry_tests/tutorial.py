@@ -5,13 +5,13 @@ from functools import partial
 
 import rosgraph
 from nav_msgs.msg import Odometry
+from odometry_common.rest import is_slow
 from std_msgs.msg import Float64
 
 from odometry_tests.processes import rosrun
 from odometry_tests.waiting import Recorder, wait_until
 
 NODES = 'sim_turtlebot', 'test_movement', 'rotate_robot'  # with parameters, by their own names
-REST_SPEED = 1e-3  # m/s or rad/s
 REST_COUNT = 100  # distances in a row; five seconds of the robot's time
 # Of the mover in lockstep, at its 0.1 m/s and 20 Hz; both have a margin of a tenth.
 LONGEST_STEP = 0.0055  # m in a period
@@ -40,6 +40,10 @@ def speed(message):
     return max(abs(twist.linear.x), abs(twist.angular.z))
 
 
+def is_at_rest(message):
+    return is_slow(message.twist.twist.linear.x, message.twist.twist.angular.z)
+
+
 def heading(message):
     """Return the yaw (degrees, from -180 to 180) of an Odometry on level ground."""
     orientation = message.pose.pose.orientation
@@ -65,7 +69,7 @@ class Truth(Recorder):
 
     def wait_until_resting(self, timeout=20.0):
         self.clear()
-        return self.wait_for(lambda m: speed(m) < REST_SPEED, timeout, 'a robot at rest')
+        return self.wait_for(is_at_rest, timeout, 'a robot at rest')
 
     def wait_seconds(self, seconds, timeout=30.0):
         end = self.stamp + seconds

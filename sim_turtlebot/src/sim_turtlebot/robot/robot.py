@@ -3,6 +3,8 @@
 import math
 import random
 
+from odometry_common.rest import is_slow
+
 from sim_turtlebot import kobuki
 from sim_turtlebot.geometry import height_of_z
 from sim_turtlebot.robot.drive_geometry import DriveGeometry
@@ -11,8 +13,6 @@ from sim_turtlebot.robot.odometry import STILL, EncoderOdometry, WorldOdometry, 
 from sim_turtlebot.robot.scanner import Scanner
 from sim_turtlebot.robot.sensors import Encoders, Gyro
 
-REST_LINEAR_SPEED = 1e-3  # m/s; well above the creep with idle motors
-REST_ANGULAR_SPEED = 1e-2  # rad/s
 REST_TIME = 0.25  # s, until a slow robot is at rest
 HOLD_SPEED = 1e-3  # m/s; a robot at rest that moves faster was pushed
 STANDING_HEIGHT = 1e-4  # m; a robot that is placed this close to the floor and
@@ -167,9 +167,8 @@ class Robot:
 
     def _detect_rest(self, now):
         """Hold the robot once it has been slow for REST_TIME."""
-        slow = (math.hypot(*self.ground_truth.linear) < REST_LINEAR_SPEED
-                and math.hypot(*self.ground_truth.angular) < REST_ANGULAR_SPEED)
-        if not slow:
+        truth = self.ground_truth
+        if not is_slow(math.hypot(*truth.linear), math.hypot(*truth.angular)):
             self._slow_since = None
         elif self._slow_since is None:
             self._slow_since = now

@@ -70,19 +70,27 @@ while publisher.get_num_connections() < 2:
 publisher.publish(Twist())
 rospy.spin()
 '''
-# Computes at each odometry, so that ten simulated seconds take at least four.
+# Lets the node `late` start once simulated time has begun, and computes until it is there.
 BRAKE = '''#!{python}
+import os
 import time
+import rosgraph
 import rospy
 from nav_msgs.msg import Odometry
 
-def compute(_message):
-    end = time.process_time() + 0.02
-    while time.process_time() < end:
-        pass
+def await_late(_message):
+    if not os.path.exists(begun):
+        return
+    open(begun, 'w').close()
+    os.remove(begun)
+    while '/late' not in str(rosgraph.Master('/brake').getSystemState()):
+        end = time.process_time() + 0.05
+        while time.process_time() < end:
+            pass
 
+begun = os.path.join(os.environ['ROS_LOG_DIR'], 'begun')
 rospy.init_node('brake')
-rospy.Subscriber('odom', Odometry, compute)
+rospy.Subscriber('odom', Odometry, await_late)
 rospy.spin()
 '''
 LATE = '''<launch>
@@ -120,7 +128,7 @@ FILES = {
     'napper.py': NAPPER, 'naps.launch': NAPS, 'tidy.py': TIDY, 'tidy.launch': ONE_NODE.format('tidy', ''),
     'helper.sh': '#!/bin/sh\nexec sleep 3000\n', 'helper.launch': HELPER,
     'caller.py': CALLER, 'calls.launch': CALLS, 'typed.launch': TYPED, 'remote.launch': REMOTE,
-    'late.sh': '#!/bin/sh\nsleep 2\nexec "${0%/*}/node.py" "$@"\n',
+    'late.sh': '#!/bin/sh\nmkfifo "$ROS_LOG_DIR/begun"\ncat "$ROS_LOG_DIR/begun"\nexec "${0%/*}/node.py" "$@"\n',
     'late.launch': LATE, 'brake.py': BRAKE,
     'again.sh': '#!/bin/sh\necho again >&2\n', 'again.launch': AGAIN,
     'stranger.launch': '<launch><node name="node" pkg="stranger" type="node.py"/></launch>',

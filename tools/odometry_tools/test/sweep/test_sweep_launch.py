@@ -72,7 +72,7 @@ def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
 
 
 def test_a_node_that_begins_after_simulated_time_has_begun_says_so():
-    printed = sweep('guest', 'late.launch', '--until', '10', command=SCRIPT).stdout
+    printed = sweep('guest', 'late.launch', '--until', '1', command=SCRIPT).stdout
     assert [row['ended'] for row in rows_in(folder_of(printed))] == ['not awaited'], printed
 
 

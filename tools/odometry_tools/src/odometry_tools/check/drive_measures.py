@@ -4,10 +4,11 @@ import math
 import statistics
 
 from odometry_common.angles import wrap_to_pi
+from odometry_common.rest import is_slow
 
 from odometry_tools.check.controller import find_controller
 from odometry_tools.check.quoting import listed
-from odometry_tools.check.run import REST, ZERO
+from odometry_tools.check.run import ZERO
 from odometry_tools.check.scenarios import GOAL
 
 CLOSE = 0.05  # m, of rest from the goal
@@ -102,7 +103,7 @@ def _measure_stop(m, run):
     is_in_time = m.delay <= m.bound or m.end.way <= GOAL + CLOSE
     from_start = math.dist(m.end[1:3], m.start[1:3])
     is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT
-    m.passed = abs(m.end.linear) < REST and not m.is_short and (is_in_time or is_back)
+    m.passed = is_slow(m.end.linear) and not m.is_short and (is_in_time or is_back)
     if not is_in_time and is_back:
         m.reached = f'{from_start:.2f} m from the start, {m.reached} of way,'
     m.moved_x = abs(m.at_stop.x - m.start.x)

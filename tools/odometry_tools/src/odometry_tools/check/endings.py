@@ -2,7 +2,8 @@
 
 import math
 
-from odometry_tools.check.run import REST
+from odometry_common.rest import is_slow
+
 from odometry_tools.check.scenarios import ROUTE
 
 PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node that does not begin
@@ -36,7 +37,7 @@ class Drive:
         if (run.scenario.interrupt and run.is_driving
                 and max(pose.way, abs(pose.turn)) > INTERRUPT_AFTER):
             return True
-        if max(abs(pose.linear), abs(pose.angular)) > REST or run.commands[-1].moves and (
+        if not is_slow(pose.linear, pose.angular) or run.commands[-1].moves and (
                 pose.time - run.commands[-1].time < REST_TIME):
             self._active = pose.time
         return (pose.time - max(self._active or 0.0, run.first_move) > REST_TIME

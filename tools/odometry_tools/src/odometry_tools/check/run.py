@@ -8,12 +8,12 @@ from typing import NamedTuple
 import rospy
 from odometry_common.angles import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
+from odometry_common.rest import is_slow
 
 from odometry_tools.check.scenarios import PERIOD
 
 SWING = 0.02  # rad/s; a smaller command is no swing
-# m/s, rad/s; a slower command is none, and a slower robot is at rest
-ZERO, REST = 1e-3, 2e-3
+ZERO = 1e-3  # m/s, rad/s; a slower command is none
 ALIKE = 0.03  # share, m and rad, by which two runs of one node differ at most
 JUMP = 0.4, 0.8  # m, rad; no robot here moves as far between two messages: odometry was reset
 
@@ -111,8 +111,8 @@ class Run:
     @property
     def is_driving(self):
         """Whether the robot moves, as it was told."""
-        return bool(self.commands and self.odometry) and self.commands[-1].moves and max(
-            abs(self.odometry[-1].linear), abs(self.odometry[-1].angular)) > ZERO
+        return (bool(self.commands and self.odometry) and self.commands[-1].moves
+                and not is_slow(self.odometry[-1].linear, self.odometry[-1].angular))
 
     def add(self, topic, message):
         """Take a message."""

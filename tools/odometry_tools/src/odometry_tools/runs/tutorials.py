@@ -7,6 +7,7 @@ from heading_control import turn
 from moved_distance import distance_counter
 from odometry_common.angles import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
+from odometry_common.rest import is_slow
 from sim_turtlebot.geometry import PlanarPose, is_upright
 from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 from sim_turtlebot.robot.odometry import Motion
@@ -17,8 +18,6 @@ from odometry_tools.runs.rate import Rate
 ARRIVED, LATE, FALLEN = 'arrived', 'late', 'fallen'  # why a run ended
 # A run is late after 1.5 times the time that a perfect robot takes, plus 10 s.
 TIMEOUT_FACTOR, TIMEOUT_MARGIN = 1.5, 10.0
-# A robot is at rest below these; a P-controller approaches its target ever more slowly.
-REST_SPEED, REST_ANGULAR_SPEED = 1e-3, 5e-3  # m/s, rad/s
 REST_STEP = 1e-5  # m between two odometries
 HEADING_TOLERANCE = 0.1  # degrees
 
@@ -49,7 +48,7 @@ class Move:
         moved = self._counter.distance
         self._speed = ground_truth.linear[0]
         arrived = (moved >= self._drive.distance and moved - moved_before < REST_STEP
-                   and math.hypot(*ground_truth.linear[:2]) < REST_SPEED)
+                   and is_slow(math.hypot(*ground_truth.linear[:2])))
         return (self._drive.speed_at(moved), 0.0), arrived
 
     def progress(self):
@@ -104,7 +103,7 @@ class Rotate:
         is_due = self._loop.is_due(round(stamp * 1e9))
         command = (0.0, self._turn.speed_for(self._error)) if is_due else None
         arrived = (abs(math.degrees(self._error)) <= HEADING_TOLERANCE
-                   and abs(ground_truth.angular[2]) < REST_ANGULAR_SPEED)
+                   and is_slow(0.0, ground_truth.angular[2]))
         return command, arrived
 
     def progress(self):

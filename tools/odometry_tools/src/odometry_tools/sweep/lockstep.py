@@ -10,6 +10,7 @@ import rosbag
 import yaml
 from nav_msgs.msg import Odometry
 from odometry_common.parameters import StartError
+from odometry_common.rest import is_slow
 from sim_turtlebot.settings import read_settings
 from std_msgs.msg import Float64
 
@@ -22,8 +23,6 @@ from odometry_tools.runs.session import Session
 from odometry_tools.runs.tutorials import (
     ARRIVED,
     LATE,
-    REST_ANGULAR_SPEED,
-    REST_SPEED,
     TUTORIALS,
     degrees,
     follow,
@@ -119,7 +118,7 @@ def _launch_metrics(recorded):
     travel = truth.at(truth.time[0]).inverse().then(truth.at(truth.time[-1]))
     # An earlier command is ignored, and lost unless its connection has been made by then.
     commands = numpy.count_nonzero(run.commands[:, 0] > 0)
-    moving = (abs(truth.speed) > REST_SPEED) | (abs(truth.turn_rate) > REST_ANGULAR_SPEED)
+    is_moving = ~is_slow(truth.speed, truth.turn_rate)
     return {
         'distance': truth.distance[-1],
         'from_start': math.hypot(travel.x, travel.y),
@@ -127,7 +126,7 @@ def _launch_metrics(recorded):
         'heading': degrees(travel.yaw),
         'heading_error': degrees(error.yaw),
         'odometry_error': math.hypot(error.x, error.y),
-        'time': truth.time[moving].max(initial=0.0),
+        'time': truth.time[is_moving].max(initial=0.0),
         'commands': commands,
         'ended': _ended(recorded)}
 

@@ -1,11 +1,10 @@
-"""For controllers, in plain seconds: when input is silent, when a robot is at rest."""
+"""For controllers: notice when a stream of messages falls silent."""
 
 import math
 import time
 from collections import deque
 
 WALL_SILENCE = 0.2  # s
-REST_DURATION = 0.5  # s
 # So often time has gone back in so many s of wall time, as with two clocks.
 JUMPS, JUMP_MEMORY = 2, 10.0
 
@@ -50,24 +49,3 @@ class Watchdog:
         if now < self._latest:
             self._went_back.append(time.monotonic())
         self._latest = now
-
-
-class RestDetector:
-    """Notices when a measured value stops changing."""
-
-    def __init__(self, band):
-        """At rest, the value stays within `band` for REST_DURATION."""
-        self._band = band
-        self.reset()
-
-    def reset(self):
-        """Forget earlier values."""
-        self._value = None
-        self._since = None
-
-    def at_rest(self, now, value):
-        """Add the `value` measured at `now` (s); return whether it is at rest."""
-        moved = self._value is None or abs(value - self._value) > self._band
-        if moved or now < self._since:
-            self._value, self._since = value, now
-        return now - self._since >= REST_DURATION

@@ -1,0 +1,33 @@
+"""When a robot is at rest: by its speeds, or by what a node sees of its way or heading."""
+
+import math
+
+LINEAR_SPEED, ANGULAR_SPEED = 1e-3, 1e-2  # m/s, rad/s; well above the creep with idle motors
+WAY, ANGLE = 1e-3, math.radians(0.1)  # m, rad; a robot at rest changes by less
+DURATION = 0.5  # s, in which it does
+
+
+def is_slow(linear, angular=0.0):
+    """Return whether speeds (m/s, rad/s; numbers or arrays) are those of a robot at rest."""
+    return (abs(linear) < LINEAR_SPEED) & (abs(angular) < ANGULAR_SPEED)
+
+
+class RestDetector:
+    """Notices when a measured value stops changing."""
+
+    def __init__(self, band):
+        """At rest, the value stays within `band` for DURATION."""
+        self._band = band
+        self.reset()
+
+    def reset(self):
+        """Forget earlier values."""
+        self._value = None
+        self._since = None
+
+    def at_rest(self, now, value):
+        """Add the `value` measured at `now` (s); return whether it is at rest."""
+        moved = self._value is None or abs(value - self._value) > self._band
+        if moved or now < self._since:
+            self._value, self._since = value, now
+        return now - self._since >= DURATION
