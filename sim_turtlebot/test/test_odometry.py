@@ -4,9 +4,9 @@ import math
 import statistics
 
 import pytest
+from arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
 from hypothesis import given
 from hypothesis import strategies as st
-from odometry_tests.arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
 from sim_turtlebot.geometry import about_z, yaw_of
 from sim_turtlebot.kobuki import WHEEL_SEPARATION
 from sim_turtlebot.robot.odometry import STILL, Motion

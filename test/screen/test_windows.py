@@ -4,9 +4,9 @@ import shutil
 
 import pytest
 from odometry_tests.processes import Process
-from odometry_tests.screen import colours, virtual_screen
 from odometry_tests.tutorial import Truth
 from odometry_tests.waiting import wait_until
+from screen import colours, virtual_screen
 
 DRAWN = 100  # colours on a screen on which a robot has been drawn
 

@@ -4,10 +4,9 @@ import contextlib
 import os
 from unittest import mock
 
-from PIL import ImageGrab
-
 from odometry_tests.processes import Process
 from odometry_tests.waiting import wait_until
+from PIL import ImageGrab
 
 
 @contextlib.contextmanager

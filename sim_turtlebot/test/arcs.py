@@ -2,12 +2,11 @@
 
 import math
 
+from odometry_tests.simulation import settings_of
 from sim_turtlebot.geometry import about_z, rotate
 from sim_turtlebot.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 from sim_turtlebot.robot.odometry import STILL, Motion
 from sim_turtlebot.robot.robot import Robot as SimulatedRobot
-
-from odometry_tests.simulation import settings_of
 
 STEP_RATE = 240.0  # Hz
 SPEED = 0.1  # m/s
