@@ -1,5 +1,8 @@
 """Which process serves an address: one of this machine, of another user, of another machine, or none."""
 
+import os
+import socket
+import subprocess
 import types
 
 import psutil
@@ -13,7 +16,7 @@ PORT = 4321
 def look(monkeypatch):
     """Have each look at the connections find the next of these processes at PORT: an id, or None; () for none."""
     def looks(*found):
-        rows = [[types.SimpleNamespace(laddr=('127.0.0.1', PORT), pid=pid, status=psutil.CONN_LISTEN)]
+        rows = [[types.SimpleNamespace(laddr=('127.0.0.1', PORT), pid=pid, fd=-1, status=psutil.CONN_LISTEN)]
                 if pid != () else [] for pid in found]
         monkeypatch.setattr(psutil, 'net_connections', lambda kind: rows.pop(0) if len(rows) > 1 else rows[0])
         return listeners.pids_at({'/node': f'http://127.0.0.1:{PORT}/'})['/node']
@@ -29,3 +32,12 @@ def test_a_process_that_ends_or_starts_is_looked_at_again(look, found, pid):
 def test_a_process_that_stays_hidden_cannot_be_seen(look, monkeypatch):
     monkeypatch.setattr(listeners, 'ENDING_TIME', 0.0)
     assert look(None) is None
+
+
+def test_a_socket_is_that_of_the_process_that_opened_it_and_not_of_its_children():
+    """As after multiprocessing.Pool(): the workers have it, too."""
+    with socket.create_server(('127.0.0.1', 0)) as server, \
+            subprocess.Popen(['sleep', '60'], pass_fds=[server.fileno()]) as worker:
+        address = f'http://127.0.0.1:{server.getsockname()[1]}/'
+        assert listeners.pids_at({'/node': address}) == {'/node': os.getpid()}
+        worker.kill()

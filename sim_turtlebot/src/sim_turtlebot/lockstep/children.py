@@ -7,7 +7,7 @@ import psutil
 
 from sim_turtlebot.lockstep.threads import MAX_LINE
 
-MAX_GENERATIONS = 10  # of children, in one wait: other programs may start some all the time
+MAX_OTHERS = 10  # processes that have ended, in one wait: other programs start some all the time
 CPU_BUDGET = 10.0  # s of CPU time until a child is idle; it may be a node that starts
 
 
@@ -39,20 +39,31 @@ class Children:
     def await_new(self, nodes):
         """Add those that have been started since the last call, and wait until they are idle.
 
+        One that has ended already may have woken its parent.
+
         :param nodes: ids of the processes that are nodes themselves
         """
-        for _ in range(MAX_GENERATIONS):
+        others = 0
+        while others < MAX_OTHERS:
             before, self._newest = self._newest, self._newest_pid()
             if self._newest == before:
                 return
             self._remove_independent(nodes)
             known = {*self._parents}
-            for pid in filter(psutil.pid_exists, range(before + 1, self._newest + 1)):
-                with contextlib.suppress(psutil.NoSuchProcess):
-                    self._add_child(self._waiter.processes.get(psutil.Process(pid).ppid()), pid)
-            if known.issuperset(self._parents):
+            ended = [pid for pid in range(before + 1, self._newest + 1) if not self._add_new(pid)]
+            has_child = not known.issuperset(self._parents)
+            if not (has_child or ended):
                 return
+            others += not has_child
             self._waiter.wait()
+
+    def _add_new(self, pid):
+        """Add a process that has been started, if it is a child; return False if it has ended."""
+        if psutil.pid_exists(pid):
+            with contextlib.suppress(psutil.NoSuchProcess):
+                self._add_child(self._waiter.processes.get(psutil.Process(pid).ppid()), pid)
+                return True
+        return os.path.exists(f'/proc/{pid}')  # as a thread
 
     def _newest_pid(self):
         """Return the id of the process or thread that this machine started last."""

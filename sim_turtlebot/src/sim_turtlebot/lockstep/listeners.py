@@ -1,5 +1,6 @@
 """Find the processes that serve the XML-RPC addresses of nodes."""
 
+import os
 import socket
 import time
 from urllib.parse import urlparse
@@ -23,7 +24,7 @@ def pids_at(addresses):
                 for name, address in addresses.items()}
     end = time.monotonic() + ENDING_TIME
     while True:
-        listening = {connection.laddr: connection.pid
+        listening = {connection.laddr: connection
                      for connection in psutil.net_connections('tcp')
                      if connection.status == psutil.CONN_LISTEN}
         pids = {name: _pid_at(urlparse(address), listening) if is_local[name] else None
@@ -36,5 +37,25 @@ def pids_at(addresses):
 
 def _pid_at(address, listening):
     ips = {ip for *_, (ip, *_) in socket.getaddrinfo(address.hostname, None)}
-    return next((listening[ip, address.port] for ip in (*ips, *ANY_IP)
+    return next((_opener_of(listening[ip, address.port]) for ip in (*ips, *ANY_IP)
                  if (ip, address.port) in listening), 0)
+
+
+def _opener_of(connection):
+    """Return the id of the process that has opened a socket; children that it forked have it, too.
+
+    None: this process cannot see it.
+    """
+    pid = connection.pid
+    try:
+        socket_number = _socket_number(pid, connection.fd)
+        for parent in psutil.Process(pid).parents():
+            if _socket_number(parent.pid, connection.fd) == socket_number:
+                pid = parent.pid
+    except (OSError, psutil.Error):  # one has ended, has another file there, or is another user's
+        pass
+    return pid
+
+
+def _socket_number(pid, descriptor):
+    return os.stat(f'/proc/{pid}/fd/{descriptor}').st_ino
