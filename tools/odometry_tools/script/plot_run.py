@@ -2,10 +2,12 @@
 """Draw a run from a bag with odometry, of a simulated or a real robot, and print its figures."""
 
 import argparse
+import os
 import sys
 from pathlib import Path
 
 from odometry_tools.runs.figure import make_figure
+from odometry_tools.runs.folders import path_in_errors
 from odometry_tools.runs.recorded_run import BagError, read_run
 
 EXIT_BAD_BAG = 2
@@ -25,10 +27,14 @@ def make_parser():
 def main():
     """Read the bag, print, draw."""
     options = make_parser().parse_args()
-    picture = options.output or Path(options.bag).with_suffix('.png')
     try:
         run = read_run(options.bag, options.topic)
-        make_figure(run).savefig(picture)
+        picture = Path(options.output or Path(options.bag).with_suffix('.png'))
+        if os.path.realpath(picture) == os.path.realpath(options.bag):
+            raise BagError(f'{picture} is the recording; the picture needs another name: -o PNG')
+        with path_in_errors(picture):
+            # Without a format, matplotlib would append one to the name.
+            make_figure(run).savefig(picture, format='png')
     except (BagError, OSError, ValueError) as error:
         print(f'plot_run: {error}', file=sys.stderr)
         sys.exit(EXIT_BAD_BAG)

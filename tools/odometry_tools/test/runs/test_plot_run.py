@@ -42,6 +42,20 @@ def test_it_draws_any_bag_with_odometry(tmp_path):
     assert (tmp_path / 'real.png').read_bytes().startswith(PNG)
 
 
+@pytest.mark.parametrize('name, error', [
+    ('picture', ''), ('own.bag', 'own.bag is the recording'), ('.', "Is a directory: '{}'"),
+    ('/dev/full', "No space left on device: '{}'")])
+def test_the_picture_is_exactly_the_file_that_is_named(tmp_path, name, error):
+    """Also without .png; a name that cannot be one is refused in a line, and not the recording's own."""
+    bag, picture = record(tmp_path / 'own.bag', metre()), tmp_path / name
+    run = plot(bag, '-o', picture)
+    assert run.wait() == (2 if error else 0), run.output
+    assert error.format(picture) in run.stderr and len(run.stderr.splitlines()) == bool(error), run.output
+    assert bag.read_bytes().startswith(b'#ROSBAG')
+    if not error:
+        assert picture.read_bytes().startswith(PNG) and f'picture     {picture}\n' in f'{run.stdout}\n'
+
+
 def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path):
     """The robot is carried 50 m away and back; no line joins the places. A recording goes on."""
     messages = metre()
