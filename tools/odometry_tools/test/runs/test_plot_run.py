@@ -56,6 +56,13 @@ def test_the_picture_is_exactly_the_file_that_is_named(tmp_path, name, error):
         assert picture.read_bytes().startswith(PNG) and f'picture     {picture}\n' in f'{run.stdout}\n'
 
 
+@pytest.mark.parametrize('name', ['$math_{x$.bag', '日本 नम.bag'])
+def test_any_name_of_a_bag_can_stand_in_the_picture(tmp_path, name):
+    """As it is: neither as a formula, nor with a warning that the font lacks its letters."""
+    run = plot(record(tmp_path / name, metre()))
+    assert (run.wait(), run.stderr) == (0, ''), run.output
+
+
 def test_a_jump_is_no_distance_and_what_comes_after_the_end_is_left_out(tmp_path):
     """The robot is carried 50 m away and back; no line joins the places. A recording goes on."""
     messages = metre()

@@ -4,6 +4,7 @@ It shows path, distance, error and speed of a drive; heading, error and turn rat
 """
 
 import os
+import warnings
 
 import numpy
 
@@ -29,12 +30,17 @@ PANELS = {
     'error': ('error (degrees)', 2.0),
     'turn rate': ('turn rate (rad/s)', 0.05)}
 PATH_SPAN = 0.6  # m
+MISSING_GLYPHS = 'Glyph .* missing from', 'Matplotlib currently does not support'  # in the font
 LONGEST_NAME = 55  # characters, beside the legend
 
 
 def new_figure(width, height, **options):
     """Return an empty matplotlib Figure of this size (inches), for a file."""
-    from matplotlib.figure import Figure  # takes long to import
+    from matplotlib import rcParams  # takes long to import
+    from matplotlib.figure import Figure
+    rcParams['text.parse_math'] = False  # a name with two dollar signs is no formula
+    for message in MISSING_GLYPHS:
+        warnings.filterwarnings('ignore', message)
     return Figure((width, height), dpi=RESOLUTION, **options)
 
 
