@@ -1,5 +1,7 @@
 """Bags as of a real robot, or of a stranger, and plot_run.py as a user runs it."""
 
+import math
+
 import rosbag
 import rospy
 from nav_msgs.msg import Odometry
@@ -29,6 +31,13 @@ def write_damaged(path):
     """Write a bag whose only message is cut off."""
     with rosbag.Bag(str(path), 'w') as bag:
         bag.write('/odom', (Odometry._type, b'short', Odometry._md5sum, Odometry), raw=True)
+
+
+def write_without_speed(path):
+    """Write a bag with a finite position, whose speed is not."""
+    message = odometry()
+    message.twist.twist.linear.x = math.inf
+    record(path, [message])
 
 
 class Foreign(Odometry):

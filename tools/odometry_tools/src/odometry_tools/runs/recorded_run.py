@@ -124,8 +124,8 @@ def read_run(path, topic=None, end=math.inf):
     except (OSError, rosbag.ROSBagException) as error:
         raise BagError(f'{path} cannot be read: {error}') from None
     except Exception as error:  # noqa: BLE001
-        # On damaged bytes rosbag raises KeyError, struct.error and others.
-        raise BagError(f'{path} is damaged: {error!r}') from None
+        # On damaged bytes rosbag raises KeyError, struct.error and others, some with all the bytes.
+        raise BagError(f'{path} is damaged: {error!r:.100}') from None
     if types.get(topic) != Odometry._type:
         raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
                        f'{_choice(types)}')
@@ -139,7 +139,7 @@ def read_run(path, topic=None, end=math.inf):
             for row in commands]
     track, true_track = _track(odometry, start), _track(ground_truth, start)
     if track is None:
-        raise BagError(f'{path} has no finite position on {topic}')
+        raise BagError(f'{path} has no message with finite numbers on {topic}')
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
                true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3),
                sorted(differing.intersection([TRUTH, *COMMAND_TOPICS])))
