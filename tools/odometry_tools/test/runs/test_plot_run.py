@@ -4,6 +4,7 @@ import math
 
 import numpy
 import pytest
+from geometry_msgs.msg import Twist
 from odometry_tests.forms import number_after
 from odometry_tests.messages import odometry
 from odometry_tools.runs.figure import make_figure
@@ -96,6 +97,19 @@ def test_the_summary_says_how_far_odometry_and_truth_end_apart(tmp_path):
     record(path, truth, '/base_pose_ground_truth', 'a')
     assert 'off truth   0.100 m, 2.29 degrees at the end\n' in f'{read_run(path).summary()}\n'
     assert 'off truth   0.050 m, 1.15 degrees' in read_run(path, end=START + 5.0).summary()
+
+
+@pytest.mark.parametrize('begins', [[20.0, 0.0], [0.0]])
+def test_a_run_begins_when_a_simulators_time_has_last_restarted(tmp_path, begins):
+    """A bag that is recorded by the wall clock, beside commands without a stamp, has its simulator's stamps."""
+    messages = [odometry(x=0.01 * step, stamp=begin + PERIOD * step) for begin in begins for step in range(51)]
+    path = record(tmp_path / 'reset.bag', messages)
+    record(path, messages, '/base_pose_ground_truth', 'a')
+    run = read_run(record(path, [Twist()] * len(messages), '/cmd_vel', 'a'))
+    for time in run.odometry.time, run.ground_truth.time, run.commands[:, 0]:
+        assert time == pytest.approx(PERIOD * numpy.arange(51))
+    assert 'distance    0.500 m\nduration    5.0 s\n' in run.summary()
+    assert ('left out    51 messages ignored' in run.summary()) == (len(begins) > 1)
 
 
 def test_a_drive_with_truth_shows_both_distances_and_how_far_they_are_apart(tmp_path):

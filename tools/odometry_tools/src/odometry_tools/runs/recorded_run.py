@@ -7,14 +7,12 @@ from typing import NamedTuple
 
 import numpy
 import rosbag
-from geometry_msgs.msg import Quaternion, Twist
-from moved_distance.distance_counter import DistanceCounter
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from odometry_common.angles import wrap_to_pi
-from odometry_common.orientation import yaw_from_orientation
-from sim_turtlebot.geometry import PlanarPose
 
 from odometry_tools.runs import bags
+from odometry_tools.runs.track import Track, last_restart, timed, track_of
 
 ODOMETRY_TOPIC = '/odom'
 TRUTH = '/base_pose_ground_truth'
@@ -25,32 +23,6 @@ COMMAND_TOPICS = [f'/{name}' for name in COMMANDS]
 
 class BagError(ValueError):
     """The bag contains no run; the message is one line for the user."""
-
-
-class Track(NamedTuple):
-    """Odometry messages as arrays of the same length."""
-
-    time: numpy.ndarray  # s since the first message of the run
-    x: numpy.ndarray  # m
-    y: numpy.ndarray  # m
-    yaw: numpy.ndarray  # rad, without jumps
-    speed: numpy.ndarray  # m/s, forwards; NaN if the driver does not report it
-    turn_rate: numpy.ndarray  # rad/s
-    distance: numpy.ndarray  # m, as the detector counts it
-    jumps: list  # indices of the messages whose step is not counted as movement
-    ignored: int  # number of further messages, which are late or not finite
-
-    def moved_onto(self, other):
-        """Return the same path, moved so that both start at the same pose."""
-        start = max(self.time[0], other.time[0])
-        frame = other.at(start).then(self.at(start).inverse())
-        x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
-        return self._replace(x=x, y=y, yaw=yaw)
-
-    def at(self, time):
-        """Return the PlanarPose in the message nearest to a time (s)."""
-        nearest = numpy.abs(self.time - time).argmin()
-        return PlanarPose(self.x[nearest], self.y[nearest], self.yaw[nearest])
 
 
 class Run(NamedTuple):
@@ -116,7 +88,7 @@ def read_run(path, topic=None, end=math.inf):
             types, differing = bags.types_in(bag), bags.differing_definitions(bag)
             topic = topic or _odometry_topic(types)
             odometry, ground_truth, commands = (
-                [row for row in bags.read_messages(bag, kind, *names) if _stamp(row) <= end]
+                timed(bags.read_messages(bag, kind, *names), end)
                 for kind, names in ((Odometry, [topic]), (Odometry, [TRUTH]),
                                     (Twist, COMMAND_TOPICS)))
     except rosbag.ROSBagUnindexedException:
@@ -134,10 +106,11 @@ def read_run(path, topic=None, end=math.inf):
             f'{path} defines {Odometry._type} on {topic} differently from the installed one')
     if not odometry:
         raise BagError(f'{path} has 0 messages on {topic}')
-    start = next(map(_stamp, odometry), 0.0)
-    rows = [(_stamp(row) - start, row.message.linear.x, row.message.angular.z)
-            for row in commands]
-    track, true_track = _track(odometry, start), _track(ground_truth, start)
+    start, first = odometry[last_restart(odometry)]
+    # Commands have no stamp, and the clock that recorded them may be another.
+    rows = [((row.timestamp - first.timestamp).to_sec(), row.message.linear.x,
+             row.message.angular.z) for _, row in commands if row.timestamp >= first.timestamp]
+    track, true_track = track_of(odometry, start), track_of(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no message with finite numbers on {topic}')
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
@@ -156,42 +129,3 @@ def _choice(types):
     options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == Odometry._type]
     return (f'choose its odometry: {" or ".join(options)}' if options
             else f'it has no {Odometry._type}')
-
-
-def _track(rows, start):
-    """Return the Track of the messages with finite numbers; None if there are none."""
-    counter, kept, jumps = DistanceCounter(), [], []
-    for row in rows:
-        pose, twist = row.message.pose.pose, row.message.twist.twist
-        speed, turn_rate = twist.linear.x, twist.angular.z
-        x, y = pose.position.x, pose.position.y
-        try:
-            stamp = row.message.header.stamp.to_sec()
-            not_counted = counter.add(x, y, stamp, row.timestamp.to_sec())
-            yaw = _yaw(pose.orientation)
-        except ValueError:  # its position or orientation is not finite
-            continue
-        is_late = not_counted and kept and _stamp(row) < kept[-1][0]
-        if is_late or not math.isfinite(speed):
-            continue
-        if not_counted:
-            jumps.append(len(kept))
-        kept.append((_stamp(row), x, y, yaw, speed, turn_rate, counter.distance))
-    if not kept:
-        return None
-    time, x, y, yaw, speed, turn_rate, distance = numpy.array(kept).T
-    if distance[-1] and not speed.any():
-        speed[:] = math.nan
-    return Track(time - start, x, y, numpy.unwrap(yaw), speed, turn_rate, distance, jumps,
-                 len(rows) - len(kept))
-
-
-def _yaw(orientation):
-    """Return the yaw (rad); 0 if the driver leaves the orientation empty."""
-    return yaw_from_orientation(orientation) if orientation != Quaternion() else 0.0
-
-
-def _stamp(row):
-    """Return the time of a message (s): its stamp, or when it was recorded."""
-    measured = row.message.header.stamp.to_sec() if hasattr(row.message, 'header') else 0.0
-    return measured or row.timestamp.to_sec()
