@@ -99,6 +99,16 @@ def test_the_summary_says_how_far_odometry_and_truth_end_apart(tmp_path):
     assert 'off truth   0.050 m, 1.15 degrees' in read_run(path, end=START + 5.0).summary()
 
 
+@pytest.mark.parametrize('late', [-10.1, 10.1])
+def test_a_truth_of_another_time_is_none(tmp_path, late):
+    """Its nearest message is no true position."""
+    path = record(tmp_path / 'both.bag', metre())
+    record(path, [odometry(stamp=START + late + PERIOD * step) for step in range(101)],
+           '/base_pose_ground_truth', 'a')
+    run = read_run(path)
+    assert run.ground_truth is None and 'off truth' not in run.summary()
+
+
 @pytest.mark.parametrize('begins', [[20.0, 0.0], [0.0]])
 def test_a_run_begins_when_a_simulators_time_has_last_restarted(tmp_path, begins):
     """A bag that is recorded by the wall clock, beside commands without a stamp, has its simulator's stamps."""

@@ -31,7 +31,7 @@ class Run(NamedTuple):
     name: str  # of the bag, with its folder
     topic: str  # of the odometry
     odometry: Track
-    ground_truth: Track  # in the odometry's frame; None if nobody published it
+    ground_truth: Track  # in the odometry's frame; None if nobody published it then
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
     differing: list  # topics left out: their messages are defined differently from the installed
 
@@ -113,8 +113,9 @@ def read_run(path, topic=None, end=math.inf):
     track, true_track = track_of(odometry, start), track_of(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no message with finite numbers on {topic}')
+    is_known = true_track and true_track.overlaps(track)
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
-               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3),
+               true_track.moved_onto(track) if is_known else None, numpy.array(rows).reshape(-1, 3),
                sorted(differing.intersection([TRUTH, *COMMAND_TOPICS])))
 
 

@@ -32,6 +32,10 @@ class Track(NamedTuple):
         x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
         return self._replace(x=x, y=y, yaw=yaw)
 
+    def overlaps(self, other):
+        """Return whether both have messages of the same time."""
+        return self.time[0] <= other.time[-1] and other.time[0] <= self.time[-1]
+
     def at(self, time):
         """Return the PlanarPose in the message nearest to a time (s)."""
         nearest = numpy.abs(self.time - time).argmin()
