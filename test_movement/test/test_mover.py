@@ -1,14 +1,16 @@
 """The mover over real topics: moved distance in, velocity commands out; the test is the clock."""
 
 import math
+import signal
 
 import pytest
+import rosgraph
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import STRANGE, odometry
 from odometry_tests.partners import Partner
 from odometry_tests.tutorial import detector, mover
-from odometry_tests.waiting import Recorder, wait_until
+from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
 from rosgraph_msgs.msg import Log
 from std_msgs.msg import Float64
 
@@ -118,6 +120,16 @@ def test_two_publishers_of_the_distance_are_warned_of_once_by_name(talk, node, n
         node.wait_for_output(f'{ns}moved_distance is published by ')
     line, = [line for line in node.output.splitlines() if 'is published by' in line]
     assert '/system_test' in line and f'{ns}movement_detector_node_' in line
+
+
+def test_a_detector_that_was_killed_is_no_second_publisher(node, ns):
+    """It stays registered. A mover warns once: of the two others, so not before of one of them and the first."""
+    topic, master = f'{ns}moved_distance', rosgraph.Master('/test')
+    with detector('__name:=killed') as killed:
+        wait_until(lambda: topic in dict(master.getSystemState()[0]), TIMEOUT, 'a detector')
+        killed.end(signal.SIGKILL)
+    with detector('__name:=one'), detector('__name:=two'):
+        node.wait_for_output(f'{topic} is published by {ns}one and {ns}two: ')
 
 
 def test_a_mover_that_has_nothing_to_drive_says_so_once(talk, node):

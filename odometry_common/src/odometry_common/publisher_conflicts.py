@@ -22,7 +22,13 @@ def _watch(topic, advice):
         state = ask(rosgraph.get_master_uri(), 'getSystemState')
         publishers = set(dict(state[0]).get(topic, ())) if state else set()
         lasting = before & publishers  # a publisher seen only once may be shutting down
-        if len(lasting) > 1:
-            rospy.logwarn(f'{topic} is published by {" and ".join(sorted(lasting))}: {advice}')
+        if len(lasting) > 1 and len(living := sorted(filter(_answers, lasting))) > 1:
+            rospy.logwarn(f'{topic} is published by {" and ".join(living)}: {advice}')
             return
         before = publishers
+
+
+def _answers(name):
+    """Return whether a node lives: one that was killed stays registered."""
+    uri = ask(rosgraph.get_master_uri(), 'lookupNode', name)
+    return uri and ask(uri, 'getPid') is not None
