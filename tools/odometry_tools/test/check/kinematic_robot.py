@@ -59,7 +59,7 @@ def drive(scenario, node, target):
                 robot.command(*answer)
         robot.advance()
     if scenario.interrupt:
-        run.interrupted = len(run.commands)
+        run.interrupted, run.interrupt_time = len(run.commands), run.now
         run.commands.append(Command(robot.time, 0.0, 0.0, (), 'cmd_vel'))
     return run
 

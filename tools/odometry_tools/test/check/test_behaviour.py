@@ -82,6 +82,7 @@ CASES = {
         'asin': (turning(lambda yaw: RIGHT_ANGLE - math.asin(math.sin(yaw))), {'moved_start': 'long_way half_circle'}),
         'without sign': (turning(lambda yaw: abs(wrap_to_pi(RIGHT_ANGLE - yaw))),
                          {'moved_start': 'long_way half_circle'}),
+        'half the angle': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw / 2)), dict.fromkeys(EVERYWHERE, 'elsewhere')),
         'gain of 9': (turning(lambda yaw: wrap_to_pi(RIGHT_ANGLE - yaw), 9.0), {'odom_5hz': 'long_way gain_high'}),
         'wrong derivative': (remembering(wrong_derivative),
                              dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
@@ -116,6 +117,8 @@ CASES = {
         'backwards': (counting(lambda last, pose: pose.linear * (pose.time - last.time)),
                       dict.fromkeys(ON_THE_ROUTE, 'miscounted backwards')),
         'fixed time': (counting(lambda last, pose: abs(pose.linear) * 0.05), {'odom_5hz': 'miscounted fixed_dt'}),
+        'thousandths': (counting(lambda last, pose: abs(pose.linear) * 0.001),
+                        dict.fromkeys(ON_THE_ROUTE, 'miscounted fixed_dt')),
         'twice': (counting(lambda last, pose: 2 * way(last, pose)), dict.fromkeys(ON_THE_ROUTE, 'miscounted times')),
         'from zero': (remembering(from_origin), {'moved_start': 'miscounted from_origin'}),
         'one step': (remembering(one_step), dict.fromkeys(ON_THE_ROUTE, 'miscounted last_step'))}}
@@ -144,27 +147,32 @@ def test_where_nothing_proves_a_cause_the_report_says_so():
     assert 'came at 1.99 m' in ceased.sentence and 'at 2.11 m' in ceased.sentence
     spins = verdicts('two_meters', remembering(spins_at_the_goal), ['plain'])['plain']
     assert spins.sentence.endswith('after 6.7 s'), spins.sentence
+    counted = verdicts('moved_distance', CASES['moved_distance']['thousandths'][0])['route']
+    assert 'times a fixed 0.001 s' in counted.sentence, counted.sentence
 
 
-@pytest.mark.parametrize('output, hint', [
-    (f'Exception in thread Thread-6:\n{ERROR}', 'error'), (300 * BAD_CALLBACK, 'error'), (BAD_CALLBACK, 'no_zero')])
-def test_an_error_is_the_cause_of_silence_on_the_way_if_it_goes_on_meanwhile(output, hint):
-    """A callback that failed once is a note."""
+@pytest.mark.parametrize('before, since, hint', [
+    ('', f'Exception in thread Thread-6:\n{ERROR}', 'error'), (f'Exception in thread Thread-6:\n{ERROR}', '', ''),
+    ('', 300 * BAD_CALLBACK, 'error'), ('', BAD_CALLBACK, ''), (100 * BAD_CALLBACK, 300 * BAD_CALLBACK, '')])
+def test_an_error_is_the_cause_of_silence_on_the_way_if_it_begins_with_the_silence(before, since, hint):
+    """What fails while the robot drives, or once, is a note."""
     exercise = EXERCISES['two_meters']
     run = drive(exercise.scenarios[0], remembering(silent_halfway), exercise.target)
-    run.output = output
+    run.output, run.printed = before + since, len(before + since)
+    run.commands = [command._replace(printed=len(before)) for command in run.commands]
     verdict, = verdicts_on([run], exercise)
     assert (verdict.rule, verdict.hint) == ('ceased', hint), verdict
-    assert ('error' in verdict.notes) == (hint == 'no_zero')
+    assert ('error' in verdict.notes) == (not hint)
 
 
-@pytest.mark.parametrize('speeds, hint', [([0.0, 0.2], 'again'), ([0.2], 'on_shutdown')])
-def test_whether_there_was_a_zero_after_ctrl_c_tells_what_is_wrong(speeds, hint):
+@pytest.mark.parametrize('delay, speeds, expected', [
+    (0.0, [0.0, 0.2], 'interrupt again'), (0.0, [0.2], 'interrupt on_shutdown'), (7.5, [0.0], 'interrupt_late')])
+def test_what_came_after_ctrl_c_tells_what_is_wrong(delay, speeds, expected):
     exercise = EXERCISES['two_meters']
     run = drive(exercise.scenarios[2], driving(way), exercise.target)
-    run.commands[run.interrupted:] = [Command(run.now, speed, 0.0, (), 'cmd_vel') for speed in speeds]
+    run.commands[run.interrupted:] = [Command(run.now + delay, speed, 0.0, (), 'cmd_vel') for speed in speeds]
     verdict, = verdicts_on([run], exercise)
-    assert (verdict.rule, verdict.hint) == ('interrupt', hint), verdict.sentence
+    assert f'{verdict.rule} {verdict.hint}'.strip() == expected, verdict.sentence
 
 
 def test_an_exit_status_at_the_goal_is_a_note_and_the_drive_is_judged():

@@ -16,6 +16,7 @@ from std_msgs.msg import Float64
 
 from odometry_tools.runs.recording import COMMANDS, TOPICS
 from odometry_tools.runs.session import Session
+from odometry_tools.runs.starting import registered
 
 PAGE = '/session_view'
 FLOOD = 20  # commands that arrive together; of more, the latest
@@ -72,6 +73,22 @@ class Bench(Session):
         command.linear.x, command.angular.z = linear, angular
         self._publisher.publish(command)
 
+    def look_at_graph(self, run):
+        """Add what the node has announced to the Run."""
+        publishers, subscribers, services = self.master.getSystemState()
+        for topics, found in ((publishers, run.publishes), (subscribers, run.subscribes),
+                              (services, {})):
+            for topic, names in topics:
+                if {*names} - self.ours:
+                    found.setdefault(topic, '')
+                    run.nodes |= {*names} - self.ours
+
+    def ask_for_types(self, run):
+        """Add the types that the nodes themselves name: the master knows one for each topic."""
+        for name in run.nodes:
+            run.publishes.update(self.ask(name, 'getPublications') or ())
+            run.subscribes.update(self.ask(name, 'getSubscriptions') or ())
+
     def has_spectator(self):
         """Return whether a browser shows the page."""
         _, subscribers, _ = self.master.getSystemState()
@@ -89,7 +106,11 @@ class Bench(Session):
         with contextlib.suppress(rosgraph.MasterException):
             return ask(self.master.lookupNode(name), call)
 
-    def has_left(self):
+    def has_left(self, names):
+        """Return whether nodes have been there, and the master knows none of them any more."""
+        return bool(names) and names.isdisjoint(f'/{name}' for name in registered())
+
+    def is_silent(self):
         """Return whether no other node is connected to what drives the robot."""
         return not any(self._subscribers[topic].impl.connections for topic in COMMANDS)
 

@@ -100,7 +100,7 @@ def _factors(counted, right, by_speed):
     for name, values, tolerance in candidates:
         factor = counted @ values / (values @ values or 1.0)
         if _agree(counted, factor * values, tolerance):
-            yield name, round(float(factor), 2)
+            yield name, float(f'{factor:.2g}')
 
 
 def _agree(counted, expected, tolerance):

@@ -40,10 +40,12 @@ def measure_drive(m, run):
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
+    m.moves_at_last = bool(m.commands) and m.commands[-1].moves
     m.seconds = 0.0
     m.has_ceased = False
     m.zero_after_ctrl_c = (run.interrupted is not None
                            and any(not command.moves for command in m.commands[run.interrupted:]))
+    m.zero_delay = m.commands[-1].time - run.interrupt_time if m.commands else 0.0
     m.stop = None
     if m.moves:
         _measure_last_command(m, run)
@@ -86,6 +88,7 @@ def measure_distance(m, run):
     m.step = max(speeds, default=0.0) / m.rate
     m.is_short = m.end.way < GOAL - CLOSE
     m.reached = f'{m.end.way:.2f} m'
+    m.stays = 'rests' if is_slow(m.end.linear, m.end.angular) else 'was, when this was ended,'
     if m.stop and m.drives:
         _measure_stop(m, run)
 

@@ -48,6 +48,14 @@ def _is_only_here(m):
 
 
 ALL = (
+    Rule('output_type', lambda m: m.rule == 'silent' and m.output_type != m.type,
+         'You publish {topic} as {output_type}, so nothing receives it: the exercise needs {type}'),
+    Rule('queue_size', lambda m: m.rule == 'silent' and m.run.refuses,
+         'Your publisher takes connections and closes them: queue_size must be a number, '
+         'as in queue_size=1, without quotation marks'),
+    Rule('output', lambda m: (m.rule == 'silent' and m.outputs
+                             and m.topic not in m.run.publishes),
+         'You publish {type} on {outputs}; the exercise names {topic}'),
     Rule('keyboard', lambda m: m.run.has_read_keyboard and m.rule in NOT_BEGUN,
          'Your node reads the keyboard, which a launch file cannot offer: '
          'make the value a parameter'),
@@ -58,20 +66,14 @@ ALL = (
          'It said last: {said}'),
     Rule('main', lambda m: m.rule == 'no_node' and m.status == 0,
          'It never called rospy.init_node, and no ros::init was seen: is main() called?'),
-    Rule('output_type', lambda m: m.is_silent and m.output_type != m.type,
-         'You publish {topic} as {output_type}, so nothing receives it: the exercise needs {type}'),
-    Rule('queue_size', lambda m: m.is_silent and m.run.refuses,
-         'Your publisher takes connections and closes them: queue_size must be a number, '
-         'as in queue_size=1, without quotation marks'),
-    Rule('output', lambda m: m.is_silent and m.outputs and m.topic not in m.run.publishes,
-         'You publish {type} on {outputs}; the exercise names {topic}'),
     Rule('ended', lambda m: m.is_silent and m.status == 0,
          'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() keeps '
          'it alive; what you publish before anybody is connected is lost'),
     Rule('input_type', lambda m: m.wrong_inputs and m.rule in NOT_BEGUN,
          'You subscribe to {wrong_inputs}, which is not the type that the robot sends, '
          'so nothing arrives'),
-    Rule('input', lambda m: m.status is None and not m.hears_robot and m.rule in NOT_BEGUN,
+    Rule('input', lambda m: (m.status is None and not m.inputs_of_robot
+                            and m.rule in NOT_BEGUN),
          'You listen to {inputs}; the robot sends, for example, /odom'),
     Rule('hook', lambda m: m.rule == 'interrupt' and m.error and m.hook_failed,
          'Your shutdown hook failed: {error}'),
@@ -95,7 +97,7 @@ ALL = (
     Rule('rare', lambda m: (m.rule in ('late', 'unfinished')
                             and getattr(m, 'own_period', 0.0) > WATCHDOG),
          'Your commands come every {own_period:.1f} s, and the base stops 0.6 s after each'),
-    Rule('no_zero', _is_one_of('ceased'),
+    Rule('no_zero', lambda m: m.rule == 'ceased' and not m.is_short,
          'Publish a zero Twist when you are there, and before your node ends'))
 PLACES = (
     Rule('one_axis', _is_nearest('one_axis'),
@@ -121,7 +123,8 @@ ANGLES = (
     Rule('half_circle', _follows('half_circle'),
          'Your commands follow the error without its sign, as from asin() or abs(): '
          'use euler_from_quaternion, and keep the sign'),
-    Rule('not_wrapped', lambda m: m.rule == 'long_way' and m.follows in YAW and m.is_unwrapped,
+    Rule('not_wrapped', lambda m: (m.rule == 'long_way' and m.follows in YAW and m.is_unwrapped
+                                  and abs(m.zero - TARGET) < SAME_ANGLE),
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
@@ -143,12 +146,12 @@ FITS = (
          'That is the way between rounded positions: round when you print, not before you add'),
     Rule('squares', _fits('squares'), 'That is the sum of squares: take the square root'),
     Rule('fixed_dt', _fits('signed_speed', 'speed'),
-         'That is speed times a fixed {factor:.2f} s for each message: '
+         'That is speed times a fixed {factor:g} s for each message: '
          'take the time from the stamps, or positions; driving back use abs()'),
     Rule('backwards', _fits('backwards'),
          'Speed has a sign, distance has not: use abs(), or positions'),
     Rule('times', _fits('times'),
-         'That is {factor:.2f} times the way, on each leg and at each rate'),
+         'That is {factor:g} times the way, on each leg and at each rate'),
     Rule('last_step', lambda m: (m.rule == 'miscounted'
                                     and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'))

@@ -11,6 +11,7 @@ from odometry_tools.check.drive_measures import measure_distance, measure_drive,
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # Python's words
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
+LATE_ZERO = 5.0  # s after Ctrl-C
 # What a node may know of the robot, and its types.
 INPUTS = {
     '/odom': 'nav_msgs/Odometry',
@@ -45,7 +46,7 @@ def measure(run, exercise):
         else:
             measure_heading(m, run)
         if run.interrupted is not None:
-            m.passed = run.ends and not run.commands[-1].moves
+            m.passed = run.ends and not run.commands[-1].moves and m.zero_delay < LATE_ZERO
     return m
 
 
@@ -54,8 +55,13 @@ def _read_output(m, output):
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
     m.after_words = f', and said last: {m.said}' if m.said else ''
+    m.ends_with_error = quoting.ends_with_error(output)
     m.failures = output.count(BAD_CALLBACK)
     m.has_dead_thread = DEAD_THREAD in output
+    # The command before the last: what was printed after the last may have been read before it.
+    late = m.run.printed_since(-2) if len(m.commands) > 1 else output
+    m.late_failures = late.count(BAD_CALLBACK)
+    m.has_late_dead_thread = DEAD_THREAD in late
     m.hook_failed = HOOK_FAILED in output
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')
     died = quoting.DIED.search(output)
@@ -79,7 +85,7 @@ def _read_graph(m, publishes, subscribes):
     m.output_type = publishes.get(m.topic) or m.type
     heard = subscribes.keys() - {'/clock', '/rosout'}
     m.inputs = quoting.listed(heard) or 'nothing so far'
-    m.hears_robot = bool(heard & INPUTS.keys())
+    m.inputs_of_robot = heard & INPUTS.keys()
     m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
                                     for topic in heard & INPUTS.keys()
                                     if subscribes[topic] not in ('', '*', INPUTS[topic]))

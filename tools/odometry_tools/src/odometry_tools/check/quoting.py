@@ -40,6 +40,12 @@ def error_in(output):
     return f'{error}, line {lines[-1]}' if lines else error
 
 
+def ends_with_error(output):
+    """Return whether an output ends with a traceback."""
+    found = [*TRACEBACK.finditer(output)]
+    return bool(found) and not output[found[-1].end():].strip()
+
+
 def last_line(output):
     """Return the last line that is not empty, or ''."""
     lines = [line.strip() for line in output.split('\n') if line.strip()]

@@ -10,21 +10,30 @@ BUSY = 'has been busy'  # lockstep's words: it has used its processor time
 
 
 def is_cause(m):
-    """Return whether an error in the output is why the node does not do what it should."""
+    """Return whether an error in the output is why the node does not do what it should.
+
+    A callback is if it fails for most messages, and is the only one that hears of the robot.
+    """
     if not m.error:
         return False
-    if m.rule == 'ceased':  # on the way: since then a callback has failed, or a thread is dead
+    if m.rule in ('no_node', 'crash'):  # Python's status after an error; others are chosen
+        return m.status == 1 or m.ends_with_error
+    if m.rule == 'ceased':  # it begins with the last command, and goes on
         messages = m.rate * (m.run.now - m.commands[-1].time)
-        return m.is_short and (m.has_dead_thread or m.failures > messages / 2)
-    if m.rule == 'silent':  # a node that goes on may have printed one that it expects
-        return m.status is not None or m.failures or m.has_dead_thread
-    return (m.rule in ('no_node', 'crash')
-            or m.rule == 'all_zero' and m.failures > len(m.commands))
+        return m.has_late_dead_thread or m.failures == m.late_failures > messages / 2
+    fails = len(m.inputs_of_robot) == 1 and m.failures > m.rate * m.run.now / 2
+    if m.rule == 'silent':
+        return fails or m.has_dead_thread or m.status == 0 and m.ends_with_error
+    return m.rule == 'all_zero' and fails
 
 
 def _exits_at_goal(m):
     """Return whether a node drove as far as it should, and then chose its exit status."""
     return m.status > 0 and not m.error and not getattr(m, 'is_short', True)
+
+
+def _rests_elsewhere(m):
+    return m.is_short and m.is_settled and m.stop
 
 
 START = (
@@ -55,6 +64,9 @@ DRIVE = (
          'and the robot did not move'),
     Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
          '30 simulated seconds after Ctrl-C your node still ran'),
+    Rule('interrupt_late', lambda m: m.run.interrupted is not None and not m.moves_at_last,
+         'your zero came {zero_delay:.1f} s after Ctrl-C, and the robot drove on until then',
+         explains=True),
     Rule('interrupt', lambda m: m.run.interrupted is not None,
          "after Ctrl-C your last command was {last_word}, "
          "and only the base's watchdog stopped the robot"))
@@ -74,10 +86,10 @@ DISTANCE = (
          'still with {last_word}'),
     Rule('drove_on', lambda m: m.pause,
          'you sent zero at {pause.way:.2f} m, and then drove on; '
-         'the robot rests at {end.way:.2f} m'),
+         'the robot {stays} at {end.way:.2f} m'),
     Rule('late', lambda m: True,
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, '
-         'where {bound:.1f} s are allowed; the robot rests at {end.way:.2f} m'))
+         'where {bound:.1f} s are allowed; the robot {stays} at {end.way:.2f} m'))
 HEADING = (
     Rule('only_drove', lambda m: m.drives and not m.turns,
          'you only drove the robot; this exercise turns it', explains=True),
@@ -87,7 +99,7 @@ HEADING = (
     Rule('rings', lambda m: m.rings,
          'your command changed its sign {flips} times until this was ended, '
          'and the robot did not come to rest at 90 degrees'),
-    Rule('long_way', lambda m: m.turned > m.shortest + DETOUR,
+    Rule('long_way', lambda m: m.turned > m.shortest + DETOUR and not _rests_elsewhere(m),
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
     Rule('unfinished', lambda m: not (m.is_settled and m.stop),
          'after {seconds:.0f} s you are {heading_error:.0f} degrees off, '
@@ -113,7 +125,8 @@ NOTES = (
     Rule('no_sleep', lambda m: m.run.unawaited and BUSY in m.run.unawaited,
          'your node computes without a pause: in a loop, add rospy.Rate(10) and rate.sleep(). '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
-    Rule('wall_time', lambda m: m.run.unawaited and BUSY not in m.run.unawaited,
+    Rule('wall_time', lambda m: (m.run.unawaited and BUSY not in m.run.unawaited
+                                 and not m.is_silent),
          'your node {run.unawaited}. '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None

@@ -54,6 +54,7 @@ class Command(NamedTuple):
     angular: float  # rad/s
     useless: tuple  # names of the other fields that are not zero
     topic: str
+    printed: int = 0  # bytes that the node had printed by then
 
     @property
     def swings(self):
@@ -80,6 +81,7 @@ class Run:
         self.legs = []  # of the route: name, begin and end (s)
         self.unawaited = None  # why lockstep does not wait for the node
         self.interrupted = None  # index of the command after Ctrl-C
+        self.interrupt_time = math.inf  # of Ctrl-C (s)
         self.ends = True  # whether Ctrl-C ends the node
         self.answers = False  # whether, after Ctrl-C, the node still answers others
         self.leaves_process = False  # whether another program that it started goes on
@@ -92,11 +94,13 @@ class Run:
         self.follows_wall = False  # whether a second run was another
         self.looks = 1  # how often it ran before it was judged
         self.status, self.output = None, ''  # exit status, if it has ended by itself
+        self.count_printed = lambda: 0  # returns how many bytes the node has printed
+        self.printed = 0  # in all
 
     def __getstate__(self):
         """Leave out what belongs to the process that records."""
         return {name: value for name, value in vars(self).items()
-                if name not in ('changed', '_is_over')}
+                if name not in ('changed', '_is_over', 'count_printed')}
 
     @property
     def now(self):
@@ -153,10 +157,16 @@ class Run:
         now = round(now / PERIOD) * PERIOD
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
-        self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic))
+        self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic,
+                                     self.count_printed()))
 
     def _on_float64(self, _topic, message, _now):
         self.moved.append((self.now, message.data))
+
+    def printed_since(self, number):
+        """Return what the node has printed since a command, by its index."""
+        count = self.printed - self.commands[number].printed
+        return self.output.encode()[-count:].decode(errors='replace') if count > 0 else ''
 
     def wall_time(self):
         """Return the seconds of wall time since time began."""

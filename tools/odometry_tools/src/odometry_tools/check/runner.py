@@ -23,7 +23,7 @@ REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0
 HOOK_LOOKS, HOOK_PERIOD = 10, 0.1
 # s of wall and simulated time; lockstep waits for a busy machine, a pace does not
 INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
-LEAVE_PATIENCE = 5.0  # s of wall time, for the last commands of a node that has ended
+LEAVE_PATIENCE = 5.0  # s of wall time, for a node that has left to end, and for its last commands
 FASTEST = 5.0  # times real time, to begin with
 SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times real time
 
@@ -74,16 +74,19 @@ class Runner:
 
         :param log: number of lines that the simulator's log had before the node started
         """
+        run.count_printed = lambda: node.printed
         try:
             self._await_ready(node, run)
             run.is_cpp = node.is_cpp()
-            self._ask_for_types(run)
+            self._bench.ask_for_types(run)
             if run.nodes and (node.status is None or node.family()):
                 self._begin(run, node, log)
-            self._look_at_graph(run)
-            self._ask_for_types(run)
+            if self._bench.has_left(run.nodes):
+                node.wait(LEAVE_PATIENCE)  # its exit status counts
+            self._bench.look_at_graph(run)
+            self._bench.ask_for_types(run)
             run.finish(status=None if node.family() else node.status, output=node.output,
-                       has_read_keyboard=node.has_read_keyboard,
+                       printed=node.printed, has_read_keyboard=node.has_read_keyboard,
                        refuses=self._bench.is_refused(self.exercise.topic))
         finally:
             if run.interrupted is None:
@@ -110,7 +113,7 @@ class Runner:
         self._bench.call('pause_physics')
         self._note_unawaited(run, log)
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
-            run.finish(interrupted=len(run.commands), over=False)
+            run.finish(interrupted=len(run.commands), interrupt_time=run.now, over=False)
             self._press_ctrl_c(node, run)
             self._await_last_commands()
 
@@ -122,7 +125,7 @@ class Runner:
     def _await_last_commands(self):
         """Return once what was sent has arrived: a connection is closed after all of it."""
         end = time.monotonic() + LEAVE_PATIENCE
-        while not self._bench.has_left() and time.monotonic() < end:
+        while not self._bench.is_silent() and time.monotonic() < end:
             time.sleep(LOOK_PERIOD)
 
     def _press_ctrl_c(self, node, run):
@@ -154,7 +157,7 @@ class Runner:
         state = registered = None
         while node.status is None or node.family():
             self._bench.simulator.check()
-            self._look_at_graph(run)
+            self._bench.look_at_graph(run)
             now, before = time.monotonic(), state
             cpu_time = node.cpu_time()
             state = cpu_time, len(run.nodes), len(run.publishes), len(run.subscribes)
@@ -168,23 +171,6 @@ class Runner:
                     or (cpu_time or 0.0) > REGISTRATION_CPU):
                 return
             time.sleep(LOOK_PERIOD)
-
-    def _look_at_graph(self, run):
-        """Add what the node has announced to the Run."""
-        others = self._bench.ours
-        publishers, subscribers, services = self._bench.master.getSystemState()
-        for topics, found in ((publishers, run.publishes), (subscribers, run.subscribes),
-                              (services, {})):
-            for topic, names in topics:
-                if {*names} - others:
-                    found.setdefault(topic, '')
-                    run.nodes |= {*names} - others
-
-    def _ask_for_types(self, run):
-        """Add the types that the nodes themselves name: the master knows one for each topic."""
-        for name in run.nodes:
-            run.publishes.update(self._bench.ask(name, 'getPublications') or ())
-            run.subscribes.update(self._bench.ask(name, 'getSubscriptions') or ())
 
 
 def _ends_at_once(node, run):

@@ -36,18 +36,20 @@ RUN_ID = str(uuid.uuid1())  # roslaunch compares it with the master's
 class Launch(ProcessListener):
     """A context in which the nodes of a launch file run."""
 
-    def __init__(self, package, launch_file, arguments, may_end=(), watched=None, beside=None):
+    def __init__(self, package, launch_file, arguments, may_end=(), watched=None, beside=None,
+                 is_private=False):
         """Start with __enter__().
 
-        :param launch_file: its name in `package`
         :param arguments: dictionary of its arguments
         :param may_end: names of nodes that may exit, with status 0
         :param watched: names of the nodes whose end is an error; None: of all
         :param beside: the Launch whose master these nodes use; None: they have their own
+        :param is_private: whether that takes any port, where nodes of a terminal do not look
         """
         self._file = (path_of(package, launch_file),
                       [f'{name}:={value}' for name, value in arguments.items()])
         self._may_end, self._watched, self._beside = may_end, watched, beside
+        self._is_private = is_private
         self.names = set()  # of all nodes
         self._ended = {}  # exit codes of nodes by name
         self._is_stopped = False
@@ -73,11 +75,10 @@ class Launch(ProcessListener):
     def _become_first(self):
         """Hold a port for the master, and take the signals that end it."""
         usual = usual_master_port()
-        self.port = next_port(usual)
-        os.environ['ROS_MASTER_URI'] = f'http://localhost:{self.port.number}'
+        self.port = next_port(0 if self._is_private else usual)
+        os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{self.port.number}'
         if self.port.number != usual:
-            print('rostopic in another terminal: '
-                  f'export ROS_MASTER_URI={os.environ["ROS_MASTER_URI"]}', flush=True)
+            print(f'rostopic in another terminal: export ROS_MASTER_URI={uri}', flush=True)
         roslib.set_interactive(True)  # roslaunch sets no signal handlers
         for signum in ENDING:
             signal.signal(signum, self._stop)

@@ -49,7 +49,8 @@ class Session:
 
     def __init__(self, page_port=0):
         """Start with __enter__(), and a page at a port, if it is not 0."""
-        self._master = Launch('odometry_tools', 'session.launch', {'page_port': page_port})
+        self._master = Launch('odometry_tools', 'session.launch', {'page_port': page_port},
+                              is_private=True)
         self._ending = contextlib.ExitStack()  # of the simulator
         self._parameters = None
 
