@@ -42,11 +42,16 @@ class TestMovement:
         self._rest = RestDetector(WAY)
         self._speed = None  # of the last command
         self._velocity = VelocityPublisher('cmd_vel')
-        Subscriber('moved_distance', Float64, self._on_moved_distance)
+        self._distances = Subscriber('moved_distance', Float64, self._on_moved_distance)
         warn_of_conflicts('cmd_vel')
         warn_of_conflicts('moved_distance')
 
-    def stop_if_silent(self):
+    def run(self):
+        """Answer messages until shutdown."""
+        if self._distances.wait():
+            spin(self._stop_if_silent, SILENCE_PERIOD)
+
+    def _stop_if_silent(self):
         """Command zero while no moved distance arrives."""
         with callback_lock:
             if self._speed and self._watchdog.expired(rospy.get_time()):
@@ -80,7 +85,7 @@ class TestMovement:
 
 def main():
     """Answer messages until shutdown."""
-    spin(TestMovement().stop_if_silent, SILENCE_PERIOD)
+    TestMovement().run()
 
 
 if __name__ == '__main__':

@@ -138,3 +138,7 @@ def test_a_mover_that_has_nothing_to_drive_says_so_once(talk, node):
     node.wait_for_output('moved_distance is 2.005 m already: nothing to drive. Reset it')
     talk.tell(2.005, 0.0, 2.005)
     assert node.output.count('nothing to drive') == 1
+
+
+def test_it_says_that_it_waits_for_a_detector(node):
+    node.wait_for_output('waiting for moved_distance on ')

@@ -20,6 +20,9 @@ class SimulationTopics:
         """Advertise."""
         self._timeline = simulation.timeline
         self._use_sim_time = settings.use_sim_time
+        # To ROS a time of zero is none: rosbag record would end at a reset. In lockstep the clock
+        # comes after the odometry, and zero is where the loops of two runs begin alike.
+        self._first_tick = rospy.Time(0, 0 if settings.lockstep else 1)
         self._publish_tf = settings.publish_tf
         if settings.real_time_factor == 0 or settings.lockstep:
             wait_for_slow_subscribers(SLOW_SUBSCRIBER_BUDGET)
@@ -36,7 +39,7 @@ class SimulationTopics:
     def publish_clock(self):
         """Publish the simulated time, if /use_sim_time is true."""
         if self._clock:
-            self._clock.publish(self._stamp())
+            self._clock.publish(max(self._stamp(), self._first_tick))
 
     def publish_robots(self):
         """Publish the robots' states, their scans and the transforms."""

@@ -29,7 +29,8 @@ def true_motion(body):
 class WorldOdometry:
     """The true motion relative to the start, as a simulator's drive plugin reports it.
 
-    The velocity is the mean since the last message, as a Kobuki's driver reports it. When a robot
+    The velocity is the mean since the last message, as a Kobuki's driver reports it; after more
+    than MAX_MEAN_TIME it is the current one. When a robot
     tips onto its rear caster, its wheels slip for 0.01 s, and its velocity at that moment may be
     half of the velocity before and after.
     """
