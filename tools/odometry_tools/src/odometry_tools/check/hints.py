@@ -85,6 +85,8 @@ ALL = (
     Rule('shutdown_roscpp', lambda m: m.rule == 'interrupt',
          'Publish a zero Twist before ros::shutdown(): '
          'take ros::init_options::NoSigintHandler and handle SIGINT'),
+    Rule('detached', lambda m: m.rule == 'interrupt_ignored' and m.run.is_detached,
+         'Your program has ended, and what it started runs on where Ctrl-C does not reach it'),
     Rule('handler', lambda m: m.rule == 'interrupt_ignored' and m.run.answers and not m.run.is_cpp,
          "rospy's shutdown has not come to its end: a hook of yours waits, or Ctrl-C was kept from "
          'rospy, by a signal handler of your own, disable_signals or a caught KeyboardInterrupt'),

@@ -84,6 +84,7 @@ class Run:
         self.interrupt_time = math.inf  # of Ctrl-C (s)
         self.ends = True  # whether Ctrl-C ends the node
         self.answers = False  # whether, after Ctrl-C, the node still answers others
+        self.is_detached = False  # whether only programs that it started go on, without Ctrl-C
         self.leaves_process = False  # whether another program that it started goes on
         self.nodes = set()  # names of the nodes that the learner's process contains
         self.has_begun = False  # whether it has called rospy.init_node, seen or not

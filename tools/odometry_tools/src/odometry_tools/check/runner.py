@@ -85,7 +85,9 @@ class Runner:
                 node.wait(LEAVE_PATIENCE)  # its exit status counts
             self._bench.look_at_graph(run)
             self._bench.ask_for_types(run)
-            run.finish(status=None if node.family() else node.status, output=node.output,
+            family = node.family()
+            run.finish(status=None if family else node.status, output=node.output,
+                       is_detached=bool(family) and node.status is not None,
                        printed=node.printed, has_read_keyboard=node.has_read_keyboard,
                        refuses=self._bench.is_refused(self.exercise.topic))
         finally:
