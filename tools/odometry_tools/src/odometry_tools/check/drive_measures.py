@@ -45,7 +45,9 @@ def measure_drive(m, run):
     m.has_ceased = False
     m.zero_after_ctrl_c = (run.interrupted is not None
                            and any(not command.moves for command in m.commands[run.interrupted:]))
-    m.zero_delay = m.commands[-1].time - run.interrupt_time if m.commands else 0.0
+    m.zero_delay = 0.0
+    if m.commands:
+        m.zero_delay = m.commands[-1].time - run.interrupt_time
     m.stop = None
     if m.moves:
         _measure_last_command(m, run)
@@ -88,7 +90,8 @@ def measure_distance(m, run):
     m.step = max(speeds, default=0.0) / m.rate
     m.is_short = m.end.way < GOAL - CLOSE
     m.reached = f'{m.end.way:.2f} m'
-    m.stays = 'rests' if is_slow(m.end.linear, m.end.angular) else 'was, when this was ended,'
+    has_come_to_rest = is_slow(m.end.linear, m.end.angular)
+    m.stays = 'rests' if has_come_to_rest else 'was, when this was ended,'
     if m.stop and m.drives:
         _measure_stop(m, run)
 
