@@ -29,7 +29,7 @@ from nav_msgs.msg import Odometry
 from odometry_common.node import run_node
 from odometry_common.orientation import yaw_from_orientation
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.rest import ANGLE, RestDetector
+from odometry_common.rest import ANGLE_BAND, RestDetector
 from odometry_common.subscribing import Subscriber
 from odometry_common.velocity import VelocityPublisher
 from odometry_common.watchdog import Watchdog
@@ -45,7 +45,7 @@ class RotateRobot:
         self._hertz = parameters.rate
         self._tolerance = math.radians(parameters.tolerance)
         self._watchdog = Watchdog(parameters.timeout)
-        self._rest = RestDetector(ANGLE)
+        self._rest = RestDetector(ANGLE_BAND)
         self._yaw = None
         self._velocity = VelocityPublisher('cmd_vel')
         self._odometry = Subscriber('odom', Odometry, self._on_odometry, 'odometry')

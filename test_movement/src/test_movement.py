@@ -21,7 +21,7 @@ The node always sends zero before it exits.
 import rospy
 from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.rest import WAY, RestDetector
+from odometry_common.rest import WAY_BAND, RestDetector
 from odometry_common.subscribing import Subscriber, callback_lock
 from odometry_common.velocity import VelocityPublisher
 from odometry_common.watchdog import Watchdog
@@ -39,7 +39,7 @@ class TestMovement:
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done
         self._watchdog = Watchdog(parameters.timeout)
-        self._rest = RestDetector(WAY)
+        self._rest = RestDetector(WAY_BAND)
         self._speed = None  # of the last command
         self._velocity = VelocityPublisher('cmd_vel')
         self._distances = Subscriber('moved_distance', Float64, self._on_moved_distance)

@@ -3,8 +3,8 @@
 import math
 
 LINEAR_SPEED, ANGULAR_SPEED = 1e-3, 1e-2  # m/s, rad/s; well above the creep with idle motors
-WAY, ANGLE = 1e-3, math.radians(0.1)  # m, rad; a robot at rest changes by less
-DURATION = 0.5  # s, in which it does
+WAY_BAND, ANGLE_BAND = 1e-3, math.radians(0.1)  # m, rad; in these a robot at rest stays
+DURATION = 0.5  # s, so long
 
 
 def is_slow(linear, angular=0.0):

@@ -7,7 +7,7 @@ import psutil
 
 from sim_turtlebot.lockstep.threads import MAX_LINE
 
-MAX_OTHERS = 10  # processes that have ended, in one wait: other programs start some all the time
+MAX_ROUNDS = 30  # of new processes, in one wait: other programs may start some all the time
 CPU_BUDGET = 10.0  # s of CPU time until a child is idle; it may be a node that starts
 
 
@@ -43,18 +43,15 @@ class Children:
 
         :param nodes: ids of the processes that are nodes themselves
         """
-        others = 0
-        while others < MAX_OTHERS:
+        for _ in range(MAX_ROUNDS):
             before, self._newest = self._newest, self._newest_pid()
             if self._newest == before:
                 return
             self._remove_independent(nodes)
             known = {*self._parents}
             ended = [pid for pid in range(before + 1, self._newest + 1) if not self._add_new(pid)]
-            has_child = not known.issuperset(self._parents)
-            if not (has_child or ended):
+            if not ended and known.issuperset(self._parents):
                 return
-            others += not has_child
             self._waiter.wait()
 
     def _add_new(self, pid):

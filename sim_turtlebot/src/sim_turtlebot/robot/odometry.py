@@ -30,9 +30,8 @@ class WorldOdometry:
     """The true motion relative to the start, as a simulator's drive plugin reports it.
 
     The velocity is the mean since the last message, as a Kobuki's driver reports it; after more
-    than MAX_MEAN_TIME it is the current one. When a robot
-    tips onto its rear caster, its wheels slip for 0.01 s, and its velocity at that moment may be
-    half of the velocity before and after.
+    than MAX_MEAN_TIME it is the current one. When a robot tips onto its rear caster, its wheels
+    slip for 0.01 s, and its velocity at that moment may be half of the velocity before and after.
     """
 
     # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.

@@ -40,14 +40,13 @@ def measure_drive(m, run):
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
-    m.moves_at_last = bool(m.commands) and m.commands[-1].moves
     m.seconds = 0.0
     m.has_ceased = False
     m.zero_after_ctrl_c = (run.interrupted is not None
                            and any(not command.moves for command in m.commands[run.interrupted:]))
-    m.zero_delay = 0.0
-    if m.commands:
-        m.zero_delay = m.commands[-1].time - run.interrupt_time
+    m.driven_on = 0.0
+    if m.moves:
+        m.driven_on = m.moves[-1].time - run.interrupt_time
     m.stop = None
     if m.moves:
         _measure_last_command(m, run)

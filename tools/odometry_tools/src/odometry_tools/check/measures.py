@@ -11,7 +11,7 @@ from odometry_tools.check.drive_measures import measure_distance, measure_drive,
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # Python's words
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
-LATE_ZERO = 5.0  # s after Ctrl-C
+DRIVEN_ON = 5.0  # s after Ctrl-C
 # What a node may know of the robot, and its types.
 INPUTS = {
     '/odom': 'nav_msgs/Odometry',
@@ -46,7 +46,8 @@ def measure(run, exercise):
         else:
             measure_heading(m, run)
         if run.interrupted is not None:
-            m.passed = run.ends and not run.commands[-1].moves and m.zero_delay < LATE_ZERO
+            has_stopped = not run.commands[-1].moves and m.driven_on < DRIVEN_ON
+            m.passed = run.ends and has_stopped
     return m
 
 

@@ -64,9 +64,8 @@ DRIVE = (
          'and the robot did not move'),
     Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
          '30 simulated seconds after Ctrl-C your node still ran'),
-    Rule('interrupt_late', lambda m: m.run.interrupted is not None and not m.moves_at_last,
-         'your zero came {zero_delay:.1f} s after Ctrl-C, and the robot drove on until then',
-         explains=True),
+    Rule('interrupt_late', lambda m: m.run.interrupted is not None and not m.commands[-1].moves,
+         'you drove on for {driven_on:.1f} s after Ctrl-C, and only then sent zero', explains=True),
     Rule('interrupt', lambda m: m.run.interrupted is not None,
          "after Ctrl-C your last command was {last_word}, "
          "and only the base's watchdog stopped the robot"))

@@ -77,7 +77,7 @@ class Launch(ProcessListener):
         usual = usual_master_port()
         self.port = next_port(0 if self._is_private else usual)
         os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{self.port.number}'
-        if self.port.number != usual:
+        if not self._is_private and self.port.number != usual:
             print(f'rostopic in another terminal: export ROS_MASTER_URI={uri}', flush=True)
         roslib.set_interactive(True)  # roslaunch sets no signal handlers
         for signum in ENDING:

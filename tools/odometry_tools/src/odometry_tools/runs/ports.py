@@ -31,8 +31,9 @@ class HeldPort:
 
 
 def next_port(first):
-    """Return the first HeldPort from a number on; raise OSError if none is free."""
-    for number in range(first, first + NEXT_PORTS):
+    """Return the first HeldPort from a number on, or any for 0; raise OSError if none is free."""
+    numbers = range(first, first + NEXT_PORTS) if first else [0] * NEXT_PORTS
+    for number in numbers:
         try:
             return HeldPort(number)
         except OSError as error:

@@ -57,8 +57,7 @@ class Session:
     def __enter__(self):
         """Start the master, and become a node; RunError: it does not answer."""
         with contextlib.ExitStack() as stack:
-            with contextlib.redirect_stdout(None):  # the master's port is no part of a report
-                stack.enter_context(self._master)
+            stack.enter_context(self._master)
             join(self._master, 'session')
             self._stack = stack.pop_all()
         self.master = rosgraph.Master(rospy.get_name())
