@@ -23,7 +23,9 @@ LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp ev
 CPU_BUDGET = 20.0
 STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugger has stopped
 SPIN_TIME = 0.001  # s of wall time
-CHECK_PERIOD = 2e-5  # s of wall time, after that
+# After that, sleeps between two checks: a share of the wait so far, so that on a busy machine the
+# checks leave the processor to the nodes; and at most so long (s of wall time).
+SLEEP_SHARE, LONGEST_SLEEP = 0.1, 0.001
 BUDGET_PERIOD = 0.02  # s of wall time between looks at the budgets; one takes as long as a check
 # In a row: a busy machine may leave no other time between two naps of threads that wake in vain.
 CHECKS = 3
@@ -94,7 +96,7 @@ class IdleWaiter:
                 self._remove_ended()
                 usage, polls = None, {}
                 continue
-            time.sleep(CHECK_PERIOD)
+            time.sleep(min(LONGEST_SLEEP, SLEEP_SHARE * (check_begin - begin)))
 
     def wait_for_polls(self, pid):
         """Return when each thread of a process that polls by wall time has polled once more."""

@@ -54,11 +54,12 @@ def run_all(campaign, executor, is_lost):
 
 @contextlib.contextmanager
 def on_this_machine(campaign, jobs=None):
-    """Yield an executor with so many processes, or with one for each processor.
+    """Yield an executor with so many processes, or as many as suit the campaign's subject.
 
     And a function as on_cluster() does.
     """
-    processes = min(jobs or len(os.sched_getaffinity(0)), campaign.count)
+    usual = campaign.subject.jobs_per_processor * len(os.sched_getaffinity(0))
+    processes = min(jobs or usual, campaign.count)
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
             processes, multiprocessing.get_context('fork'), _reset_signals) as executor:

@@ -29,6 +29,7 @@ class Tutorial(NamedTuple):
     tutorial: str
 
     kind = name = property(lambda self: self.tutorial)
+    jobs_per_processor = 1
 
     def check(self, values):
         """Raise StartError if this cannot run with these values: lists by parameter."""
@@ -48,6 +49,7 @@ class Launched(NamedTuple):
     until: float  # s of simulated time
 
     kind = LAUNCH
+    jobs_per_processor = 2  # half of a run is waiting, for its nodes to start and to end
     name = property(lambda self: self.launch[1])
 
     def check(self, values):
