@@ -12,6 +12,7 @@ from odometry_tools.check.options import is_package
 from odometry_tools.check.processes import LOOK_PERIOD, ChildProcess
 from odometry_tools.check.quoting import how_ended, last_line, plain
 from odometry_tools.check.report import COLUMNS
+from odometry_tools.runs.output import complain
 
 TIME_LIMIT = 300.0  # s of wall time for each
 
@@ -19,22 +20,44 @@ TIME_LIMIT = 300.0  # s of wall time for each
 def judge_all(options):
     """Judge each file and package in a folder; print a line for each, and yield their rows."""
     folder = Path(options.node[0])
-    submissions = sorted(path for path in folder.iterdir()
-                         if path.suffix == '.py' or is_package(path))
+    submissions = {plain(str(path.relative_to(folder))): path for path in _submissions_in(folder)}
     if not submissions:
         raise StartError(f'{folder} has no file *.py and no package')
-    width = max(len(plain(path.name)) for path in submissions)
-    for path in submissions:
-        rows = _judge(options, path)
+    others = [plain(path.name) for path in sorted(folder.iterdir())
+              if path.is_file() and path.suffix != '.py' and not path.name.startswith('.')]
+    if others:
+        complain(f'no file *.py, and left out: {", ".join(others)}', 'check')
+    width = max(map(len, submissions))
+    for name, path in submissions.items():
+        rows = _judge(options, path, name)
         failed = [f'{row["scenario"]} {row["rule"]}'.strip() for row in rows
                   if row['verdict'] != 'passed']
-        print(f'{plain(path.name):{width}}  {len(rows) - len(failed)} of {len(rows)} passed  '
+        print(f'{name:{width}}  {len(rows) - len(failed)} of {len(rows)} passed  '
               f'{", ".join(failed)}'.rstrip(), flush=True)
         yield rows
 
 
-def _judge(options, path):
-    """Return the rows of one submission. It cannot end another, and leaves nothing running."""
+def _submissions_in(folder):
+    """Return the paths of files and packages in a folder, and in the folders in it.
+
+    A folder in it that has none stands for itself, so that nobody is left out.
+    """
+    found = []
+    for path in sorted(folder.iterdir()):
+        if path.name.startswith(('.', '__')):  # __MACOSX, __pycache__
+            continue
+        if path.suffix == '.py' or is_package(path):
+            found.append(path)
+        elif path.is_dir():
+            found += _submissions_in(path) or [path]
+    return found
+
+
+def _judge(options, path, name):
+    """Return the rows of one submission with a name.
+
+    It cannot end another, and leaves nothing running.
+    """
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, 'rows.csv')
         scenario_option = ['--scenario', options.scenario] if options.scenario else []
@@ -50,13 +73,13 @@ def _judge(options, path):
         rows = []
         if file.exists():
             with file.open(encoding='utf-8', newline='') as table:
-                rows = [{**row, 'submission': plain(path.name)} for row in csv.DictReader(table)]
+                rows = [{**row, 'submission': name} for row in csv.DictReader(table)]
     if rows:
         return rows
     reason = f'not done within {TIME_LIMIT:g} s'
     if status is not None:
         reason = (f'the check ended {how_ended(status)}' if status < 0
                   else last_line(plain(check.output)))
-    return [{**dict.fromkeys(COLUMNS, ''), 'submission': plain(path.name),
-             'exercise': options.exercise, 'verdict': 'not judged', 'rule': 'not_judged',
+    return [{**dict.fromkeys(COLUMNS, ''), 'submission': name, 'exercise': options.exercise,
+             'verdict': 'not judged', 'rule': 'not_judged',
              'sentence': reason}]

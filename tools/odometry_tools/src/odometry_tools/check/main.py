@@ -16,6 +16,7 @@ from odometry_tools.runs.output import RunError, run_command
 from odometry_tools.runs.ports import HOST, next_port
 
 PROGRAM = 'check'
+LONGEST_NAME = 100  # characters, in the name of a folder
 PAGE_PORT = 8080
 PAGE_PATIENCE = 60.0  # s of wall time, for a browser
 
@@ -95,7 +96,8 @@ def _runs_in_browser(exercise, scenarios, program):
 
 
 def _names(words):
-    return [os.path.basename(word.rstrip('/')) for word in words if ':=' not in word]
+    # With their folders: in a class several files may have the same name.
+    return [word.strip('/')[-LONGEST_NAME:] for word in words if ':=' not in word]
 
 
 def _await_spectator(bench, port):

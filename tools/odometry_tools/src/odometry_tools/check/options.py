@@ -12,6 +12,8 @@ from roslib.packages import find_node, find_resource
 
 from odometry_tools.check.scenarios import EXERCISES
 
+ELF = b'\x7fELF'  # how a compiled program begins
+
 
 class Program(NamedTuple):
     """What starts a node."""
@@ -93,8 +95,25 @@ def _command_of(path, arguments):
         from odometry_tools.runs.launch_files import nodes_beside_robot
         nodes_beside_robot(str(path), arguments)
         return ['roslaunch', str(path), *arguments]
-    is_script = path.suffix == '.py' and not os.access(path, os.X_OK)
-    return [*([sys.executable] if is_script else []), str(path), *arguments]
+    if path.suffix == '.py' and not os.access(path, os.X_OK):
+        return [sys.executable, str(path), *arguments]
+    _check_first_line(path)
+    return [str(path), *arguments]
+
+
+def _check_first_line(path):
+    """Raise StartError for a script that the system cannot start: its own errors do not say why."""
+    with path.open('rb') as file:
+        line = file.readline()
+    if line.startswith(ELF):
+        return
+    first, words = f'the first line of {path.name}', line[2:].split()
+    if not (line.startswith(b'#!') and words):
+        raise StartError(f'{first} must be #!/usr/bin/env python3, so that it can be executed')
+    if line.endswith(b'\r\n'):
+        raise StartError(f'{first} ends as on Windows: sed -i "s/\\r$//" {path.name}')
+    if not os.path.exists(words[0]):
+        raise StartError(f'{first} names {os.fsdecode(words[0])}, which is not on this machine')
 
 
 def _node_of(package):
