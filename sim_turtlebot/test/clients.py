@@ -6,31 +6,23 @@ All but the last command the robot, with an angular velocity that shows what the
 """
 
 import queue
+import random
 import sys
 import threading
+import zlib
 from types import SimpleNamespace
 
 import actionlib
-import dynamic_reconfigure.client
-import dynamic_reconfigure.server
-import message_filters
 import rospy
 import tf
 import tf2_ros
 from actionlib.msg import TestAction, TestGoal, TestResult
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Point, PointStamped, Twist
 from nav_msgs.msg import Odometry
-from std_msgs.msg import Float64
+from std_msgs.msg import Float64, Header
 from std_srvs.srv import Trigger, TriggerResponse
 
 LATEST = rospy.Time()
-# What dynamic_reconfigure generates from a .cfg file, for one parameter.
-SETTINGS = SimpleNamespace(
-    all_level=1, defaults={'gain': 1.0}, level={'gain': 1}, min={'gain': 0.0}, max={'gain': 9.0},
-    type={'gain': 'double'}, config_description={
-        'name': 'Default', 'type': '', 'id': 0, 'parent': 0, 'state': True, 'groups': [],
-        'parameters': [{'name': 'gain', 'type': 'double', 'level': 1, 'description': '',
-                        'edit_method': '', 'default': 1.0, 'min': 0.0, 'max': 9.0}]})
 
 
 class Robot:
@@ -66,15 +58,15 @@ def rate(robot, hertz='10'):
         loop.sleep()
 
 
-def timer(robot):
-    rospy.Timer(rospy.Duration(1 / 30), lambda _: robot.drive())
+def timer(robot, hertz='30'):
+    rospy.Timer(rospy.Duration(1 / float(hertz)), lambda _: robot.drive())
     rospy.spin()
 
 
-def sleep(robot):
+def sleep(robot, hertz='14'):
     while not rospy.is_shutdown():
         robot.drive()
-        rospy.sleep(0.07)
+        rospy.sleep(1 / float(hertz))
 
 
 def wait_for_message(robot):
@@ -100,23 +92,6 @@ def tf2_listener(robot):
         rospy.sleep(0.02)
 
 
-def synchronizer(robot):
-    topics = [message_filters.Subscriber(name, Odometry)
-              for name in ('odom', 'base_pose_ground_truth')]
-    synchronized = message_filters.ApproximateTimeSynchronizer(topics, 10, 0.01)
-    synchronized.registerCallback(
-        lambda odom, truth: robot.drive(odom.pose.pose.position.x + truth.pose.pose.position.x))
-    rospy.spin()
-
-
-def service(robot):
-    rospy.Service('~x', Trigger, lambda _: TriggerResponse(True, str(robot.x)))
-    ask, loop = rospy.ServiceProxy('~x', Trigger), rospy.Rate(10)
-    while not rospy.is_shutdown():
-        robot.drive(float(ask().message))
-        loop.sleep()
-
-
 def action(robot):
     """Send goals to the action server, each when there is new odometry.
 
@@ -140,20 +115,6 @@ def latched(robot):
         loop.sleep()
 
 
-def reconfigure(robot):
-    gain = [0.0]
-
-    def on_change(config, _level):
-        gain[0] = config['gain']
-        return config
-
-    dynamic_reconfigure.server.Server(SETTINGS, on_change)
-    loop = rospy.Rate(10)
-    while not rospy.is_shutdown():
-        robot.drive(robot.x * gain[0])
-        loop.sleep()
-
-
 def action_server(_robot):
     """Take 0.1 s for each unit of a goal."""
     def execute(goal):
@@ -170,15 +131,38 @@ def latching(_robot):
     rospy.spin()
 
 
-def tuner(_robot):
-    """Change the gain of `reconfigure`, never in the moment in which that looks at it."""
-    client = dynamic_reconfigure.client.Client('/client', timeout=30)
-    rospy.sleep(0.03)
-    loop, gain = rospy.Rate(2), 0
-    while not rospy.is_shutdown():
-        gain = (gain + 1) % 7
-        client.update_configuration({'gain': gain})
-        loop.sleep()
+def random_node(robot, graph, node, nodes):
+    """Say again and again what others have said, and ask one of them; node 0 commands.
+
+    What two nodes do at the same moment they do in either order. So whatever these nodes say depends only
+    on what others have said before that moment; then two runs must be the same.
+    """
+    rng, heard = random.Random(f'{graph} {node}'), {}
+
+    def on_said(message, other):
+        heard[other, message.header.stamp] = message.point.x
+
+    for other in range(int(nodes)):
+        if rng.random() < 0.5:
+            rospy.Subscriber(f'/said_{other}', PointStamped, on_said, other)
+    publisher = rospy.Publisher(f'/said_{node}', PointStamped, queue_size=10)
+    rospy.Service(f'/ask_{node}', Trigger, lambda _: TriggerResponse(True, str(robot.x)))
+    ask = rospy.ServiceProxy(f'/ask_{rng.randrange(int(nodes))}', Trigger)
+    asks = rng.random() < 0.5
+
+    def act():
+        now = rospy.get_rostime()
+        said = sorted((other, when, value) for (other, when), value in [*heard.items()] if when < now)
+        answer = ask().message if asks else ''
+        value = zlib.crc32(repr((said[-9:], answer, robot.x)).encode()) / 2**32
+        publisher.publish(Header(stamp=now), Point(x=value))
+        if node == '0':
+            robot.drive(value - 0.5)
+
+    ask.wait_for_service()
+    robot.seen.get()  # what is said before time begins, another node may miss
+    loop, hertz = rng.choice([rate, timer, sleep]), rng.choice([5, 10, 20, 30, 50])
+    loop(SimpleNamespace(drive=act), hertz)
 
 
 def main(functions):

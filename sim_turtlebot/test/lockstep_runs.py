@@ -5,12 +5,14 @@ import io
 import signal
 import subprocess
 
+import rospy
 from odometry_tests.pausing import call
 from odometry_tests.processes import Process
 from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 from sim_turtlebot.lockstep.lockstep import Lockstep
+from std_srvs.srv import Trigger
 
 CLIENTS_FOLDER = ROOT / 'sim_turtlebot' / 'test'
 RUN_TIME = 60.0  # s
@@ -58,6 +60,13 @@ def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):
             recorders[topic].wait_for_count(count, RUN_TIME)
         assert NOT_AWAITED not in simulation.output, simulation.output
         return {topic: recorders[topic].messages[:count] for topic, (_, count) in topics.items()}
+
+
+def step(count):
+    """Step a paused simulation so many times; return the answers."""
+    rospy.wait_for_service('/sim_turtlebot/step')
+    with contextlib.closing(rospy.ServiceProxy('/sim_turtlebot/step', Trigger, persistent=True)) as proxy:
+        return [proxy() for _ in range(count)]
 
 
 def bytes_of(message):

@@ -1,13 +1,15 @@
-"""Robot clients that lockstep cannot wait for, that command too early, or that start many threads.
+"""Robot clients that compute, here or in other processes, that command too early, or that lockstep cannot wait for.
 
 usage: odd_clients.py KIND
 """
 
-import asyncio
+import multiprocessing
 import os
 import queue
 import select
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -17,6 +19,33 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rospy.impl import tcpros_pubsub
 from std_srvs.srv import Empty
+
+
+def long(robot):
+    """Compute for three seconds, as SLAM does, before each of the first two commands."""
+    for number, x in enumerate(iter(robot.seen.get, None)):
+        end = time.process_time() + (3.0 if number < 2 else 0.0)
+        while time.process_time() < end:
+            pass
+        robot.drive(x)
+
+
+def program(robot):
+    for x in iter(robot.seen.get, None):
+        code = f'print({x} + 0 * sum(range(200_000)))'
+        done = subprocess.run([sys.executable, '-c', code], stdout=subprocess.PIPE, check=True)
+        robot.drive(float(done.stdout))
+
+
+def work(x):
+    sum(range(200_000))
+    return x
+
+
+def processes(robot):
+    pool = multiprocessing.Pool(2)
+    for x in iter(robot.seen.get, None):
+        robot.drive(pool.apply(work, [x]))
 
 
 def busy(_robot):
@@ -56,12 +85,6 @@ def wall(robot, seconds):
         time.sleep(float(seconds))
 
 
-def event(robot):
-    while not rospy.is_shutdown():
-        threading.Event().wait(0.1)
-        robot.drive()
-
-
 def queue_timeout(robot):
     while not rospy.is_shutdown():
         try:
@@ -76,25 +99,9 @@ def selecting(robot):
         robot.drive()
 
 
-def coroutine(robot):
-    async def drive():
-        while not rospy.is_shutdown():
-            robot.drive()
-            await asyncio.sleep(0.1)
-
-    asyncio.run(drive())
-
-
 def wall_timer(robot):
     robot.drive()
     threading.Timer(0.1, wall_timer, [robot]).start()
-
-
-def alarm(robot):
-    signal.signal(signal.SIGALRM, lambda *_: robot.drive())
-    signal.setitimer(signal.ITIMER_REAL, 0.1, 0.1)
-    while not rospy.is_shutdown():
-        signal.pause()
 
 
 def early(robot):
@@ -112,13 +119,6 @@ def held_up(_robot):
     rospy.Subscriber('base_pose_ground_truth', Odometry, messages.put)
     print('subscribed', flush=True)
     print('went on for', messages.get().header.stamp.to_sec() - begin, flush=True)
-
-
-def short_threads(robot):
-    """Start threads that end at once, as rospy.Timer(oneshot=True) and threading.Timer do."""
-    for _ in iter(robot.seen.get, None):
-        for _ in range(20):
-            threading.Thread(target=int).start()
 
 
 def nameless(robot):

@@ -7,10 +7,10 @@ import math
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from lockstep_runs import bytes_of
+from lockstep_runs import bytes_of, step
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import stamp
-from odometry_tests.pausing import call, pause
+from odometry_tests.pausing import call
 from odometry_tests.processes import Process
 from odometry_tests.robots import twist
 from odometry_tests.scripts import ROOT
@@ -35,31 +35,24 @@ def as_sent(messages):
 
 
 def test_after_a_reset_an_episode_is_the_same_bytes(master):
-    """With a controller that answers each odometry by its number."""
+    """With a command before each step."""
     recorders = {topic: Recorder(topic, kind) for topic, (kind, _) in TOPICS.items()}
     publisher = rospy.Publisher('cmd_vel', Twist, queue_size=10, tcp_nodelay=True)
-
-    def answer(odometry):
-        number = odometry.header.seq
-        publisher.publish(twist(0.4 * math.cos(number / 9), 2.0 * math.sin(number / 5)))
-
     episodes = []
     with simulator_in_step('_paused:=true', *ALL_NOISE):
         wait_for_subscribers(publisher)
-        controller = rospy.Subscriber('odom', Odometry, answer, tcp_nodelay=True)
         for recorder in recorders.values():
             recorder.wait_for_publisher()
         for _ in range(3):
-            call('unpause_physics')
+            for number in range(20 * LENGTH + 1):
+                publisher.publish(twist(0.4 * math.cos(number / 9), 2.0 * math.sin(number / 5)))
+                step(1)
             for recorder in recorders.values():
-                recorder.wait_for(lambda m: stamp(m) >= LENGTH, what='the end of the episode')
-            pause(*recorders.values())
-            episodes.append({topic: as_sent([m for m in recorder.messages if stamp(m) <= LENGTH])
-                             for topic, recorder in recorders.items()})
+                recorder.wait_for(lambda m: stamp(m) == LENGTH, what='the end of the episode')
+            episodes.append({topic: as_sent(recorder.messages) for topic, recorder in recorders.items()})
             for recorder in recorders.values():
                 recorder.clear()
             call('reset_simulation')
-        controller.unregister()
     for topic, (_, rate) in TOPICS.items():
         first, *others = (episode[topic] for episode in episodes)
         assert len(first) == rate * LENGTH + 1, topic

@@ -3,39 +3,20 @@
 import contextlib
 import signal
 import sys
-import threading
-from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-import rospy
 from geometry_msgs.msg import Twist
-from lockstep_runs import NOT_AWAITED, RUN_TIME, UNPACED, assert_same_bytes, record
+from lockstep_runs import NOT_AWAITED, RUN_TIME, UNPACED, assert_same_bytes, record, step
 from nav_msgs.msg import Odometry
-from odometry_tests.pausing import call
 from odometry_tests.processes import Process
-from odometry_tests.scripts import ROOT
-from odometry_tests.tutorial import detector, mover, rotator, simulator, simulator_in_step
+from odometry_tests.tutorial import Truth, detector, is_at_rest, mover, rotator, simulator_in_step
 from odometry_tests.waiting import Recorder
-from sensor_msgs.msg import Imu, JointState, LaserScan
-from std_srvs.srv import Trigger
 
 SHORT = 5  # s of simulated time
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
-SENSORS = (
-    [detector, mover],
-    {'/odom': (Odometry, 20 * SHORT),
-     '/scan': (LaserScan, 10 * SHORT),
-     '/mobile_base/sensors/imu_data': (Imu, 20 * SHORT),
-     '/joint_states': (JointState, 20 * SHORT)},
-    ['_scan:=true', '_scan_noise:=0.01', f'_world:={ROOT}/sim_turtlebot/worlds/room.urdf',
-     '_x:=-1.0'])
 ROTATE = [rotator], {'/odom': (Odometry, 20 * SHORT), '/cmd_vel': (Twist, 10 * SHORT)}
-
-
-def test_two_runs_are_the_same_bytes():
-    assert_same_bytes(*(record(*SENSORS) for _ in range(2)))
 
 
 def first_second():
@@ -68,67 +49,25 @@ def test_steps_from_outside_move_the_robot_as_lockstep_does_by_itself():
     stamps = []
 
     def step_by_step():
-        step = rospy.ServiceProxy('/sim_turtlebot/step', Trigger)
-        stamps.extend(step().message for _ in range(20 * SHORT))
+        stamps.extend(answer.message for answer in step(20 * SHORT))
 
     stepped = record(*ROTATE, begin=step_by_step)
     assert_same_bytes(record(*ROTATE), stepped)
     assert stamps == [f'{message.header.stamp.to_sec():.9f}' for message in stepped['/odom']]
 
 
-def step(count):
-    with contextlib.closing(rospy.ServiceProxy('/sim_turtlebot/step', Trigger, persistent=True)) as proxy:
-        return [proxy() for _ in range(count)]
-
-
-@pytest.fixture
-def stepped_simulator():
-    with simulator(UNPACED, '_lockstep:=true', '_paused:=true'):
-        for service in 'step', 'reset_simulation':
-            rospy.wait_for_service(f'/sim_turtlebot/{service}')
-        yield
-
-
-def test_each_of_several_callers_steps_a_period_of_its_own(stepped_simulator):
-    with ThreadPoolExecutor() as pool:
-        answers = [answer for answers in pool.map(step, [50, 50]) for answer in answers]
-    assert len({answer.message for answer in answers}) == 100
-    assert max(float(answer.message) for answer in answers) == pytest.approx(99 * 0.05)
-
-
-def test_a_step_succeeds_beside_resets(stepped_simulator):
-    done = threading.Event()
-
-    def reset():
-        while not done.is_set():
-            call('reset_simulation')
-
-    with ThreadPoolExecutor() as pool:
-        resets = pool.submit(reset)
-        try:
-            assert all(answer.success for answer in step(50))
-        finally:
-            done.set()
-        resets.result()
-
-
 def test_only_a_paused_simulation_can_be_stepped():
     with simulator_in_step():
-        rospy.wait_for_service('/sim_turtlebot/step')
-        answer = rospy.ServiceProxy('/sim_turtlebot/step', Trigger)()
+        answer, = step(1)
     assert (answer.success, answer.message) == (False, 'call ~pause_physics first')
 
 
 def test_a_mover_that_is_killed_does_not_stop_the_time():
     with simulator_in_step(UNPACED) as simulation, detector(), \
             mover('_distance:=100') as driver:
-        odometry = Recorder('odom', Odometry)
-        odometry.wait_for(lambda m: m.twist.twist.linear.x > 0.05, 20.0, 'a moving robot')
-        driver.send(signal.SIGKILL)
-        driver.wait()
-        silent_from = odometry.last.header.stamp.to_sec()
-        odometry.wait_for(lambda m: m.header.stamp.to_sec() > silent_from + 10, 20.0,
-                          'ten seconds more')
-        assert odometry.last.twist.twist.linear.x == 0.0
-        assert 'the base stops: no command on /cmd_vel for 0.6 s' in simulation.output
+        truth = Truth()
+        truth.wait_until_moving()
+        driver.end(signal.SIGKILL)
+        simulation.wait_for_output('the base stops: no command on /cmd_vel for 0.6 s')
+        assert is_at_rest(truth.wait_seconds(10.0))
     assert NOT_AWAITED not in simulation.output
