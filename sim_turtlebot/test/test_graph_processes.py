@@ -2,28 +2,17 @@
 
 import contextlib
 import itertools
-import os
 import socket
-import sys
 import threading
 import types
 from xmlrpc.server import SimpleXMLRPCServer
 
 import pytest
 import rosgraph
-from odometry_tests.processes import Process
 from sim_turtlebot.lockstep import graph as graph_module
 from sim_turtlebot.lockstep.graph import GraphProcesses
 from sim_turtlebot.lockstep.idle import IdleWaiter
 
-# Listens at the same port of many other addresses.
-NEIGHBOURS = '''
-import os, signal, socket, sys
-signal.signal(signal.SIGINT, signal.SIG_DFL)
-servers = [socket.create_server((f'127.99.0.{number}', int(sys.argv[1]))) for number in range(1, 50)]
-print('listening', os.getpid(), flush=True)
-signal.pause()
-'''
 TEST_NET = '192.0.2.1'  # an address of no machine: RFC 5737
 
 
@@ -57,22 +46,6 @@ def test_a_node_on_another_machine_is_named_once(graph, unseen):
     finally:
         for name, master in masters.items():
             master.unregisterPublisher('/elsewhere', addresses[name])
-
-
-def test_a_node_is_the_process_at_its_address_and_not_one_at_the_same_port_of_another(graph):
-    """As where several graphs run on one machine, each at an address of loopback."""
-    waiter, processes = graph
-    with socket.create_server(('127.0.0.1', 0)) as server:
-        port = server.getsockname()[1]
-        with Process(sys.executable, '-c', NEIGHBOURS, port) as other:
-            other.wait_for_output('listening')
-            address = f'http://127.0.0.1:{port}'
-            master = rosgraph.Master('/here')
-            master.registerPublisher('/elsewhere', 'std_msgs/Empty', address)
-            processes.wait()
-            assert os.getpid() in waiter.processes
-            assert int(other.stdout.split()[-1]) not in waiter.processes
-            master.unregisterPublisher('/elsewhere', address)
 
 
 def test_the_master_has_told_everybody_of_a_node_that_was_started_again(graph, monkeypatch):

@@ -3,6 +3,7 @@
 import os
 import socket
 import subprocess
+import sys
 import types
 
 import psutil
@@ -10,6 +11,12 @@ import pytest
 from sim_turtlebot.lockstep import listeners
 
 PORT = 4321
+NEIGHBOURS = '''
+import socket, sys, time
+servers = [socket.create_server((f'127.99.0.{number}', int(sys.argv[1]))) for number in range(1, 50)]
+print('listening', flush=True)
+time.sleep(60)
+'''
 
 
 @pytest.fixture
@@ -34,10 +41,12 @@ def test_a_process_that_stays_hidden_cannot_be_seen(look, monkeypatch):
     assert look(None) is None
 
 
-def test_a_socket_is_that_of_the_process_that_opened_it_and_not_of_its_children():
-    """As after multiprocessing.Pool(): the workers have it, too."""
-    with socket.create_server(('127.0.0.1', 0)) as server, \
-            subprocess.Popen(['sleep', '60'], pass_fds=[server.fileno()]) as worker:
-        address = f'http://127.0.0.1:{server.getsockname()[1]}/'
-        assert listeners.pids_at({'/node': address}) == {'/node': os.getpid()}
-        worker.kill()
+def test_a_socket_is_that_of_the_process_that_opened_it():
+    """Not of its children, as after multiprocessing.Pool(), nor of one at the same port of other addresses of loopback."""
+    with socket.create_server(('127.0.0.1', 0)) as server:
+        port = server.getsockname()[1]
+        with subprocess.Popen([sys.executable, '-c', NEIGHBOURS, str(port)], pass_fds=[server.fileno()],
+                              stdout=subprocess.PIPE) as other:
+            assert other.stdout.readline() == b'listening\n'
+            assert listeners.pids_at({'/node': f'http://127.0.0.1:{port}/'}) == {'/node': os.getpid()}
+            other.kill()

@@ -9,16 +9,18 @@ from nav_msgs.msg import Odometry
 from odometry_tests.robots import place, twist
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers
+from tf2_msgs.msg import TFMessage
 
 START = 1.0, -2.0, 1.5  # m, m, rad
 TUTORIAL_VARIANCES = [1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001]
 
 
 def test_odometry_has_the_fields_of_the_tutorial_and_starts_at_zero(simulated_time):
-    """Ground truth is in the world, odometry from the start on."""
-    odometry, truths = Recorder('odom', Odometry), Truth()
-    with simulator('_x:=1', '_y:=-2', '_yaw:=1.5'):
-        message, truth = odometry.wait_for(), truths.wait_for()
+    """Ground truth is in the world, odometry from the start on; its transform may be left to a filter."""
+    odometry, truths, tf = Recorder('odom', Odometry), Truth(), Recorder('/tf', TFMessage)
+    with simulator('_x:=1', '_y:=-2', '_yaw:=1.5', '_publish_tf:=false'):
+        message, truth, frames = odometry.wait_for(), truths.wait_for(), tf.wait_for().transforms
+    assert {frame.child_frame_id for frame in frames} == {'wheel_left_link', 'wheel_right_link'}
     assert (message.header.frame_id, message.child_frame_id) == ('odom', 'base_footprint')
     assert list(message.pose.covariance[::7]) == TUTORIAL_VARIANCES
     assert sum(map(abs, message.pose.covariance)) == sum(TUTORIAL_VARIANCES)

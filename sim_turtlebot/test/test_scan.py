@@ -128,7 +128,5 @@ def test_the_parameters_shape_the_scan(simulated_time):
     assert first.angle_max - first.angle_min == pytest.approx(6.283)
     assert (second.header.stamp - first.header.stamp).to_sec() == first.scan_time == 0.25
     assert (first.range_min, first.range_max) == pytest.approx((0.1, 2.2))
-    for beam, expected in [(180, 2.087), (0, 1.913), (90, 2.0135), (270, 1.9865)]:
-        assert first.ranges[beam] == pytest.approx(expected, abs=0.05)
     assert math.inf in first.ranges, 'the corners of the room are farther'
     assert first.ranges != second.ranges, 'they have no noise'

@@ -10,7 +10,6 @@ from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
 from rosgraph_msgs.msg import Clock
 from sim_turtlebot.timeline import Timeline
-from tf2_msgs.msg import TFMessage
 
 DAY = 86400  # s
 
@@ -69,11 +68,3 @@ def test_the_clock_ticks_with_this_period(simulated_time, arguments, period):
     seen = [time for time in times if time > 1]  # the first tick is a nanosecond, since zero is no time to ROS
     assert all(time % (period * 10**6) == 0 for time in seen)
     assert min(later - sooner for sooner, later in zip(seen, seen[1:])) == period * 10**6
-
-
-def test_a_filter_may_publish_the_transform_of_the_odometry(simulated_time):
-    """As robot_localization does; two publishers of one transform would make it jump."""
-    transforms = Recorder('/tf', TFMessage)
-    with simulator('_publish_tf:=false'):
-        children = {transform.child_frame_id for transform in transforms.wait_for().transforms}
-    assert children == {'wheel_left_link', 'wheel_right_link'}
