@@ -20,12 +20,6 @@ def show(ns, node, clock):
     return lambda *messages: [publisher.publish(message) for message in messages]
 
 
-def turned(quaternion):
-    message = odometry()
-    message.pose.pose.orientation = quaternion
-    return message
-
-
 def yaws(node):
     """Return the yaws printed (rad)."""
     return [float(line) for line in node.stdout.splitlines() if line[0] != '[']
@@ -37,21 +31,17 @@ def quaternions(node):
             for line in node.stdout.splitlines() if line[0] == '[']
 
 
-def wait_for(lines, node, count):
-    wait_until(lambda: len(lines(node)) >= count, 10.0,
-               lambda: f'{count} lines; it printed:\n{node.output[-1000:]}')
-
-
 def test_it_prints_the_quaternion_once_a_second(node, show, clock):
     """That of the last message, whose length is one again."""
-    begin = clock.now
-    show(turned(Quaternion(z=3.0, w=4.0)))
-    wait_for(yaws, node, 1)
+    begin, message = clock.now, odometry()
+    message.pose.pose.orientation = Quaternion(z=3.0, w=4.0)
+    show(message)
     wait_until(lambda: clock.advance(0.5) or quaternions(node), 10.0, 'a quaternion')
     before = len(quaternions(node))
     for count in range(1, 6):
         clock.advance(*[0.1] * 10)
-        wait_for(quaternions, node, before + count)
+        wait_until(lambda count=count: len(quaternions(node)) >= before + count, 10.0,
+                   lambda: f'one more quaternion; it printed:\n{node.output[-1000:]}')
     # One is due at the beginning, and one may have been on its way then.
     assert len(quaternions(node)) <= (clock.now - begin).to_sec() + 2
     assert len(yaws(node)) == 1, 'one for each message'

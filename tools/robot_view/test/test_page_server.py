@@ -5,7 +5,7 @@ import signal
 import socket
 
 import pytest
-from odometry_common.parameters import StartError
+from odometry_common.parameters import ParameterError, StartError
 from odometry_tests.linux import assert_loopback_only
 from odometry_tests.processes import assert_refused, hold_port, rosrun
 from robot_view.address import read_address
@@ -27,22 +27,6 @@ def test_it_prints_the_url_and_exits_quietly(master, signum):
         assert_loopback_only(view.pid)
         assert view.end(signum) == 0, view.output
     assert view.output.split('\n') == [f'view: {view.url}', '']
-
-
-@pytest.mark.parametrize('arguments, address', [([], '127.0.0.2'), (['_host:=localhost'], 'localhost')])
-def test_an_environment_variable_sets_the_default_of_host(master, arguments, address):
-    with hold_port(address) as port, rosrun('robot_view', 'view.py', f'_port:={port}', *arguments,
-                                            env={'ODOMETRY_VIEW_HOST': '127.0.0.2'}) as viewer:
-        viewer.wait_for_output(f'view: http://{address}:{port}')
-        with socket.create_connection((address, port)):
-            pass
-
-
-def test_a_port_that_is_taken_is_refused(master):
-    with socket.create_server(('127.0.0.1', 0)) as other:
-        port = other.getsockname()[1]
-        with rosrun('robot_view', 'view.py', f'_port:={port}') as viewer:
-            assert_refused(viewer, f'parameter ~port is {port}')
 
 
 def test_without_viser_it_says_what_to_install(master, tmp_path):
@@ -92,12 +76,20 @@ def test_a_codespace_forwards_the_page(monkeypatch):
 
 @pytest.mark.parametrize('host, url', [('localhost', 'http://localhost'), ('0.0.0.0', 'http://localhost'),
                                        ('127.0.0.2', 'http://127.0.0.2')])
-def test_the_page_has_a_url_that_every_browser_finds(host, url):
-    """0.0.0.0 is an address to listen on; not every browser takes it for this machine."""
+def test_the_page_has_a_url_that_every_browser_finds(monkeypatch, host, url):
+    """0.0.0.0 is an address to listen on; not every browser takes it for this machine. A variable sets the default."""
     with hold_port(host) as port:
+        monkeypatch.setenv('ODOMETRY_VIEW_HOST', '127.0.0.3')
         address = read_address({'host': host, 'port': port, 'allowed_hosts': 'LAB:81, b'})
+        monkeypatch.setenv('ODOMETRY_VIEW_HOST', host)
+        assert read_address({'port': port}).url == address.url
     assert address.url == f'{url}:{port}'
     assert {'localhost', host, 'lab:81', 'b'} <= address.names
+
+
+def test_a_port_that_is_taken_is_refused():
+    with socket.create_server(('127.0.0.1', 0)) as other, pytest.raises(ParameterError, match='~port .* free port'):
+        read_address({'port': other.getsockname()[1]})
 
 
 def test_without_its_guard_the_page_does_not_start(monkeypatch):
