@@ -29,10 +29,8 @@ def scan_in(world, *starts, robot=0, **options):
 
 
 @pytest.mark.parametrize('start, expected', [
-    ((0.0, 0.0, 0.0), 2.087), ((1.5, 0.0, 0.0), 0.587), ((1.63, 0.0, 0.0), 0.457),  # a wall
-    ((1.64, 0.0, 0.0), TOO_CLOSE), ((1.8, 0.0, 0.0), TOO_CLOSE), ((-1.0, 0.0, 0.0), FAR),
-    ((0.0, 1.2, 0.0), 1.087), ((0.0, 0.0, math.pi / 4), 1.515), ((-1.2, 0.0, math.pi / 2), 0.837),  # boxes
-    ((0.0, -1.3, math.pi), 0.737)])
+    ((0.0, 0.0, 0.0), 2.087), ((1.63, 0.0, 0.0), 0.457), ((1.64, 0.0, 0.0), TOO_CLOSE), ((-1.0, 0.0, 0.0), FAR),  # a wall
+    ((0.0, 1.2, 0.0), 1.087), ((0.0, -1.3, math.pi), 0.737)])  # boxes
 def test_walls_and_boxes_are_seen_where_they_are_and_what_is_out_of_range_is_infinite(start, expected):
     seen = scan_in('room.urdf', start, scan_beams=3, scan_fov=0.01, scan_range_max=3.0)
     assert seen == pytest.approx(expected, abs=CLOSE)

@@ -49,8 +49,8 @@ def test_it_stands_where_it_was_put(source):
 
 
 @pytest.mark.parametrize('position, orientation', [
-    ((2.0, 0.0, 0.0), LEVEL), ((0.0, 0.0, 0.0), ON_ITS_SIDE), ((0.0, 0.0, -0.06), LEVEL), ((-0.7, 0.0, 0.0), LEVEL)],
-    ids=['wall', 'side', 'floor', 'other robot'])
+    ((2.0, 0.0, 0.0), LEVEL), ((0.0, 0.0, 0.0), ON_ITS_SIDE), ((-0.7, 0.0, 0.0), LEVEL)],
+    ids=['wall', 'floor', 'other robot'])
 def test_where_there_is_no_room_it_is_not_put(position, orientation):
     simulation = Simulation((0, 0, 0), (-1.0, 0, 0), world=ROOM)
     simulation.drive(0.3, 0.0, 1.0)
@@ -75,10 +75,9 @@ def test_an_orientation_may_have_any_length(orientation):
 @pytest.mark.parametrize('frame, position, orientation, wrong', [
     ('map', STILL, LEVEL, "frame_id is 'map', but must be world, or empty"),
     ('', (math.nan, 0, 0), LEVEL, 'x is nan m, but must be from -10000 to 10000 m'),
-    ('', (0, -math.inf, 0), LEVEL, 'y is -inf m, but must be'),
     ('world', (0, 0, 10001), LEVEL, 'z is 10001 m, but must be'),
     ('', STILL, (0, 0, 0, 0), r'the orientation is \[0 0 0 0\], but must be'),
-    ('', STILL, (0, math.nan, 0, 1), r'the orientation is \[0 nan 0 1\], but must be')])
+    ('', STILL, (0, math.inf, 0, 1), r'the orientation is \[0 inf 0 1\], but must be')])
 def test_what_is_no_pose_is_refused_with_what_is_allowed(frame, position, orientation, wrong):
     with pytest.raises(ValueError, match=f'^{wrong}') as refusal:
         checked_pose(frame, position, orientation)

@@ -37,6 +37,8 @@ class Page(webdriver.Chrome):
     One that drew two pages without a graphics card would make them wait for each other.
     """
 
+    run = webdriver.Chrome.execute_script
+
     def __init__(self):
         options = webdriver.ChromeOptions()
         options.binary_location = CHROMIUM
@@ -52,13 +54,10 @@ class Page(webdriver.Chrome):
     def open(self, url):
         """Return the page once it has the panel."""
         self.get(url)
-        self._wait_for_panel()
+        # What each browser has of its own comes after the rest.
+        self._wait_until(lambda: self.run(f'return !!document.getElementById("readings") && !!{FOLLOW}'),
+                         'a page with readings, and a box of its own')
         return self
-
-    def reload(self):
-        """Open it again."""
-        self.refresh()
-        self._wait_for_panel()
 
     @contextlib.contextmanager
     def resized(self, metrics):
@@ -66,9 +65,6 @@ class Page(webdriver.Chrome):
         self.execute_cdp_cmd('Emulation.setDeviceMetricsOverride', metrics)
         yield
         self.execute_cdp_cmd('Emulation.clearDeviceMetricsOverride', {})
-
-    def run(self, script, *arguments):
-        return self.execute_script(script, *arguments)
 
     @property
     def text(self):
@@ -124,25 +120,18 @@ class Page(webdriver.Chrome):
             'return document.querySelector("[class*=Notification-root]")'),
             'a page without notices')
 
-    def picture(self):
-        return Image.open(io.BytesIO(self.get_screenshot_as_png())).convert('RGB')
-
     def scene(self):
         """Return the pixels of the 3-D scene between the panels: rows, columns, colours."""
         box = self.run('const box = document.querySelector("canvas").getBoundingClientRect();'
                        'return [box.left, box.top, box.right, box.bottom]'
                        '.map((edge) => edge * devicePixelRatio)')
-        return numpy.asarray(self.picture().crop([round(edge) for edge in box]), dtype=int)
+        picture = Image.open(io.BytesIO(self.get_screenshot_as_png())).convert('RGB')
+        return numpy.asarray(picture.crop([round(edge) for edge in box]), dtype=int)
 
     def count_pixels(self, more, less):
         """Return how many pixels of the scene have clearly more of one colour (0 to 2) than of another."""
         colours = numpy.moveaxis(self.scene(), 2, 0)
         return (colours[more] - colours[less] > 50).sum()
-
-    def _wait_for_panel(self):
-        # What each browser has of its own comes after the rest.
-        self._wait_until(lambda: self.run(f'return !!document.getElementById("readings") && !!{FOLLOW}'),
-                         'a page with readings, and a box of its own')
 
     def _button(self, label):
         # At once in the page: it may replace its buttons at any time.

@@ -92,22 +92,6 @@ def test_a_wall_is_drawn_as_long_as_the_world_has_it(robot, page):
     wait_until(lambda: page.count_pixels(0, 1) < WALL_PIXELS / 2, TIMEOUT, 'a picture without it')
 
 
-@pytest.mark.nightly
-def test_the_buttons_pause_resume_and_reset_the_simulation(robot, page):
-    page.wait_for_text('pause')
-    page.click('pause')
-    page.wait_for_reading('real_time_factor', lambda rate: rate == 0)
-    page.wait_for_reading('simulated_time', lambda seconds: seconds == pytest.approx(robot.stamp, abs=0.051))
-    page.click('resume')
-    page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
-    robot.clear()
-    page.click('reset')
-    start = robot.wait_for(lambda m: m.header.seq == 0, what='a robot at its start')
-    assert abs(start.pose.pose.position.x) < 1e-3
-    for name in 'true_distance', 'moved_distance':
-        page.wait_for_reading(name, lambda metres: metres == 0)
-
-
 def test_the_pad_drives_while_a_button_or_an_arrow_key_is_held(robot, page):
     """Nothing but a command stops this robot; test_page_clients closes a page and the viewer in mid-drive."""
     for sign, press, key in (1, page.hold, 'forward'), (-1, page.press_key, 'ARROW_DOWN'):

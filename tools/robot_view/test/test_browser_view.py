@@ -62,7 +62,7 @@ def wait_for_all(page):
 @pytest.mark.parametrize('size', [LAPTOP, PHONE], ids=['laptop', 'phone'])
 def test_the_whole_path_is_in_view_when_a_page_is_opened_late_and_on_a_click(page, size):
     with page.resized(size):
-        page.reload()
+        page.open(page.current_url)
         wait_for_all(page)
         page.wait_for_reading('heading', lambda degrees: degrees == pytest.approx(65, abs=0.1))
         page.follow()

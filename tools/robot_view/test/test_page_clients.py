@@ -1,9 +1,9 @@
 """The page and its clients: strangers, and what no browser would send."""
 
-import contextlib
-import http.client
 import math
 import signal
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
 
 import pytest
 import rosgraph
@@ -11,8 +11,9 @@ import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.robots import place
 from odometry_tests.tutorial import Truth, simulator
-from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_until
-from std_msgs.msg import String
+from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+from std_msgs.msg import Empty, String
+from std_srvs.srv import Trigger
 from viewer import viewing
 
 pytest.importorskip('page_client', reason='viser is not installed')
@@ -29,14 +30,6 @@ def view(master):
 @pytest.fixture
 def commands():
     return {robot: Recorder(f'/strange/{robot}/cmd_vel', Twist) for robot in ROBOTS}
-
-
-def fetch(view, host):
-    connection = http.client.HTTPConnection('localhost', view.port, timeout=TIMEOUT * PATIENCE)
-    with contextlib.closing(connection):
-        connection.request('GET', '/', headers={'Host': host})
-        answer = connection.getresponse()
-        return answer.status, answer.read(), answer.headers
 
 
 def drive(page, recorder, label='forward'):
@@ -66,10 +59,12 @@ def driven():
 
 def test_only_its_own_names_get_the_page_and_nobody_may_frame_it(view):
     """A click that was meant for the page around the frame would drive."""
-    assert fetch(view, f'evil.example:{view.port}')[0] == 403
-    status, text, headers = fetch(view, f'localhost:{view.port}')
-    assert status == 200 and b'viser' in text.lower()
-    assert headers['Content-Security-Policy'] == "frame-ancestors 'self'"
+    url = f'http://localhost:{view.port}'
+    with urlopen(url) as answer:
+        assert b'viser' in answer.read().lower()
+        assert answer.headers['Content-Security-Policy'] == "frame-ancestors 'self'"
+    with pytest.raises(HTTPError, match='403'):
+        urlopen(Request(url, headers={'Host': f'evil.example:{view.port}'}))
 
 
 @pytest.mark.parametrize('slider, button, value, expected', [
@@ -119,22 +114,25 @@ def test_the_simulators_warning_is_shown_as_long_as_it_is_there(view):
         page.wait_for_text('no simulator here')
 
 
-def put(page, robot, x, y, heading):
-    page.set('robot', robot)
-    page.set('x, y (m), heading (degrees)', [x, y, heading])
-    page.set('put here', True)
-
-
-def test_the_chosen_robot_is_put_where_the_page_says(master):
+def test_the_chosen_robot_is_put_where_the_page_says_and_a_simulation_is_paused_and_reset(master):
     with simulator('__ns:=placed', '_robots:=2') as world, viewing('__ns:=placed') as view, \
             open_page(view) as page:
         first, second = (Truth(f'/placed/{robot}/') for robot in ROBOTS)
-        first.wait_for(lambda m: place(m) == (0.0, 0.0, 0.0), what='robot_1 at its start')
-        put(page, 'robot_1', 1e9, 0.0, 0.0)
-        world.wait_for_output('x is 1e+09 m')
-        put(page, 'robot_2', 3.0, -1.5, 90)
-        second.wait_for(lambda m: place(m) == (3.0, -1.5, 1.57), what='robot_2 where it was put')
-        put(page, 'robot_1', -2, 0.25, 0)
-        first.wait_for(lambda m: place(m) == (-2.0, 0.25, 0.0), what='robot_1 where it was put')
-        assert place(second.last) == (3.0, -1.5, 1.57)
-    assert len({place(message) for message in first.messages}) == 2
+        distance_reset = Recorder('/placed/robot_2/moved_distance/reset', Empty)
+        first.wait_for(what='robot_1')
+        for robot, pose, is_done in (
+                ('robot_1', [1e9, 0.0, 0.0], lambda: 'x is 1e+09 m' in world.output),
+                ('robot_2', [3.0, -1.5, 90], lambda: place(second.last) == (3.0, -1.5, 1.57))):
+            page.set('robot', robot)
+            page.set('x, y (m), heading (degrees)', pose)
+            page.set('put here', True)
+            wait_until(is_done, TIMEOUT, f'{robot} that is put at {pose}, or a refusal')
+        assert {place(message) for message in first.messages} == {(0.0, 0.0, 0.0)}
+        step = rospy.ServiceProxy('/placed/sim_turtlebot/step', Trigger)
+        page.set('simulation', 'pause')
+        wait_until(lambda: step().success, TIMEOUT, 'a simulation that is paused')
+        page.set('simulation', 'reset')
+        second.wait_for(lambda m: place(m) == (0.0, 1.0, 0.0) and m.header.seq == 0, what='a new start')
+        distance_reset.wait_for()
+        page.set('simulation', 'resume')
+        wait_until(lambda: not step().success, TIMEOUT, 'a simulation that runs')
