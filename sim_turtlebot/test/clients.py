@@ -19,7 +19,7 @@ import tf2_ros
 from actionlib.msg import TestAction, TestGoal, TestResult
 from geometry_msgs.msg import Point, PointStamped, Twist
 from nav_msgs.msg import Odometry
-from std_msgs.msg import Float64, Header
+from std_msgs.msg import Header
 from std_srvs.srv import Trigger, TriggerResponse
 
 LATEST = rospy.Time()
@@ -106,15 +106,6 @@ def action(robot):
         robot.drive(robot.x + client.get_result().result)
 
 
-def latched(robot):
-    gain = []
-    rospy.Subscriber('gain', Float64, lambda message: gain.append(message.data))
-    loop = rospy.Rate(10)
-    while not rospy.is_shutdown():
-        robot.drive(robot.x * sum(gain[-1:]))
-        loop.sleep()
-
-
 def action_server(_robot):
     """Take 0.1 s for each unit of a goal."""
     def execute(goal):
@@ -123,11 +114,6 @@ def action_server(_robot):
 
     server = actionlib.SimpleActionServer('wait', TestAction, execute, auto_start=False)
     server.start()
-    rospy.spin()
-
-
-def latching(_robot):
-    rospy.Publisher('gain', Float64, latch=True, queue_size=1).publish(0.5)
     rospy.spin()
 
 

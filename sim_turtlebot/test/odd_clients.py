@@ -53,12 +53,6 @@ def busy(_robot):
         pass
 
 
-def busy_after_one_command(robot):
-    robot.drive(robot.seen.get())
-    while robot.x < 1.0:
-        pass
-
-
 def busy_thread(robot):
     threading.Thread(target=busy, args=[robot], daemon=True).start()
     rate(robot)

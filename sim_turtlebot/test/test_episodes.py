@@ -1,6 +1,5 @@
 """A simulator that is reset: each episode is the first again, to the byte."""
 
-import contextlib
 import itertools
 import math
 
@@ -11,11 +10,10 @@ from lockstep_runs import bytes_of, step
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import stamp
 from odometry_tests.pausing import call
-from odometry_tests.processes import Process
 from odometry_tests.robots import twist
 from odometry_tests.scripts import ROOT
-from odometry_tests.tutorial import simulator, simulator_in_step
-from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
+from odometry_tests.tutorial import simulator_in_step
+from odometry_tests.waiting import Recorder, wait_for_subscribers
 from sensor_msgs.msg import Imu, LaserScan
 from tf2_msgs.msg import TFMessage
 
@@ -57,15 +55,3 @@ def test_after_a_reset_an_episode_is_the_same_bytes(master):
         first, *others = (episode[topic] for episode in episodes)
         assert len(first) == rate * LENGTH + 1, topic
         assert others == [first, first], topic
-
-
-def test_rosbag_records_on_after_a_reset(tmp_path):
-    """It ends at a message that arrives at the time zero."""
-    with simulator() as robot, Process('rosbag', 'record', '-O', tmp_path / 'run', '/odom') as recording, \
-            contextlib.closing(Recorder('/odom', Odometry)) as seen:
-        wait_until((tmp_path / 'run.bag.active').exists, 20.0, 'a recording')
-        seen.wait_for(lambda message: stamp(message) > 2.0, what='two seconds to record')
-        call('reset_simulation')
-        seen.clear()
-        seen.wait_for(lambda message: 1.0 < stamp(message) < 2.0, what='a second after the reset')
-        assert recording.running and robot.running, recording.output

@@ -2,10 +2,12 @@
 
 import contextlib
 import socket
+import sys
 import types
 
 import pytest
 import rosgraph
+from odometry_tests.processes import Process
 from sim_turtlebot.lockstep import graph as graph_module
 from sim_turtlebot.lockstep.graph import GraphProcesses
 from sim_turtlebot.lockstep.idle import IdleWaiter
@@ -78,3 +80,12 @@ def test_a_connection_is_given_up_by_the_time_in_which_all_nodes_rest(graph, mon
     processes.wait()
     processes.wait()
     assert given_up == [LINK] * is_given_up
+
+
+def test_what_roslaunch_has_started_is_awaited_before_it_is_a_node(graph):
+    """Else time would begin without it."""
+    waiter, processes = graph
+    with Process(sys.executable, '-c', 'import time; print("up", flush=True); time.sleep(60)', '__name:=late') as late:
+        late.wait_for_output('up')
+        processes.add_starting()
+        assert late.pid in waiter.processes

@@ -156,10 +156,9 @@ def test_a_process_that_ends_is_forgotten(waiter, start):
     assert list(waiter.processes) == [staying.pid]
 
 
-@pytest.mark.parametrize('opened', range(3))
-def test_a_thread_that_ends_while_its_files_are_opened_leaves_none_open(monkeypatch, opened):
-    """It may end after each of the three."""
-    before, left, open_file = os.listdir('/proc/self/fd'), iter(range(opened)), os.open
+def test_a_thread_that_ends_while_its_files_are_opened_leaves_none_open(monkeypatch):
+    """Here after two of three."""
+    before, left, open_file = os.listdir('/proc/self/fd'), iter(range(2)), os.open
 
     def open_some(*arguments):
         if next(left, None) is None:

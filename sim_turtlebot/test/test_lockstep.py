@@ -1,47 +1,18 @@
 """In lockstep a run as fast as the machine can has no control delay, and two are the same bytes."""
 
-import contextlib
 import signal
-import sys
 
 import pytest
 from geometry_msgs.msg import Twist
-from lockstep_runs import NOT_AWAITED, RUN_TIME, UNPACED, assert_same_bytes, record, step
+from lockstep_runs import NOT_AWAITED, UNPACED, assert_same_bytes, record, step
 from nav_msgs.msg import Odometry
-from odometry_tests.processes import Process
 from odometry_tests.tutorial import Truth, detector, is_at_rest, mover, rotator, simulator_in_step
-from odometry_tests.waiting import Recorder
 
 SHORT = 5  # s of simulated time
 
 pytestmark = pytest.mark.usefixtures('simulated_time')
 
 ROTATE = [rotator], {'/odom': (Odometry, 20 * SHORT), '/cmd_vel': (Twist, 10 * SHORT)}
-
-
-def first_second():
-    """Start the tutorial's graph, all nodes at once; return its odometry and commands from time zero on."""
-    with contextlib.ExitStack() as stack:
-        recorders = {topic: stack.enter_context(contextlib.closing(Recorder(topic, kind)))
-                     for topic, kind in (('/odom', Odometry), ('/cmd_vel', Twist))}
-        # Named as by roslaunch: time does not begin while such a process has yet to register.
-        for start, *arguments in ((simulator_in_step, UNPACED, '__name:=sim_turtlebot'),
-                                  (detector, '__name:=detector'), (mover, '__name:=mover')):
-            stack.enter_context(start(*arguments))
-        messages = {topic: recorder.wait_for_count(20, RUN_TIME) for topic, recorder in recorders.items()}
-    assert messages['/odom'][0].header.stamp.to_sec() == 0.0
-    return messages
-
-
-@pytest.mark.parametrize('starts', [2, pytest.param(200, marks=pytest.mark.nightly)])
-def test_the_first_second_is_the_same_at_each_start_of_a_busy_machine(starts):
-    """Although nothing waits for the nodes before time begins."""
-    with contextlib.ExitStack() as stack:
-        for _ in range(4):
-            stack.enter_context(Process(sys.executable, '-c', 'while True: pass'))
-        first = first_second()
-        for _ in range(starts - 1):
-            assert_same_bytes(first, first_second())
 
 
 def test_steps_from_outside_move_the_robot_as_lockstep_does_by_itself():

@@ -28,7 +28,7 @@ from tf2_msgs.msg import TFMessage
 # The nodes beside the simulator, the first of which commands; C++ is compiled from client.cpp.
 CLIENTS = {
     'rospy.wait_for_message': ['wait_for_message'], 'tf': ['tf_listener'], 'tf2_ros': ['tf2_listener'],
-    'latched topic': ['latched', 'latching'], 'actionlib': ['action', 'action_server'],
+    'actionlib': ['action', 'action_server'],
     'subprocess': ['odd program'], 'multiprocessing': ['odd processes'],
     'ros::Rate': ['C++ rate'], 'ros::Timer': ['C++ timer'],
     'ros::MultiThreadedSpinner': ['C++ spinners']}
@@ -98,7 +98,7 @@ def test_time_stands_still_while_a_connection_is_made(arguments, start_client):
 BUSY, SLEEPS, STOPPED = 'it has been busy for', 'it acts by wall time', 'it has been stopped'
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
-    'odd busy': BUSY, 'odd busy_after_one_command': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
+    'odd busy': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
     'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 0.7': SLEEPS,
     'odd wall 2': SLEEPS, 'odd queue_timeout': SLEEPS, 'odd selecting': SLEEPS, 'odd wall_timer': SLEEPS,
     'C++ usleep': SLEEPS,

@@ -6,9 +6,11 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_tests.pausing import call
 from odometry_tests.robots import place, twist
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers
+from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
 START = 1.0, -2.0, 1.5  # m, m, rad
@@ -18,8 +20,13 @@ TUTORIAL_VARIANCES = [1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001]
 def test_odometry_has_the_fields_of_the_tutorial_and_starts_at_zero(simulated_time):
     """Ground truth is in the world, odometry from the start on; its transform may be left to a filter."""
     odometry, truths, tf = Recorder('odom', Odometry), Truth(), Recorder('/tf', TFMessage)
+    clock = Recorder('/clock', Clock)
     with simulator('_x:=1', '_y:=-2', '_yaw:=1.5', '_publish_tf:=false'):
         message, truth, frames = odometry.wait_for(), truths.wait_for(), tf.wait_for().transforms
+        clock.wait_for_publisher()
+        clock.clear()
+        call('reset_simulation')
+        clock.wait_for(lambda m: m.clock.to_nsec() == 1, what='the first tick: at zero rosbag record would end')
     assert {frame.child_frame_id for frame in frames} == {'wheel_left_link', 'wheel_right_link'}
     assert (message.header.frame_id, message.child_frame_id) == ('odom', 'base_footprint')
     assert list(message.pose.covariance[::7]) == TUTORIAL_VARIANCES

@@ -73,16 +73,6 @@ def test_a_robot_that_is_carried_is_where_it_was_by_its_encoders(gyro):
     assert (after.linear, after.angular) == (STILL, STILL)
 
 
-@pytest.mark.parametrize('robot, variances, of_twist', [
-    (encoders(gyro=False), (0.1, 0.1, 1e10, 1e10, 1e10, 0.2), (0.001, 0.001, 1e10, 1e10, 1e10, 0.02)),
-    (encoders(gyro=True), (0.1, 0.1, 1e10, 1e10, 1e10, 0.05), (0.001, 0.001, 1e10, 1e10, 1e10, 0.005)),
-], ids=['wheels', 'gyro'])
-def test_the_covariance_is_that_of_a_kobuki(robot, variances, of_twist):
-    """That of a filter's input must not be zero."""
-    assert robot.covariance == variances
-    assert robot.twist_covariance == of_twist
-
-
 @pytest.mark.parametrize('slip', [0.01, 0.1, 0.5])
 def test_slip_shows_as_travel_that_moved_nothing(slip):
     whole = drive(encoders(wheel_slip=slip), 0.5)[-1].position[0]
@@ -107,20 +97,19 @@ def test_gyro_noise_grows_with_the_root_of_time(duration):
     assert statistics.stdev(yaws) == pytest.approx(0.02 * math.sqrt(duration), rel=0.12)
 
 
-@pytest.mark.parametrize('drift', [0.01, -0.002])
-@pytest.mark.parametrize('source', ['world', 'encoder'])
-def test_drift_is_in_proportion_to_time_also_at_rest(source, drift):
-    robot = Robot(odometry_source=source, gyro_drift=drift)
-    last = drive(robot, 0.0, duration=20.0)[-1]
-    assert robot.gyro.heading == pytest.approx(20.0 * drift)
-    assert robot.gyro.rate == pytest.approx(drift)
-    assert last.position == (0.0, 0.0, 0.0)
+@pytest.mark.parametrize('parameters, turn_speed, rate', [
+    ({'gyro_drift': 0.01}, 0.0, 0.01), ({'gyro_drift': -0.002, 'odometry_source': 'encoder'}, 0.0, -0.002),
+    ({'gyro_scale_error': 0.02}, -0.5, -0.51), ({'gyro_scale_error': 0.02, 'gyro_scale_correction': 1 / 1.02}, 0.5, 0.5)])
+def test_the_gyro_drifts_also_at_rest_and_has_a_wrong_scale_that_the_correction_ends(parameters, turn_speed, rate):
+    robot = Robot(**parameters)
+    drive(robot, 0.0, turn_speed, duration=4.0)
+    assert robot.gyro.heading == pytest.approx(4.0 * rate)
+    assert robot.gyro.rate == pytest.approx(rate)
 
 
-@pytest.mark.parametrize('turn_speed', [0.5, -0.5])
-def test_a_wrong_scale_counts_in_proportion_and_the_correction_ends_it(turn_speed):
-    for correction, factor in [(1.0, 1.02), (1 / 1.02, 1.0)]:
-        robot = Robot(gyro_scale_error=0.02, gyro_scale_correction=correction)
-        drive(robot, 0.0, turn_speed, duration=4.0)
-        assert robot.gyro.heading == pytest.approx(4 * turn_speed * factor)
-        assert robot.gyro.rate == pytest.approx(turn_speed * factor)
+@pytest.mark.parametrize('gyro, yaw, turn', [(False, 0.2, 0.02), (True, 0.05, 0.005)])
+def test_the_covariance_is_that_of_a_kobuki(gyro, yaw, turn):
+    """That of a filter's input must not be zero."""
+    robot = encoders(gyro=gyro)
+    assert robot.covariance == (0.1, 0.1, 1e10, 1e10, 1e10, yaw)
+    assert robot.twist_covariance == (0.001, 0.001, 1e10, 1e10, 1e10, turn)

@@ -68,9 +68,8 @@ def test_a_stop_lasts_until_the_buttons_are_pressed_anew():
     steering = Steering()
     steering.hold('silent', LEFT, '', -1.0)
     steering.hold('page', FORWARD, '', 0.0)
-    assert steering.commands(0.0) == {'': (1, 0)}
     steering.hold('other', STOP, '', 0.1)
-    for now in (0.1 * step for step in range(1, 30)):
+    for now in 0.1, 0.2, 2.0:
         steering.hold('page', FORWARD, '', now)
         steering.hold('silent', LEFT, '', now)
         assert steering.commands(now).get('', STANDSTILL) == STANDSTILL
