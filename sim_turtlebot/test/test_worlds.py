@@ -124,7 +124,7 @@ def test_the_walls_and_boxes_of_the_room_arrive_late_too(simulated_time):
         first, *shapes = Recorder('sim_turtlebot/world_markers', MarkerArray).wait_for().markers
     assert first.action == Marker.DELETEALL
     assert {(shape.type, shape.header.frame_id) for shape in shapes} == {(Marker.CUBE, 'world')}
-    assert len(shapes) == len({shape.id for shape in shapes}) == 7
+    assert len({shape.id for shape in shapes}) == 7
     wall = shapes[0]
     assert (wall.pose.position.x, wall.pose.position.y, wall.pose.position.z) == pytest.approx((2.05, 0, 0.25))
     assert (wall.color.r, wall.color.g, wall.color.b, wall.color.a) == pytest.approx((0.85, 0.82, 0.75, 1))
