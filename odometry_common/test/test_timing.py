@@ -10,14 +10,6 @@ BAND = 0.001
 START, HOUR = 100.0, 3600.0  # s
 
 
-@pytest.fixture
-def wall(monkeypatch):
-    """Return a wall clock that stands still unless the test advances it."""
-    clock = SimpleNamespace(now=START, monotonic=lambda: clock.now)
-    monkeypatch.setattr('odometry_common.watchdog.time', clock)
-    return clock
-
-
 @pytest.mark.parametrize('timeout, steps, silent', [
     (1.0, [(0.9, 0.9), (1.01, 1.01)], [False, True]),
     (0.0, [(HOUR, HOUR)], [False]),
@@ -27,8 +19,10 @@ def wall(monkeypatch):
     (1.0, [(2.0, 0.1), (0.3, 0.15), (2.0, 0.19), (0.3, 0.3), (2.0, 0.9), (2.1, 1.01)],
      [False, False, False, False, False, True]),  # two clocks
     (1.0, [(-90.0, 0.5), (-89.1, 1.4), (-88.9, 1.6)], [False, False, True])])  # time goes back
-def test_silence_lasts_for_the_timeout_and_a_while_of_wall_time(wall, timeout, steps, silent):
+def test_silence_lasts_for_the_timeout_and_a_while_of_wall_time(monkeypatch, timeout, steps, silent):
     """Steps are times since the last arrival: simulated and real (s)."""
+    wall = SimpleNamespace(now=START, monotonic=lambda: wall.now)
+    monkeypatch.setattr('odometry_common.watchdog.time', wall)
     watchdog = Watchdog(timeout)
     assert not watchdog.expired(START)
     watchdog.feed(START)

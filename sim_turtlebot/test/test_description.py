@@ -9,9 +9,8 @@ from tf import transformations
 
 JOINTS = {joint.child: joint for joint in read_joints(URDF.read_text())}
 # In base_link (m): kobuki_description and turtlebot_description.
-PLACES = {'gyro_link': (0.056, 0.062, 0.0202), 'camera_rgb_frame': (-0.087, -0.0135, 0.287),
-          'camera_depth_frame': (-0.087, 0.0135, 0.287), 'wheel_left_link': (0, 0.115, 0.025),
-          'wheel_right_link': (0, -0.115, 0.025), 'caster_front_link': (0.115, 0, 0.007)}
+PLACES = {'gyro_link': (0.056, 0.062, 0.0202), 'camera_depth_frame': (-0.087, 0.0135, 0.287),
+          'wheel_left_link': (0, 0.115, 0.025), 'caster_front_link': (0.115, 0, 0.007)}
 
 
 def in_base_link(name):

@@ -1,5 +1,6 @@
 """What the page shows and does in a real browser: robots, numbers, plots, the pad."""
 
+import numpy
 import pytest
 import rospy
 from geometry_msgs.msg import Vector3
@@ -8,9 +9,11 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.tutorial import Truth, detector, simulator
 from odometry_tests.waiting import TIMEOUT, wait_until
 from std_msgs.msg import ColorRGBA
-from viewer import ROBOT_PIXELS, browsing, viewing, wait_for_robot
+from viewer import DARK, browsing, viewing
 from visualization_msgs.msg import Marker, MarkerArray
 
+ROBOT_PIXELS = 100  # at least so many are the robot's
+PICTURE_PERIOD = 0.2  # s
 SCAN_PIXELS = 100
 WALL_PIXELS = 500
 OFF_CENTRE = 0.1  # share of the picture, by which the robot's middle may be off the picture's
@@ -51,11 +54,18 @@ def page(open_view):
     open_view.let_go()
 
 
-def is_in_the_middle(page):
-    """Return a condition for wait_for_robot(): whether its dark pixels surround the middle of the picture."""
-    height, width, _ = page.scene().shape
-    return lambda rows, columns: (abs(rows.mean() / height - 0.5) < OFF_CENTRE
-                                  and abs(columns.mean() / width - 0.5) < OFF_CENTRE)
+def wait_for_robot(page):
+    """Return once the page has drawn it, with its dark pixels around the middle of the picture."""
+    middle = []  # of the robot, as a share of height and width
+
+    def is_in_the_middle():
+        scene = page.scene()
+        dark = numpy.argwhere(scene.max(axis=2) < DARK)
+        middle[:] = dark.mean(axis=0) / scene.shape[:2] if len(dark) > ROBOT_PIXELS else []
+        return middle and all(abs(share - 0.5) < OFF_CENTRE for share in middle)
+
+    wait_until(is_in_the_middle, TIMEOUT, lambda: f'the robot in the middle of the picture; it is at {middle}',
+               PICTURE_PERIOD)
 
 
 def test_a_page_without_a_robot_says_what_it_waits_for(page):
@@ -67,7 +77,7 @@ def test_a_page_without_a_robot_says_what_it_waits_for(page):
 
 def test_the_robot_is_in_the_picture_after_five_metres(robot, page):
     page.wait_for_reading('moved_distance', lambda metres: metres == 0)
-    wait_for_robot(page, is_in_the_middle(page))
+    wait_for_robot(page)
     with rosrun('test_movement', 'test_movement.py', '_distance:=5', '_speed:=0.7',
                 '_exit_when_done:=true') as mover:
         page.wait_for_text('target')
@@ -78,7 +88,7 @@ def test_the_robot_is_in_the_picture_after_five_metres(robot, page):
     for name in 'moved_distance', 'true_distance':
         page.wait_for_reading(name, lambda metres: metres == went)
     page.wait_for_reading('real_time_factor', lambda rate: rate > 0)
-    wait_for_robot(page, is_in_the_middle(page))
+    wait_for_robot(page)
 
 
 def test_a_wall_is_drawn_as_long_as_the_world_has_it(robot, page):
@@ -112,7 +122,7 @@ def test_on_a_phone_a_finger_finds_each_button_and_the_robot_is_above_them(robot
         assert all(top < y and y + high <= top + height for _, y, _, high in boxes.values()), 'a hidden button'
         wait_until(lambda: len(page.scene()) <= top, TIMEOUT, 'a scene above the panel')
         page.follow()
-        wait_for_robot(page, is_in_the_middle(page))
+        wait_for_robot(page)
 
 
 @pytest.mark.nightly

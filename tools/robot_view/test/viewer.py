@@ -1,15 +1,11 @@
-"""A viewer, and the robot in its page."""
+"""A viewer, and a browser for its page."""
 
 import contextlib
 import sys
 
-import numpy
 import pytest
 from odometry_tests.processes import Process, hold_port, path_of
-from odometry_tests.waiting import TIMEOUT, wait_until
 
-ROBOT_PIXELS = 100  # at least so many are the robot's
-PICTURE_PERIOD = 0.2  # s
 DARK = 80  # of 255; the robot is darker than this, the floor and the marks are not
 
 # Its pad waits for ever for a page that falls silent: a test sees what else stops the robot.
@@ -46,16 +42,3 @@ def browsing():
         pytest.skip('chromium and chromedriver are not installed')
     with contextlib.ExitStack() as stack:
         yield lambda url: stack.enter_context(browser.Page()).open(url)
-
-
-def wait_for_robot(window, accepts=lambda rows, columns: True):
-    """Return rows and columns of its dark pixels once the page has drawn it and they are accepted."""
-    seen = []
-
-    def robot():
-        seen[:] = numpy.nonzero(window.scene().max(axis=2) < DARK)
-        return len(seen[0]) > ROBOT_PIXELS and accepts(*seen)
-
-    wait_until(robot, TIMEOUT, lambda: f'the robot in the picture; dark are {seen}',
-               PICTURE_PERIOD)
-    return seen
