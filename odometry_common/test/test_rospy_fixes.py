@@ -2,6 +2,7 @@
 
 import contextlib
 import threading
+import types
 from xmlrpc.client import ServerProxy
 
 import pytest
@@ -19,33 +20,21 @@ from std_msgs.msg import Empty
 REQUEST = '[{}] Reason: new node registered with same name'  # as rosmaster words it
 
 
-class Handler:
-    """Stands for rospy's connections: keeps what it is to connect."""
-
-    def __init__(self):
-        self.done = False
-        self.connected = set()
-
-    def _connect_topic(self, topic, address):
-        self.connected.add((topic, address))
-        return 1, '', 0
-
-
 @pytest.mark.parametrize('news', [
     [('/odom', ['http://robot:1']), ('/odom', [])],
     [('/odom', ['http://robot:1']), ('/tf', ['http://robot:2']), ('/odom', [])]])
 def test_an_answer_that_is_older_than_the_news_takes_no_publisher_away(master, news):
     """The news came before rospy's thread had time for the answer."""
     fix_rospy()
-    handler = Handler()
+    connected = set()
+    handler = types.SimpleNamespace(done=False, _connect_topic=lambda *link: connected.add(link) or (1, '', 0))
     manager = RegManager(handler)
     for topic, addresses in news:
         manager.publisher_update(topic, addresses)
     thread = threading.Thread(target=manager.run, daemon=True)
     thread.start()
     wanted = {(topic, address) for topic, addresses in news for address in addresses}
-    wait_until(lambda: handler.connected == wanted, 10.0,
-               lambda: f'{wanted}; connected: {handler.connected}')
+    wait_until(lambda: connected == wanted, 10.0, lambda: f'{wanted}; connected: {connected}')
     handler.done = True
     thread.join(10.0)
     assert not thread.is_alive()

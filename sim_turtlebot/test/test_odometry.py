@@ -4,7 +4,7 @@ import math
 import statistics
 
 import pytest
-from arcs import PERIOD, TICK, Robot, drive, motion, on_arc, wheel_angles
+from arcs import TICK, Robot, drive, motion, on_arc, wheel_angles
 from hypothesis import given
 from hypothesis import strategies as st
 from sim_turtlebot.geometry import PlanarPose, about_z, yaw_of
@@ -79,22 +79,16 @@ def test_slip_shows_as_travel_that_moved_nothing(slip):
     assert whole * (1 - slip) == pytest.approx(5.0, abs=TICK)
 
 
-@pytest.mark.parametrize('speed, duration', [(0.5, 1.0), (0.5, 4.0), (0.125, 4.0)])
-def test_wheel_noise_grows_with_the_root_of_the_travel(speed, duration):
+@pytest.mark.parametrize('noise, speed, duration, grown', [
+    ('wheel_noise', 0.5, 1.0, 0.25), ('wheel_noise', 0.5, 4.0, 1.0), ('wheel_noise', 0.125, 4.0, 0.25),
+    ('gyro_noise', 0.0, 0.5, 0.5), ('gyro_noise', 0.0, 2.0, 2.0)])
+def test_noise_grows_with_the_root_of_the_travel_or_of_time(noise, speed, duration, grown):
     """Each wheel has its own; the middle between two has half the variance."""
-    tracks = [drive(encoders(wheel_noise=0.02, seed=seed), speed, 0.0, duration)
-              for seed in range(RUNS)]
-    travels = [sum(row.linear[0] for row in track) * PERIOD for track in tracks]
-    expected = 0.02 * math.sqrt(speed * duration / 2)
-    assert statistics.stdev(travels) == pytest.approx(expected, rel=0.12)
-    assert statistics.mean(travels) == pytest.approx(speed * duration, abs=4 * expected / RUNS**0.5)
-
-
-@pytest.mark.parametrize('duration', [0.5, 2.0])
-def test_gyro_noise_grows_with_the_root_of_time(duration):
-    yaws = [yaw_of(drive(encoders(gyro_noise=0.02, seed=seed), 0.0, 0.0, duration)[-1]
-                   .orientation) for seed in range(RUNS)]
-    assert statistics.stdev(yaws) == pytest.approx(0.02 * math.sqrt(duration), rel=0.12)
+    ends = [drive(encoders(seed=seed, **{noise: 0.02}), speed, 0.0, duration)[-1] for seed in range(RUNS)]
+    values = [end.position[0] if speed else yaw_of(end.orientation) for end in ends]
+    expected = 0.02 * math.sqrt(grown)
+    assert statistics.stdev(values) == pytest.approx(expected, rel=0.12)
+    assert statistics.mean(values) == pytest.approx(speed * duration, abs=4 * expected / RUNS**0.5)
 
 
 @pytest.mark.parametrize('parameters, turn_speed, rate', [
