@@ -53,14 +53,11 @@ def test_a_distance_that_is_not_finite_stops_it_with_a_warning(tell, node):
     node.wait_for_output('the moved distance nan is not finite')
 
 
-@pytest.mark.parametrize('node', [['_distance:=0.5', '_speed:=-0.2']], indirect=True)
-def test_it_drives_backwards_as_far_as_it_is_told(tell):
-    assert tell(0.0, 0.499, 0.5, 3.0) == commands(-0.2, -0.2, 0.0, 0.0)
-
-
-@pytest.mark.parametrize('node', [['_relative:=true']], indirect=True)
-def test_relative_counts_from_the_first_distance(tell):
-    assert tell(0.999, 1.0, 0.0) == commands(0.1, 0.0, 0.1)
+@pytest.mark.parametrize('node, told, speeds', [
+    (['_distance:=0.5', '_speed:=-0.2'], [0.0, 0.499, 0.5, 3.0], [-0.2, -0.2, 0.0, 0.0]),
+    (['_relative:=true'], [FIRST + 1.999, FIRST + 2.0, 0.0], [0.1, 0.0, 0.1])], indirect=['node'])
+def test_it_drives_backwards_as_far_as_it_is_told_or_from_the_first_distance_on(tell, told, speeds):
+    assert tell(*told) == commands(*speeds)
 
 
 @pytest.mark.parametrize('node', [['_exit_when_done:=true']], indirect=True)
