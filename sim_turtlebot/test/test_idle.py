@@ -147,15 +147,6 @@ def test_a_thread_of_roscpp_that_sleeps_by_wall_time_may_run_between_two_looks(w
     assert not process.is_still_idle()
 
 
-def test_a_process_that_ends_is_forgotten(waiter, start):
-    ending, staying = start(BUSY), start(READER)
-    threading.Timer(0.3, ending.kill).start()
-    waiter.wait()
-    ending.wait()
-    waiter.wait()
-    assert list(waiter.processes) == [staying.pid]
-
-
 def test_a_thread_that_ends_while_its_files_are_opened_leaves_none_open(monkeypatch):
     """Here after two of three."""
     before, left, open_file = os.listdir('/proc/self/fd'), iter(range(2)), os.open

@@ -1,7 +1,6 @@
 """In which order requests are served."""
 
 import threading
-import time
 import types
 from concurrent import futures
 from functools import partial
@@ -48,15 +47,14 @@ def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(reque
 
 def test_of_a_topic_the_latest_message_of_each_sender_is_served(requests):
     """In the order in which they came, or in that of the senders' names; a message on another topic stays."""
-    served, begin = [], time.monotonic()
+    served = []
     requests.put('/a', '/set_pose', partial(served.append, 'pose'))
     for number in range(3):
         for name in '/b', '/a', '/c':
             requests.put(name, '/cmd_vel', partial(served.append, (name, number)))
-    latest = time.monotonic()
     arrivals = requests.arrivals
     assert arrivals.keys() == {'/a', '/b', '/c'}
-    assert begin <= arrivals['/b'] <= arrivals['/a'] <= arrivals['/c'] <= latest
+    assert arrivals['/b'] <= arrivals['/a'] <= arrivals['/c']
     requests.serve_all(by_name=True)
     assert served == [('/a', 2), 'pose', ('/b', 2), ('/c', 2)]
     for name in '/b', '/a', '/b':

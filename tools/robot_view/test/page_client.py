@@ -30,12 +30,6 @@ class PageClient:
             subprotocols=[f'viser-v{viser.__version__}'])
         threading.Thread(target=self._read, daemon=True).start()
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.close()
-
     def close(self):
         self._websocket.close()
 
@@ -80,7 +74,7 @@ def _decode(data):
 
 @contextlib.contextmanager
 def open_page(view):
-    with PageClient(view.port, origin=view.url) as page:
+    with contextlib.closing(PageClient(view.port, origin=view.url)) as page:
         page.show()
         page.find('robot')
         yield page

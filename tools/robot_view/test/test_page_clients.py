@@ -1,5 +1,6 @@
 """The page and its clients: strangers, and what no browser would send."""
 
+import contextlib
 import math
 import signal
 from urllib.error import HTTPError
@@ -93,7 +94,7 @@ def test_only_listed_robots_are_driven(view, commands, value):
 def test_while_no_robot_is_listed_none_is_driven(master):
     """The page is there before the first robot, and the root of the namespace is no robot."""
     recorder = Recorder('/left/robot_1/cmd_vel', Twist)
-    with viewing('__ns:=left') as view, PageClient(view.port) as page:
+    with viewing('__ns:=left') as view, contextlib.closing(PageClient(view.port)) as page:
         page.show()
         for _ in range(10):
             page.hold('forward')
