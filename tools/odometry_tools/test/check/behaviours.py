@@ -1,6 +1,7 @@
 """Behaviours of nodes, each a function of the odometry."""
 
 import math
+from collections import defaultdict
 
 from odometry_common.angles import wrap_to_pi
 
@@ -8,10 +9,17 @@ RIGHT_ANGLE = math.pi / 2
 
 
 def remembering(step):
-    """Return what makes a node of a function of its memory (a dictionary, with `start`) and a Pose."""
+    """Return what makes a node of a function of a Pose, and of a memory with the `start` and the `last` one."""
     def make():
-        memory = {}
-        return lambda pose: step(memory if memory else memory.setdefault('start', pose) and memory, pose)
+        memory = defaultdict(float)
+
+        def answer(pose):
+            memory.setdefault('start', pose)
+            memory.setdefault('last', pose)
+            found = step(memory, pose)
+            memory['last'] = pose
+            return found
+        return answer
     return make
 
 
@@ -27,65 +35,70 @@ def turning(error, gain=0.5):
 
 def counting(step):
     """Return a detector that adds up a function of two Poses."""
+    @remembering
     def add(memory, pose):
-        memory['sum'] = memory.get('sum', 0.0) + step(memory.get('last', pose), pose)
-        memory['last'] = pose
+        memory['sum'] += step(memory['last'], pose)
         return memory['sum']
-    return remembering(add)
+    return add
 
 
 def way(start, pose):
     return math.hypot(pose.x - start.x, pose.y - start.y)
 
 
+def error_of(yaw):
+    return wrap_to_pi(RIGHT_ANGLE - yaw)
+
+
+@remembering
 def by_time(memory, pose):
     return (0.2 if 0.2 * (pose.time - memory['start'].time) < 2.0 else 0.0), 0.0
 
 
+@remembering
 def without_zero(memory, pose):
     return (0.2, 0.0) if way(memory['start'], pose) < 2.0 else None
 
 
-def once(memory, _pose):
-    return None if 'sent' in memory else memory.setdefault('sent', (0.1, 0.0))
+@remembering
+def once(memory, pose):
+    return (0.1, 0.0) if pose is memory['start'] else None
 
 
+@remembering
 def to_point(memory, pose):
     dx, dy = 2.0 - pose.x, -pose.y
-    memory['there'] = memory.get('there') or math.hypot(dx, dy) < 0.02
+    memory['there'] = memory['there'] or math.hypot(dx, dy) < 0.02
     error = wrap_to_pi(math.atan2(dy, dx) - pose.yaw)
     return (0.0, 0.0) if memory['there'] else (0.2 if abs(error) < 0.3 else 0.0, error)
 
 
+@remembering
 def turn_by(memory, pose):
-    memory['turned'] = memory.get('turned', 0.0) + wrap_to_pi(pose.yaw - memory.get('last', pose).yaw)
-    memory['last'] = pose
+    memory['turned'] += wrap_to_pi(pose.yaw - memory['last'].yaw)
     return 0.0, 0.5 * (RIGHT_ANGLE - memory['turned'])
 
 
+@remembering
 def wrong_derivative(memory, pose):
-    error = wrap_to_pi(RIGHT_ANGLE - pose.yaw)
-    last, memory['error'] = memory.get('error', 0.0), error
-    return 0.0, max(-1.0, min(1.0, 0.8 * error + 2.0 * (last - error) / 0.1))
+    last, memory['error'] = memory['error'], error_of(pose.yaw)
+    return 0.0, max(-1.0, min(1.0, 0.8 * memory['error'] + 2.0 * (last - memory['error']) / 0.1))
 
 
+@remembering
 def turn_by_time(memory, pose):
-    error = wrap_to_pi(RIGHT_ANGLE - memory['start'].yaw)
-    return 0.0, math.copysign(0.3, error) if pose.time - memory['start'].time < abs(error) / 0.3 else 0.0
+    start = memory['start']
+    error = error_of(start.yaw)
+    return 0.0, math.copysign(0.3, error) if pose.time - start.time < abs(error) / 0.3 else 0.0
 
 
+@remembering
 def narrow_window(memory, pose):
-    memory['there'] = memory.get('there') or abs(way(memory['start'], pose) - 2.0) < 0.0131
+    memory['there'] = memory['there'] or abs(way(memory['start'], pose) - 2.0) < 0.0131
     return (0.0 if memory['there'] else 0.49), 0.0
 
 
-def rest_between(memory, pose):
-    there = way(memory['start'], pose)
-    if there > 1.0 and pose.time - memory.setdefault('half', pose.time) < 5.0:
-        return 0.0, 0.0
-    return (0.2 if there < 2.0 else 0.0), 0.0
-
-
+@remembering
 def drives_again(memory, pose):
     """Rest a second at 2 m, and drive them once more."""
     there = way(memory['start'], pose)
@@ -94,76 +107,63 @@ def drives_again(memory, pose):
     return (0.2 if there < 4.0 else 0.0), 0.0
 
 
+@remembering
 def spins_at_the_goal(memory, pose):
     if way(memory['start'], pose) < 2.0:
         return 0.3, 0.0
     return 0.0, (1.0 if pose.time - memory.setdefault('there', pose.time) < 6.0 else 0.0)
 
 
+@remembering
 def rarely(memory, pose):
     """Command once in ten seconds."""
-    if pose.time < memory.get('next', 0.0) - 1e-6:
+    if pose.time < memory['next'] - 1e-6:
         return None
     memory['next'] = pose.time + 10.0
     return (0.3 if way(memory['start'], pose) < 2.0 else 0.0), 0.0
 
 
+@remembering
 def place_by_speed(memory, pose):
     """Return the distance from the start by dead reckoning."""
-    last, memory['last'] = memory.get('last', pose), pose
-    step = pose.linear * (pose.time - last.time)
-    memory['x'] = memory.get('x', 0.0) + step * math.cos(pose.yaw)
-    memory['y'] = memory.get('y', 0.0) + step * math.sin(pose.yaw)
+    step = pose.linear * (pose.time - memory['last'].time)
+    memory['x'] += step * math.cos(pose.yaw)
+    memory['y'] += step * math.sin(pose.yaw)
     return math.hypot(memory['x'], memory['y'])
 
 
+@remembering
 def silent_halfway(memory, pose):
     return (0.2, 0.0) if way(memory['start'], pose) < 1.0 else None
 
 
+@remembering
 def from_origin(memory, pose):
-    last = memory.get('last')
-    memory['sum'] = memory.get('sum', 0.0) + (way(last, pose) if last else math.hypot(pose.x, pose.y))
-    memory['last'] = pose
+    memory['sum'] = memory.get('sum', math.hypot(pose.x, pose.y)) + way(memory['last'], pose)
     return memory['sum']
 
 
+@remembering
 def one_step(memory, pose):
-    last, memory['last'] = memory.get('last', pose), pose
-    return way(last, pose)
+    return way(memory['last'], pose)
 
 
-def once_a_second(memory, pose):
-    memory['sum'] = one_step(memory, pose) + memory.get('sum', 0.0)
-    if pose.time < memory.get('next', 0.0) - 1e-6:
-        return None
-    memory['next'] = pose.time + 1.0
-    return memory['sum']
-
-
+@remembering
 def while_moving(memory, pose):
-    step = one_step(memory, pose)
-    memory['sum'] = memory.get('sum', 0.0) + step
+    step = way(memory['last'], pose)
+    memory['sum'] += step
     return memory['sum'] if step > 0.0005 else None
 
 
+@remembering
 def overshooting(memory, pose):
     """Drive more than 2.06 m, and come back."""
-    memory['beyond'] = memory.get('beyond') or way(memory['start'], pose) > 2.06
+    there = way(memory['start'], pose)
+    memory['beyond'] = memory['beyond'] or there > 2.06
     if not memory['beyond']:
         return 0.3, 0.0
-    return (-0.1 if way(memory['start'], pose) > 2.01 else 0.0), 0.0
+    return (-0.1 if there > 2.01 else 0.0), 0.0
 
 
 def rounded(last, pose):
     return math.hypot(round(pose.x, 2) - round(last.x, 2), round(pose.y, 2) - round(last.y, 2))
-
-
-def fixed_time(memory, pose):
-    """Take 0.05 s for the time between two messages."""
-    memory['sum'] = memory.get('sum', 0.0) + 0.05 * pose.linear
-    return (0.25 if memory['sum'] < 2.0 else 0.0), 0.0
-
-
-def heading_to_360(yaw):
-    return RIGHT_ANGLE - yaw % (2 * math.pi)

@@ -9,9 +9,10 @@ from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command, Pose, Run
 from odometry_tools.check.scenarios import EXERCISES, PERIOD
 
+TWO_METERS = EXERCISES['two_meters']
+PLAIN = TWO_METERS.scenarios[0]
 WATCHDOG = 0.6  # s
 FASTEST = 0.7, math.pi  # m/s, rad/s
-LONGEST = 400.0  # s
 
 
 class Robot:
@@ -46,61 +47,45 @@ class Robot:
         return Pose(self.time, self.x, self.y, self.yaw, *self._speed)
 
 
-def drive(scenario, node, target):
-    """Return the Run of a function that answers each Pose with a linear and an angular speed, or with None."""
-    robot, run = Robot(scenario), Run(scenario, Pace(), Drive(target).is_over)
-    _register(run)
-    node = node()
+def drive(node, scenario=PLAIN, exercise=TWO_METERS):
+    """Return the Run of a function that answers each Pose with a linear and an angular speed, or with None.
+
+    On a route it answers with a distance, or with None.
+    """
+    robot, node = Robot(scenario), node()
+    ending = Route(robot.command) if exercise.route else Drive(exercise.target)
+    run = Run(scenario, Pace(), ending.is_over)
+    run.nodes = {'/mine'}
+    run.begin -= 1e3  # s of wall time, for which a node that is silent would be awaited
+    run.subscribes = {'/odom': 'nav_msgs/Odometry'}
+    periods = 0
     while not run.over:
-        if on_time(robot, scenario):
-            tell(run, robot)
-            if (answer := node(robot.pose())) is not None:
+        if periods % round(1 / scenario.odom_rate / PERIOD) == 0:
+            with run.changed:
+                run.take(robot.pose())
+            answer = node(robot.pose())
+            if answer is not None and exercise.route:
+                run.moved.append((robot.time, answer))
+            elif answer is not None:
                 run.commands.append(Command(robot.time, *answer, (), 'cmd_vel'))
                 robot.command(*answer)
         robot.advance()
+        periods += 1
     if scenario.interrupt:
         run.interrupted, run.interrupt_time = len(run.commands), run.now
         run.commands.append(Command(robot.time, 0.0, 0.0, (), 'cmd_vel'))
     return run
 
 
-def drive_route(scenario, node):
-    """Return the Run of a function that answers each Pose with a distance, or with None."""
-    robot = Robot(scenario)
-    run = Run(scenario, Pace(), Route(robot.command).is_over)
-    _register(run)
-    node = node()
-    while not run.over:
-        if on_time(robot, scenario):
-            tell(run, robot)
-            if (answer := node(robot.pose())) is not None:
-                run.moved.append((robot.time, answer))
-        robot.advance()
-    return run
-
-
-def tell(run, robot):
-    """Have the check take the odometry."""
-    with run.changed:
-        run.take(robot.pose())
-
-
-def on_time(robot, scenario):
-    """Return whether odometry is sent now."""
-    periods = round(robot.time / PERIOD)
-    return periods % round(1 / scenario.odom_rate / PERIOD) == 0
-
-
-def _register(run):
-    run.nodes = {'/mine'}
-    run.begin -= 1e3  # s of wall time, for which a node that is silent would be awaited
-    run.subscribes = {'/odom': 'nav_msgs/Odometry'}
+def verdict_on(run):
+    """Return the Verdict on a Run of two metres."""
+    verdict, = verdicts_on([run], TWO_METERS)
+    return verdict
 
 
 def verdicts(name, node, scenarios=None):
     """Return the Verdicts on a function in an exercise, by scenario."""
     exercise = EXERCISES[name]
-    runs = [drive_route(scenario, node) if exercise.route else drive(scenario, node, exercise.target)
-            for scenario in exercise.scenarios if scenarios is None or scenario.name in scenarios]
-    found = verdicts_on(runs, exercise)
-    return {verdict.scenario: verdict for verdict in found}
+    runs = [drive(node, scenario, exercise) for scenario in exercise.scenarios
+            if scenarios is None or scenario.name in scenarios]
+    return {verdict.scenario: verdict for verdict in verdicts_on(runs, exercise)}
