@@ -16,7 +16,7 @@ from odometry_tests.tutorial import (
     simulator,
     simulator_in_step,
 )
-from odometry_tests.waiting import PATIENCE, wait_until
+from odometry_tests.waiting import wait_until
 
 FAR = '_distance:=1000'  # m; no test lasts until there
 
@@ -40,15 +40,6 @@ def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
             assert counter.running and driver.running
     assert max(moved.steps) < LONGEST_STEP, 'a jump was counted'
     assert min(moved.steps) >= 0, 'distance was lost'
-
-
-def test_roslaunch_stops_the_robot_when_it_is_interrupted(master):
-    """Ctrl-C on roslaunch while the robot drives: every node ends by itself, none is killed."""
-    with Process('roslaunch', f'--sigint-timeout={15 * PATIENCE}', 'odometry_launch',
-                 'move_two_meters.launch', 'real_time_factor:=3') as launch:
-        Truth().wait_until_moving(30.0)
-        assert launch.end(timeout=30.0) == 0, launch.output
-    assert 'escalating' not in launch.output
 
 
 def test_the_launch_ends_when_the_simulator_dies(master):

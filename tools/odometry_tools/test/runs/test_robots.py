@@ -3,17 +3,20 @@
 import pytest
 from odometry_tests.processes import Process
 from odometry_tests.tutorial import Distance, Truth
+from odometry_tests.waiting import PATIENCE
 
 STARTS = {'/robot_1/': 0.0, '/robot_2/': 1.0}  # by namespace: m to the left
 
 
 def test_each_moves_two_metres_and_rests(master):
+    """Ctrl-C on roslaunch: every node ends by itself, none is killed."""
     distances = {name: Distance(name) for name in STARTS}
-    with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch', 'robots:=2', 'lockstep:=true',
-                 'real_time_factor:=0') as launch:
+    with Process('roslaunch', f'--sigint-timeout={15 * PATIENCE}', 'odometry_launch',
+                 'move_two_meters.launch', 'robots:=2', 'lockstep:=true', 'real_time_factor:=0') as launch:
         for name, left in STARTS.items():
             moved = distances[name].wait_until_arrived(2.0)
             assert 2.0 <= moved <= 2.01
             place = Truth(name).wait_until_resting().pose.pose.position
             assert (place.x, place.y) == (pytest.approx(moved, abs=0.001), pytest.approx(left, abs=0.002))
-        assert launch.end() == 0
+        assert launch.end(timeout=30.0) == 0
+    assert 'escalating' not in launch.output

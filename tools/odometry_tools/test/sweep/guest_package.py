@@ -137,7 +137,7 @@ FILES = {
     'robot.launch': '<launch><node name="sim_turtlebot" pkg="guest" type="node.py"/></launch>',
     'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
     'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
-    'sim.launch': '<launch><include file="$(find odometry_launch)/sim.launch"/></launch>', 'none.launch': '<launch/>'}
+    'none.launch': '<launch/>'}
 # Follows a launch file until one of the nodes that are named has ended.
 FOLLOW = '''
 import sys

@@ -60,6 +60,7 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ('[' * 1000, 'cannot be read: '), ('3', 'names no tutorial'),
     ('seeds: 3', 'there is no tutorial None: there is move, rotate'),
     ({'launch': 'move', 'until': 1}, "launch is 'move', but must be [package, file]"),
+    ({'launch': ['guest', 'a.launch'], 'until': 0}, 'until is 0, but must be a number from 0.05'),
     ({'tutorial': 'move', 'until': 1}, "has 'until': there is limits, seeds, set, tutorial"),
     ({'tutorial': 'move', 'seed': 3}, "has 'seed': did you mean seeds?"),
     ({'tutorial': 'move', 'seeds': True}, 'seeds is True, but must be a whole number from 1'),

@@ -6,6 +6,7 @@ import re
 import shutil
 import signal
 import sys
+from unittest import mock
 
 import pytest
 from guest_package import FILES, FOLLOW
@@ -20,8 +21,6 @@ from odometry_tools.sweep.campaign import Campaign
 from odometry_tools.sweep.subjects import Launched
 from sweeps import SCRIPT, TIMEOUT, folder_of, rows_in, sweep
 
-EXAMPLE = ROOT / 'docs' / 'example'
-
 
 @pytest.fixture(autouse=True)
 def packages(tmp_path, monkeypatch):
@@ -32,7 +31,7 @@ def packages(tmp_path, monkeypatch):
         (folder / name).write_text(text.replace('{python}', sys.executable))
         (folder / name).chmod(0o755)
     (folder / 'plain.py').touch()
-    example = shutil.copytree(EXAMPLE, tmp_path / 'example')
+    example = shutil.copytree(ROOT / 'docs' / 'example', tmp_path / 'example')
     for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
     monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{example}:{os.environ["ROS_PACKAGE_PATH"]}')
@@ -53,43 +52,39 @@ def test_the_example_gives_the_same_bytes_each_time():
     assert (folder_of(run.stdout) / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
 
 
-@pytest.mark.parametrize('ends', [['crash'], pytest.param(
-    ['done', 'crash', 'busy', 'never'], marks=pytest.mark.nightly)], ids=len)
-def test_how_a_run_ended_is_a_column(ends):
+def swept(*words):
+    """Sweep a launch file of the package; return what was printed, and how each run ended."""
+    printed = sweep('guest', *words, command=SCRIPT).stdout
+    return printed, [row['ended'] for row in rows_in(folder_of(printed))]
+
+
+@pytest.mark.parametrize('words, ends', [
+    (['nodes.launch', '--until', '2', '--set', 'end=crash'], ['crashed']),
+    pytest.param(['nodes.launch', '--until', '2', '--set', 'end=done,crash,busy,never'],
+                 ['arrived', 'crashed', 'not awaited', 'late'], marks=pytest.mark.nightly),
+    (['naps.launch', '--until', '4', '--set', 'nap=sleep,select,event'], 3 * ['not awaited']),
+    (['late.launch', '--until', '1'], ['not awaited']),
+    (['again.launch', '--until', '1'], ['not awaited']),
+    (['tidy.launch', '--until', '0.1', '--seeds', '2', '--jobs', '1'], ['until', 'until'])],
+    ids=['crash', 'each end', 'sleeps by wall time', 'begins after simulated time', 'respawns',
+         'finds no parameter of the run before'])
+def test_how_a_run_ended_is_a_column(words, ends):
     """A crash ends neither the campaign nor the run."""
-    printed = sweep('guest', 'nodes.launch', '--until', '2', '--set', f'end={",".join(ends)}',
-                    command=SCRIPT).stdout
-    expected = {'done': 'arrived', 'crash': 'crashed', 'busy': 'not awaited', 'never': 'late'}
-    assert [row['ended'] for row in rows_in(folder_of(printed))] == [expected[end] for end in ends]
-    assert printed.count('not arrived') == len({*ends} - {'done'}), printed
-    if ends == ['crash']:
+    printed, found = swept(*words)
+    assert found == ends
+    assert printed.count('not arrived') == sum(end not in ('arrived', 'until') for end in ends), printed
+    if ends == ['crashed']:
         assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
 
 
-def test_a_short_run_of_a_node_that_sleeps_by_wall_time_says_so():
-    printed = sweep('guest', 'naps.launch', '--until', '4', '--set', 'nap=sleep,select,event', command=SCRIPT).stdout
-    assert [row['ended'] for row in rows_in(folder_of(printed))] == 3 * ['not awaited'], printed
-
-
-def test_a_node_that_begins_after_simulated_time_has_begun_says_so():
-    printed = sweep('guest', 'late.launch', '--until', '1', command=SCRIPT).stdout
-    assert [row['ended'] for row in rows_in(folder_of(printed))] == ['not awaited'], printed
-
-
 def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
-    printed = sweep('guest', 'nodes.launch', '--until', '2', '--seeds', '4', '--set', 'end=chance', '--set',
-                    'odometry_source=encoder', '--set', 'wheel_noise=0.05', command=SCRIPT).stdout
-    ends = [row['ended'] for row in rows_in(folder_of(printed))]
+    printed, ends = swept('nodes.launch', '--until', '2', '--seeds', '4', '--set', 'end=chance', '--set',
+                          'odometry_source=encoder', '--set', 'wheel_noise=0.05')
     assert {*ends} == {'arrived', 'crashed'}, ends
     assert f'not arrived     {ends.count("crashed")} of 4, with all runs' in printed, printed
     again = sweep('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1), command=SCRIPT)
     assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
     assert again.stderr == 'sweep: node has ended with status 1; last error printed: ValueError: on purpose'
-
-
-def test_a_run_leaves_no_parameter_to_the_next_in_its_session():
-    printed = sweep('guest', 'tidy.launch', '--until', '0.1', '--seeds', '2', '--jobs', '1', command=SCRIPT).stdout
-    assert [row['ended'] for row in rows_in(folder_of(printed))] == ['until', 'until'], printed
 
 
 @pytest.mark.parametrize('service, line', [
@@ -100,11 +95,9 @@ def test_a_node_that_changes_how_time_goes_on_is_named(service, line):
     assert printed.stderr.startswith(line) and len(printed.stderr.splitlines()) == 1, printed.stderr
 
 
-def test_a_node_that_respawns_is_started_again_and_the_run_says_so():
+def test_what_a_node_prints_before_it_is_there_is_shown():
     with Process(sys.executable, '-c', FOLLOW, 'again.launch') as process:
         process.wait_for_output('again\nagain\n')  # what it printed first is in memory
-    printed = sweep('guest', 'again.launch', '--until', '1', command=SCRIPT).stdout
-    assert [row['ended'] for row in rows_in(folder_of(printed))] == ['not awaited'], printed
 
 
 def test_a_node_that_cannot_be_started_is_not_waited_for():
@@ -124,29 +117,15 @@ def test_ctrl_c_ends_runs_that_would_go_on_for_long(mark):
 
 
 def test_a_session_that_breaks_is_replaced_once(monkeypatch):
-    class Broken:
-        """A session whose second run fails, and each without a value."""
-
-        made = runs = 0
-
-        def __init__(self):
-            Broken.made += 1
-
-        def run(self, _subject, parameters):
-            self.runs += 1
-            if self.runs > 1 or parameters['x'] is None:
-                raise RunError('broken')
-            return self.runs
-
-        def close(self):
-            pass
-
-    monkeypatch.setattr(session_process, 'SessionProcess', Broken)
-    subject = Launched(['guest', 'nodes.launch'], 1.0)
-    assert [session_process.run_in_session(subject, {'x': 1, 'seed': seed}) for seed in range(3)] == [1, 1, 1]
-    assert Broken.made == 3
-    with pytest.raises(RunError):
-        session_process.run_in_session(subject, {'x': None, 'seed': 0})
+    first, second, third = sessions = [mock.Mock(), mock.Mock(), mock.Mock()]
+    first.run.side_effect = [1, RunError('broken')]
+    second.run.side_effect = [2, RunError('broken')]
+    third.run.side_effect = RunError('broken again')
+    monkeypatch.setattr(session_process, 'SessionProcess', mock.Mock(side_effect=sessions))
+    monkeypatch.setattr(session_process, 'kept', mock.Mock(process=None))
+    assert [session_process.run_in_session(None, {}) for _ in range(2)] == [1, 2]
+    with pytest.raises(RunError, match='broken again'):
+        session_process.run_in_session(None, {})
 
 
 def test_a_session_whose_run_fails_after_the_sweep_has_ended_says_nothing(monkeypatch):
@@ -169,32 +148,29 @@ def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_
 
 
 def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
-    printed = sweep('guest', 'early.launch', '--until', '1', command=SCRIPT).stdout
+    printed, _ = swept('early.launch', '--until', '1')
     assert 'no commands     reached the robot, with all runs: ' in printed, printed
 
 
 @pytest.mark.parametrize('launched, values, line', [
-    (('guest', 'plain.launch', 1), {}, 'plain.launch: node plain, guest/plain.py, is not there, or not executable'),
-    (('guest', 'elsewhere.launch', 1), {}, 'elsewhere.launch: node node, guest/node.py, has a ROS_MASTER_URI of'),
-    (('guest', 'nodes.launch', 1), {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
-    (('guest', 'nodes.launch', 1), {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
-    (('guest', 'nodes.launch', 1), {'wheel_slip': [1]}, 'parameter ~wheel_slip is 1, but must be'),
-    (('guest', 'nodes.launch', 1), {'scan_rate': [5], 'clock_rate': [10], 'odom_rate': [20]},
+    ('guest plain.launch', {}, 'plain.launch: node plain, guest/plain.py, is not there, or not executable'),
+    ('guest elsewhere.launch', {}, 'elsewhere.launch: node node, guest/node.py, has a ROS_MASTER_URI of'),
+    ('guest nodes.launch', {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
+    ('guest nodes.launch', {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
+    ('guest nodes.launch', {'scan_rate': [5], 'clock_rate': [10], 'odom_rate': [20]},
      'parameter ~clock_rate is 10, but must be a number 0 or from ~odom_rate (20) to 1000 Hz'),
-    (('guest', 'nodes.launch', 0), {}, 'until is 0, but must be a number from 0.05'),
-    (('guest', 'typed.launch', 1), {'type': ['node.py', 'none.py']}, 'node node, guest/none.py, is not there'),
-    (('guest', 'typed.launch', 1), {'type': ['node.py'], 'time': [2]}, 'parameter time cannot be set in a sweep of typed'),
-    (('guest', 'stranger.launch', 1), {}, 'node node, stranger/node.py, is not there'),
-    (('guest', 'missing.launch', 1), {}, 'missing.launch: stranger'),
-    (('guest', 'eval.launch', 1), {}, 'eval.launch: division by zero'),
-    (('guest', 'remote.launch', 1), {}, 'node node, guest/node.py, is for the machine other, where the robot is not'),
-    (('guest', 'robot.launch', 1), {}, 'robot.launch: a node has the name of the robot, sim_turtlebot'),
-    (('guest', 'sim.launch', 1), {}, 'sim.launch starts a robot, but there is one already'),
-    (('guest', 'none.launch', 1), {}, 'none.launch starts no node'),
-    (('guest', 'other.launch', 1), {}, 'other.launch] is neither a launch file in package'),
-    ((str(EXAMPLE / 'launch' / 'one_metre.launch'), 'x', 1), {}, 'there is no package /')])
+    ('guest typed.launch', {'type': ['node.py', 'none.py']}, 'node node, guest/none.py, is not there'),
+    ('guest typed.launch', {'type': ['node.py'], 'time': [2]}, 'parameter time cannot be set in a sweep of typed'),
+    ('guest stranger.launch', {}, 'node node, stranger/node.py, is not there'),
+    ('guest missing.launch', {}, 'missing.launch: stranger'),
+    ('guest eval.launch', {}, 'eval.launch: division by zero'),
+    ('guest remote.launch', {}, 'node node, guest/node.py, is for the machine other, where the robot is not'),
+    ('guest robot.launch', {}, 'robot.launch: a node has the name of the robot, sim_turtlebot'),
+    ('guest none.launch', {}, 'none.launch starts no node'),
+    ('guest other.launch', {}, 'other.launch] is neither a launch file in package'),
+    (f'{ROOT}/docs/example/launch/one_metre.launch x', {}, 'there is no package /')])
 def test_a_launch_file_that_cannot_be_swept_is_one_line(launched, values, line):
     with pytest.raises(StartError) as refusal:
-        Campaign(Launched([*launched[:2]], launched[2]), 1, values, {}).check()
+        Campaign(Launched(launched.rsplit(' ', 1), 1.0), 1, values, {}).check()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
