@@ -12,7 +12,7 @@ from geometry_msgs.msg import Twist
 from graph import FINE_LOCKSTEP, LOCKSTEP, RING, TIMEOUT, UNPACED, Graph, beside_ring
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
-from odometry_tests.processes import Process, hold_port, path_of
+from odometry_tests.processes import Process, hold_port, path_of, run
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
@@ -116,10 +116,10 @@ def session(options):
         return run_ws('sweep', 'odometry_launch', 'movers.launch', '--until', 20, '--seeds', seeds,
                       '--jobs', PROCESSES)
 
-    def run():
+    def one_more_run():
         return (run_sweep(PROCESSES + MORE_RUNS) - run_sweep(PROCESSES)) / MORE_RUNS
 
-    return in_turns(options, run, partial(start_bare, ROOT / SCRIPTS['mover']))
+    return in_turns(options, one_more_run, partial(start_bare, ROOT / SCRIPTS['mover']))
 
 
 @figure('./ws check heading', 's', '<=', 25)
@@ -132,17 +132,16 @@ def check(options):
 def run_ws(*arguments):
     """Run a command of ./ws; return how long (s) it takes."""
     begin = time.perf_counter()
-    with Process(ROOT / 'ws', *arguments) as process:
-        assert process.wait(SWEEP_TIMEOUT) == 0, process.output
+    run(ROOT / 'ws', *arguments, timeout=SWEEP_TIMEOUT)
     return time.perf_counter() - begin
 
 
 @figure(f'{DRIVES} drives on two processors', 's', '<=', 1.15)
 def sweep(options):
     """Compare ./ws sweep with PyBullet stepping as many drives, in as many processes."""
-    from odometry_tools.sweep.closed_loop import run  # the package may be left out
+    from odometry_tools.sweep import closed_loop  # the package may be left out
 
-    simulated = run('move', {})['time']
+    simulated = closed_loop.run('move', {})['time']
     with bare_worlds(PROCESSES) as speed:
         return in_turns(options, lambda: run_ws('sweep', 'move', '--seeds', DRIVES, '--jobs', PROCESSES), lambda: DRIVES * simulated / speed(PACE_WINDOW))
 

@@ -173,10 +173,16 @@ def rosrun(package, program, *arguments, **options):
     return Process(path_of(package, program), *arguments, **options)
 
 
-def run_script(script, *arguments, env=None):
-    with Process(sys.executable, ROOT / script, *arguments, env=env) as process:
-        process.wait()
+def run(*command, status=0, timeout=TIMEOUT, **options):
+    """Run a command; return its Process once it has ended with this exit status, or with any if that is None."""
+    with Process(*command, **options) as process:
+        assert process.wait(timeout) == status or status is None, \
+            f'{process.command} {process.state}; it printed:\n{process.output}'
     return process
+
+
+def run_script(script, *arguments):
+    return run(sys.executable, ROOT / script, *arguments, status=None)
 
 
 def assert_refused(ended, *words):

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import psutil
 import pytest
 from learners import VARIANTS, expected, write
-from odometry_tests.processes import Process
+from odometry_tests.processes import Process, run
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
 
@@ -18,11 +18,8 @@ BUSY = re.compile('no_sleep|forks')
 KILLER = 'import os, signal\nos.killpg(os.getpgid(os.getppid()), signal.SIGKILL)\n'
 
 
-def check(*words, timeout=TIMEOUT, status):
-    """Run a check to its end; return its Process."""
-    with Process(ROOT / 'ws', 'check', *words) as process:
-        assert process.wait(timeout) == status, process.output
-    return process
+def check(*words, timeout=TIMEOUT, **options):
+    return run(ROOT / 'ws', 'check', *words, timeout=timeout, **options)
 
 
 def rows_of(path):
@@ -96,11 +93,11 @@ def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum):
 def test_our_nodes_pass_everything(tmp_path, exercise, words):
     """The ports by PACKAGE NODE, and the example of the documents; CI reads it."""
     file = tmp_path / 'junit.xml'
-    run = check(exercise, *words, '--junit', file, status=0)
+    ran = check(exercise, *words, '--junit', file)
     suite = ElementTree.parse(file).getroot()
     assert suite.get('failures') == '0'
     assert len(suite.findall('testcase')) == int(suite.get('tests')) >= 3
-    assert re.search(r'(\d) of \1 passed\.$', run.stdout.strip()), run.stdout
+    assert re.search(r'(\d) of \1 passed\.$', ran.stdout.strip()), ran.stdout
 
 
 def test_a_failure_leaves_its_recording_and_quotes_what_any_parser_reads(tmp_path, monkeypatch):
@@ -112,10 +109,10 @@ def test_a_failure_leaves_its_recording_and_quotes_what_any_parser_reads(tmp_pat
     monkeypatch.setenv('ROS_MASTER_URI', usual)
     file, = write(tmp_path, 'two_meters', 'ends_at_once')
     junit = tmp_path / 'junit.xml'
-    run = check('two_meters', file, '_x:=1', '__ns:=mine', '--scenario', 'plain', '--junit', junit, status=1)
+    ran = check('two_meters', file, '_x:=1', '__ns:=mine', '--scenario', 'plain', '--junit', junit, status=1)
     failure, = ElementTree.parse(junit).getroot().iter('failure')
     assert failure.get('message').endswith('It said last: no gyro at 0x..., giving up')
-    folder = ROOT / re.search(r'^ +(\S*check-two_meters-ends_at_once.py-\S*plain)$', run.stdout, re.MULTILINE)[1]
+    folder = ROOT / re.search(r'^ +(\S*check-two_meters-ends_at_once.py-\S*plain)$', ran.stdout, re.MULTILINE)[1]
     said = (folder.resolve() / 'output.txt').read_text()
     assert 'no gyro' in said and 'http://localhost:' in said and usual not in said, said
 
@@ -130,9 +127,9 @@ def test_a_failure_leaves_its_recording_and_quotes_what_any_parser_reads(tmp_pat
     (['heading', 'x.py', '--scenario', 'route'], 'heading has no scenario route, but plain')])
 def test_what_makes_no_sense_is_one_line(words, line):
     """And status 2, before anything runs."""
-    run = check(*words, status=2)
-    assert line in run.stderr.splitlines()[-1]
-    assert not run.stdout
+    ran = check(*words, status=2)
+    assert line in ran.stderr.splitlines()[-1]
+    assert not ran.stdout
 
 
 def test_a_check_that_cannot_run_leaves_ci_no_suite_that_passed(tmp_path):

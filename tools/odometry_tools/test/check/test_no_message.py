@@ -12,7 +12,7 @@ from odometry_tools.check.scenarios import EXERCISES
 
 HEARS = {'/odom': 'nav_msgs/Odometry'}
 HEARS_TWO = {**HEARS, '/joint_states': 'sensor_msgs/JointState'}
-TWIST, FLOAT = 'geometry_msgs/Twist', 'std_msgs/Float64'
+TWIST = 'geometry_msgs/Twist'
 ZERO = [Command(0.0, 0.0, 0.0, (), 'cmd_vel')]
 DIED = '[mine-2] process has died [pid 17, exit code 1, cmd /x].\n'
 
@@ -28,20 +28,15 @@ def verdict_on(exercise='two_meters', **facts):
 
 
 @pytest.mark.parametrize('facts, expected', [
-    ({}, 'silent'),
     ({'nodes': (), 'status': 0}, 'no_node main'),
     ({'nodes': (), 'has_begun': True, 'status': 0}, 'silent ended'),
     ({'nodes': ()}, 'no_node'),
     ({'nodes': (), 'status': 1, 'output': ERROR}, 'crash error'),
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
-    ({'has_read_keyboard': True}, 'silent keyboard'),
     ({'has_read_keyboard': True, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),
-    ({'status': 1, 'output': ERROR}, 'crash error'),
-    ({'status': 2, 'output': 'Error: 1.57\nno gyro\n'}, 'crash last_words'),
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
-    ({'status': -signal.SIGSEGV}, 'crash'),
     ({'output': ERROR + DIED}, 'crash error'),
     ({'output': BAD_CALLBACK}, 'silent error'),
     ({'output': BAD_CALLBACK, 'subscribes': HEARS_TWO}, 'silent'),
@@ -49,16 +44,11 @@ def verdict_on(exercise='two_meters', **facts):
     ({'commands': ZERO, 'output': BAD_CALLBACK}, 'all_zero error'),
     ({'commands': ZERO, 'output': BAD_CALLBACK, 'subscribes': HEARS_TWO}, 'all_zero'),
     ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent error'),
-    ({'output': ERROR, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
-    ({'output': 'Error: 1.57\n'}, 'silent'),
     ({'status': 0}, 'silent ended'),
     ({'status': 0, 'commands': ZERO, 'output': 'gave up\n'}, 'all_zero last_words'),
     ({'publishes': {'/cmd_vel': TWIST}, 'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),
-    ({'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
-    ({'exercise': 'moved_distance', 'publishes': {'/moved_distanse': FLOAT}}, 'silent output'),
     ({'exercise': 'moved_distance', 'publishes': {'/moved_distance': 'std_msgs/Float32'}}, 'silent output_type'),
-    ({'subscribes': {'/odom': 'geometry_msgs/PoseStamped'}}, 'silent input_type'),
     ({'subscribes': {'/odometry': ''}}, 'silent input'),
     ({'subscribes': {}}, 'silent input'),
     ({'subscribes': {'/moved_distance/reset': 'std_msgs/Empty', **HEARS}}, 'silent')])

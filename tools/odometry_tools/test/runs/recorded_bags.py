@@ -6,7 +6,7 @@ import rosbag
 import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.messages import odometry
-from odometry_tests.processes import Process
+from odometry_tests.processes import run
 
 PERIOD = 0.1  # s
 START = 100.0  # s
@@ -55,6 +55,4 @@ def write_foreign(path, topic, ran):
 
 
 def plot(*arguments, **options):
-    run = Process('rosrun', 'odometry_tools', 'plot_run.py', *arguments, **options)
-    run.wait(30.0)
-    return run
+    return run('rosrun', 'odometry_tools', 'plot_run.py', *arguments, **options)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import rosbag
 from odometry_tests.forms import number_after
-from odometry_tests.processes import Process
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 from odometry_tools.runs.ports import HeldPort
 
@@ -16,17 +16,16 @@ PNG = b'\x89PNG'
 
 def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
     """In lockstep the distances are the same at each pace; beside another demo it says where its master is."""
-    with contextlib.closing(HeldPort(0)) as port, Process(
-            ROOT / 'ws', 'demo', '--real-time-factor', '0',
-            env={'ROS_MASTER_URI': f'http://localhost:{port.number}'}) as run:
-        assert run.wait(90.0) == 0, run.output
-    own_port = re.search(r'^rostopic in another terminal: export ROS_MASTER_URI=.*:(\d+)$', run.stdout,
+    with contextlib.closing(HeldPort(0)) as port:
+        demo = run(ROOT / 'ws', 'demo', '--real-time-factor', '0', timeout=90.0,
+                   env={'ROS_MASTER_URI': f'http://localhost:{port.number}'})
+    own_port = re.search(r'^rostopic in another terminal: export ROS_MASTER_URI=.*:(\d+)$', demo.stdout,
                          re.MULTILINE).group(1)
     assert int(own_port) != port.number
-    assert number_after('moved distance', run.stdout) == 2.005
-    assert number_after('true distance', run.stdout) == 2.005
-    assert re.search('^.* of 2.00 m', run.stdout, re.MULTILINE), 'no progress in plain lines'
-    picture = re.search(r'picture +(.*)', run.stdout).group(1)
+    assert number_after('moved distance', demo.stdout) == 2.005
+    assert number_after('true distance', demo.stdout) == 2.005
+    assert re.search('^.* of 2.00 m', demo.stdout, re.MULTILINE), 'no progress in plain lines'
+    picture = re.search(r'picture +(.*)', demo.stdout).group(1)
     assert Path(picture).resolve().parents[1] == Path(os.environ['ODOMETRY_RUNS'])
     assert Path(picture).read_bytes().startswith(PNG)
     with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:

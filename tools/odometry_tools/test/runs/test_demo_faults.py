@@ -8,7 +8,7 @@ import signal
 import pytest
 from odometry_tests.forms import number_after
 from odometry_tests.links import pid_of
-from odometry_tests.processes import Process, hold_port
+from odometry_tests.processes import Process, hold_port, run
 from odometry_tests.scripts import ROOT
 
 SHORT = './ws demo --distance 0.3 --real-time-factor 0'
@@ -16,10 +16,8 @@ KILOBYTES = 100  # more than the logs of a run need, and less than its bag
 ROTATE_TIME = 10.0  # s of simulated time; to -135 degrees it takes 14
 
 
-def run(line, **env):
-    process = Process('bash', '-o', 'pipefail', '-c', line, cwd=ROOT, env=env)
-    process.wait(90.0)
-    return process
+def run_line(line, status=0, **env):
+    return run('bash', '-o', 'pipefail', '-c', line, cwd=ROOT, status=status, timeout=90.0, env=env)
 
 
 def test_the_demo_ends_when_a_node_has_ended():
@@ -47,11 +45,10 @@ def test_it_turns_to_a_heading_in_an_odd_environment(tmp_path):
         program.chmod(0o755)
     temporary = tmp_path / 'temporary'
     temporary.mkdir()
-    demo = run('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
+    demo = run_line('./ws demo rotate --target -135 --real-time-factor 0', HOME='/dev/null',
                ROS_NAMESPACE='elsewhere', ROS_MASTER_URI='http://localhost:none',
                MPLBACKEND='module://matplotlib_inline.backend_inline',
                TMPDIR=str(temporary), PATH=f'{tmp_path}:{os.environ["PATH"]}')
-    assert demo.wait() == 0, demo.output
     logs, = temporary.iterdir()
     assert demo.stderr.startswith(f'demo: logs are in {logs}: ') and any(logs.iterdir())
     assert number_after('heading', demo.stdout) == pytest.approx(-135, abs=0.1)
@@ -62,15 +59,14 @@ def test_it_turns_to_a_heading_in_an_odd_environment(tmp_path):
 @pytest.mark.parametrize('home', ['', '/dev/null'])
 def test_the_logs_are_where_the_user_wishes(home, tmp_path):
     """Without a ~/.ros, as on every CI, or where there can be none."""
-    demo = run(SHORT, HOME=home or str(tmp_path), ROS_LOG_DIR=str(tmp_path / 'logs'))
-    assert (demo.wait(), demo.stderr) == (0, ''), demo.output
+    demo = run_line(SHORT, HOME=home or str(tmp_path), ROS_LOG_DIR=str(tmp_path / 'logs'))
+    assert not demo.stderr
     assert any((tmp_path / 'logs').iterdir())
 
 
 @pytest.mark.nightly
 def test_it_drives_backwards_when_the_disk_is_full():
-    demo = run(f'ulimit -f {KILOBYTES}; ./ws demo --distance 1 --speed -0.2 --real-time-factor 0')
-    assert demo.wait() == 0, demo.output
+    demo = run_line(f'ulimit -f {KILOBYTES}; ./ws demo --distance 1 --speed -0.2 --real-time-factor 0')
     assert re.fullmatch('demo: the recording ends: .*File too large', demo.stderr), demo.output
     assert number_after('moved distance', demo.stdout) == 1.011
     assert 'picture' not in demo.stdout
@@ -81,11 +77,10 @@ def test_it_drives_backwards_when_the_disk_is_full():
     ('(ulimit -f 0; ./ws demo) 2>&1 | cat >&2', r'\./ws: \S+/setup.bash fails: OSError: .* File too large'),
     ('DISPLAY= ./ws demo --gui', 'demo: sim_turtlebot: parameter ~gui is True, .*')])
 def test_what_it_cannot_drive_without_is_named_in_one_line(line, message):
-    demo = run(line)
-    assert demo.wait() == 1, demo.output
+    demo = run_line(line, status=1)
     assert re.fullmatch(message, demo.stderr), demo.output
 
 
 def test_it_is_quiet_when_nobody_reads_its_output():
-    demo = run(f'{SHORT} | head -n 1')
-    assert (demo.wait(), demo.stderr) == (128 + signal.SIGPIPE, ''), demo.output
+    demo = run_line(f'{SHORT} | head -n 1', status=128 + signal.SIGPIPE)
+    assert not demo.stderr

@@ -8,7 +8,7 @@ import urllib.request
 
 import pytest
 from odometry_tests.linux import assert_loopback_only
-from odometry_tests.processes import Process, hold_port
+from odometry_tests.processes import hold_port, run
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 from odometry_tests.waiting import PATIENCE, TIMEOUT
@@ -48,8 +48,6 @@ def test_without_a_terminal_the_demo_ends_as_without_a_page():
     with contextlib.ExitStack() as stack:
         with contextlib.suppress(OSError):  # somebody else has taken it
             stack.enter_context(socket.create_server(('localhost', PAGE_PORT)))
-        demo = Process(ROOT / 'ws', 'demo', '--view', 'rotate', '--target', '20',
-                       '--real-time-factor', '0')
-        assert demo.wait(60.0) == 0, demo.output
+        demo = run(ROOT / 'ws', 'demo', '--view', 'rotate', '--target', '20', '--real-time-factor', '0', timeout=60.0)
     assert STAYS not in demo.stdout
     assert PAGE_PORT <= int(ADDRESS.search(demo.stdout)[2]) < PAGE_PORT + 100, demo.output

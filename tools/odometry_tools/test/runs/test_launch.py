@@ -6,7 +6,7 @@ import time
 
 import pytest
 import yaml
-from odometry_tests.processes import Process
+from odometry_tests.processes import run
 from odometry_tools.runs.folders import new_folder
 from odometry_tools.runs.launch import Launch
 from odometry_tools.runs.options import parse
@@ -30,8 +30,7 @@ def test_a_master_that_is_suspended_ends_a_wait(monkeypatch):
 
 
 def test_lockstep_does_not_wait_for_the_thread_that_watches_the_nodes():
-    with Process(sys.executable, '-c', WATCH_A_MONITOR) as process:
-        assert process.wait() == 0, process.output
+    process = run(sys.executable, '-c', WATCH_A_MONITOR)
     assert 'its thread is in' in process.stdout
     assert 'nanosleep' not in process.stdout, process.output
 
@@ -68,9 +67,7 @@ def test_an_unknown_option_is_named_and_not_its_value(capsys):
 @pytest.mark.parametrize('name', ['sim', 'move_two_meters', 'rotate'])
 def test_a_file_sets_the_parameters_that_are_no_arguments(tmp_path, name):
     (tmp_path / 'drift.yaml').write_text('{gyro: false, gyro_drift: 0.01}')
-    with Process('roslaunch', '--dump-params', 'odometry_launch', f'{name}.launch', 'params:=drift.yaml',
-                 cwd=tmp_path) as dump:
-        assert dump.wait() == 0, dump.output
+    dump = run('roslaunch', '--dump-params', 'odometry_launch', f'{name}.launch', 'params:=drift.yaml', cwd=tmp_path)
     values = {key: value for key, value in yaml.safe_load(dump.stdout).items() if 'gyro' in key}
     assert values == {'/sim_turtlebot/gyro': False, '/sim_turtlebot/gyro_drift': 0.01,
                       '/sim_turtlebot/gyro_noise': 0.0, '/sim_turtlebot/gyro_scale_error': 0.0,

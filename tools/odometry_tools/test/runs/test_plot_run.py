@@ -34,7 +34,7 @@ def test_it_draws_any_bag_with_odometry(tmp_path):
     messages.append(messages[60])  # late
     bag = record(tmp_path / '$real_{x$ 日本 नम.bag', messages, '/robot_1/odom')
     run = plot(bag, env={'MPLBACKEND': 'nonsense'}, cwd='/')
-    assert run.wait() == 0 and run.stderr == '', run.output
+    assert not run.stderr
     assert number_after('distance', run.stdout) == 0.99
     assert number_after('duration', run.stdout) == 9.9
     assert number_after('mean speed', run.stdout) == 0.1
@@ -50,8 +50,7 @@ def test_it_draws_any_bag_with_odometry(tmp_path):
 def test_the_picture_is_exactly_the_file_that_is_named(tmp_path, name, error):
     """Also without .png; a name that cannot be one is refused in a line, and not the recording's own."""
     bag, picture = record(tmp_path / 'own.bag', metre()), tmp_path / name
-    run = plot(bag, '-o', picture)
-    assert run.wait() == (2 if error else 0), run.output
+    run = plot(bag, '-o', picture, status=2 if error else 0)
     assert error.format(picture) in run.stderr and len(run.stderr.splitlines()) == bool(error), run.output
     assert bag.read_bytes().startswith(b'#ROSBAG')
     if not error:

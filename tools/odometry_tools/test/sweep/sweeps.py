@@ -6,18 +6,15 @@ import re
 import sys
 from pathlib import Path
 
-from odometry_tests.processes import Process
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 TIMEOUT = 120.0  # s
 WS, SCRIPT = (ROOT / 'ws', 'sweep'), (sys.executable, ROOT / 'tools' / 'odometry_tools' / 'script' / 'sweep.py')
 
 
-def sweep(*arguments, status=0, command=WS, timeout=TIMEOUT):
-    """Run a sweep, to this exit status; return its Process."""
-    with Process(*command, *arguments, cwd=ROOT) as run:
-        assert run.wait(timeout) == status, run.output
-    return run
+def sweep(*arguments, command=WS, timeout=TIMEOUT, **options):
+    return run(*command, *arguments, cwd=ROOT, timeout=timeout, **options)
 
 
 def folder_of(output):

@@ -4,7 +4,6 @@ import contextlib
 import os
 import re
 import shutil
-import signal
 import sys
 from unittest import mock
 
@@ -12,7 +11,7 @@ import pytest
 from guest_package import FILES, FOLLOW
 from odometry_common.parameters import StartError
 from odometry_tests.linux import marked
-from odometry_tests.processes import Process
+from odometry_tests.processes import Process, run
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
 from odometry_tools.runs.output import RunError
@@ -41,15 +40,15 @@ def test_the_example_gives_the_same_bytes_each_time():
     """The robot's parameters reach the robot, and the others the node."""
     arguments = ['example', 'one_metre.launch', '--until', '4', '--seeds', '2', '--set', 'speed=0.5',
                  '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
-    run = sweep(*arguments, command=SCRIPT)  # ./ws knows only its own packages
-    first, printed = folder_of(run.stdout), run.stdout
+    printed = sweep(*arguments, command=SCRIPT).stdout  # ./ws knows only its own packages
+    first = folder_of(printed)
     assert re.search(r'^from_start \(m\) .*\nall runs +1\.0', printed, re.MULTILINE), printed
     rows = rows_in(first)
     assert [row['ended'] for row in rows] == ['until', 'until']
     assert all(float(row['time']) < 4.0 and row['commands'] == '40' for row in rows), rows
     assert len({row['odometry_error'] for row in rows} - {'0.0'}) == 2, 'no noise, or always the same'
-    run = sweep('--campaign', str(first / 'campaign.yaml'), '--jobs', '1', command=SCRIPT)
-    assert (folder_of(run.stdout) / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
+    again = sweep('--campaign', first / 'campaign.yaml', '--jobs', '1', command=SCRIPT)
+    assert (folder_of(again.stdout) / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
 
 
 def swept(*words):
@@ -101,18 +100,16 @@ def test_what_a_node_prints_before_it_is_there_is_shown():
 
 
 def test_a_node_that_cannot_be_started_is_not_waited_for():
-    with Process(sys.executable, '-c', FOLLOW, 'plain.launch', 'plain') as process:
-        assert process.wait() == 1, process.output
-    assert process.stderr == 'follow: plain has ended before it started'
+    followed = run(sys.executable, '-c', FOLLOW, 'plain.launch', 'plain', status=1)
+    assert followed.stderr == 'follow: plain has ended before it started'
 
 
 def test_ctrl_c_ends_runs_that_would_go_on_for_long(mark):
     """With all that they have started, and one line."""
-    with Process(*SCRIPT, 'guest', 'nodes.launch', '--until', '1e5', '--set', 'end=never', '--seeds', '3') as run:
+    with Process(*SCRIPT, 'guest', 'nodes.launch', '--until', '1e5', '--set', 'end=never', '--seeds', '3') as sweeping:
         wait_until(lambda: 'node.py' in str([one.info for one in marked(mark)]), TIMEOUT, 'a node')
-        run.send(signal.SIGINT)
-        assert run.wait(TIMEOUT) == 130, run.output
-    assert re.fullmatch(r'sweep: interrupted after 0 of 3 runs, which are in \S+', run.stderr), run.stderr
+        assert sweeping.end(timeout=TIMEOUT) == 130, sweeping.output
+    assert re.fullmatch(r'sweep: interrupted after 0 of 3 runs, which are in \S+', sweeping.stderr), sweeping.stderr
     wait_until(lambda: not marked(mark), TIMEOUT, lambda: f'an end of {marked(mark)}')
 
 
