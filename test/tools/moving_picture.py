@@ -3,13 +3,11 @@
 Needs what ./ws test installs: Chromium and selenium. The GIF shows the page above the terminal, faster than real time.
 """
 
-import argparse
 import os
 import re
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 from odometry_tests.forms import ESCAPE
 from odometry_tests.scripts import ROOT, load_script
@@ -34,16 +32,13 @@ SHOWN, LAST_SHOWN = 130, 4000  # ms for which the GIF shows a picture, and the l
 
 def main():
     """Record the run, and write the GIF."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], allow_abbrev=False)
-    parser.add_argument('--file', type=Path, default=FILE, help='where to write (default: %(default)s)')
-    file = parser.parse_args().file
     frames = record()
     palette = frames[-1].quantize()
     first, *others = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     durations = [SHOWN] * len(others) + [LAST_SHOWN]
-    first.save(file, save_all=True, append_images=others, duration=durations, loop=0, optimize=True)
-    size = file.stat().st_size
-    print(f'{file}: {len(frames)} pictures, {size} bytes')
+    first.save(FILE, save_all=True, append_images=others, duration=durations, loop=0, optimize=True)
+    size = FILE.stat().st_size
+    print(f'{FILE}: {len(frames)} pictures, {size} bytes')
     return int(size > MAX_SIZE)
 
 

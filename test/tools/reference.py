@@ -4,7 +4,6 @@ What stands under a heading that names a node, a launch file, the demo, the swee
 the arguments of sim.launch that are parameters come from the simulator's table.
 """
 
-import argparse
 import inspect
 import re
 from xml.etree import ElementTree
@@ -38,7 +37,6 @@ PARSERS = {'./ws demo': demo_options.make_parser, './ws sweep': make_sweep_parse
 
 
 def main():
-    argparse.ArgumentParser(description=__doc__.splitlines()[0], allow_abbrev=False).parse_args()
     SIM_LAUNCH.write_text(updated_launch(SIM_LAUNCH.read_text()))
     PAGE.write_text(updated(PAGE.read_text()))
 

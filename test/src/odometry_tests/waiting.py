@@ -68,15 +68,9 @@ class Recorder:
 
     def wait_for(self, accepts=lambda message: True, timeout=TIMEOUT, what='a message'):
         """Return the first message, also one that has come already, that is accepted."""
-        seen = 0
-
-        def found():
-            nonlocal seen
-            new, seen = self._messages[seen:], len(self._messages)
-            return next((m for m in new if accepts(m)), None)
-
         with self._changed:
-            message = self._changed.wait_for(found, timeout * PATIENCE)
+            message = self._changed.wait_for(
+                lambda: next(filter(accepts, self._messages), None), timeout * PATIENCE)
         assert message is not None, (
             f'not within {timeout * PATIENCE:g} s on {self._topic}: {what}; the last of '
             f'{len(self._messages)} messages was:\n{self.last}')

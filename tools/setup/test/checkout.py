@@ -3,7 +3,7 @@
 import os
 import shutil
 
-from odometry_tests.processes import Process
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 MANIFEST = """<package format="3">
@@ -57,18 +57,17 @@ def make_checkout(folder, made=('.venv',)):
     return folder
 
 
-def start_in_checkout(folder, commands, **variables):
-    """Start lines of bash that know what ./ws does before a command, in a login's environment."""
+def command_in(folder, commands, **variables):
+    """Return a command that runs lines of bash which know what ./ws does before a command, as after a login."""
     environment = {'HOME': os.environ['HOME'], 'PATH': os.environ['PATH'],
                    'XDG_CACHE_HOME': str(folder.parents[1]), 'CHECKOUT': str(folder), **variables}
     settings = [f'{name}={value}' for name, value in environment.items()]
-    return Process('env', '-i', *settings, 'bash', '-c', START + commands)
+    return 'env', '-i', *settings, 'bash', '-c', START + commands
 
 
-def in_checkout(folder, commands, **variables):
-    run = start_in_checkout(folder, commands, **variables)
-    run.wait(TIMEOUT)
-    return run
+def in_checkout(folder, commands, status=0, **variables):
+    """Run these lines to their end; return the Process."""
+    return run(*command_in(folder, commands, **variables), status=status, timeout=TIMEOUT)
 
 
 def set_up(checkout, before=''):

@@ -1,13 +1,11 @@
 """What ./ws answers before anything is set up, and where it cannot go on."""
 
 import re
-import shlex
 import shutil
-import subprocess
 
 import pytest
 from checkout import in_checkout, make_checkout
-from odometry_tests.processes import Process
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 DEBIAN = """
@@ -26,7 +24,7 @@ dpkg() { [ "$1" != --audit ] && command dpkg "$@"; }
 apt-cache() { printf 'python3-rospy:\\n  Installed: (none)\\n  Candidate: %s\\n' "$CANDIDATE"; }
 sudo() { true; }
 apt_get() { [ "$1" != install ] || echo installs; }
-add_requirements() { exit; }
+add_requirements() { exit 0; }
 set_up demo
 """
 EXTRAS = """
@@ -43,33 +41,22 @@ def fresh(tmp_path):
     return make_checkout(tmp_path / 'fresh' / 'robot', made=())
 
 
-def in_fresh(folder, *arguments):
-    """Run ./ws there to its end, and return its process; it may not make anything."""
-    before = set(folder.iterdir())
-    run = in_checkout(folder, shlex.join([f'{folder}/ws', *arguments]))
-    assert set(folder.iterdir()) == before
-    return run
-
-
 @pytest.mark.parametrize('arguments, answer', [
-    (['--foo', 'demo'], '--foo is not one of --host ADDRESS, --set-up, --help'),
-    (['--host', '192.0.2.1', '--view'], '--view is not one of --host ADDRESS, --set-up, --help'),
-    (['--host', '192.0.2.1', '--host'], '--host needs an address of this machine that others can reach')])
-def test_what_makes_no_sense_is_refused_in_one_line(fresh, arguments, answer):
-    run = in_fresh(fresh, *arguments)
-    assert (run.wait(), run.output.strip()) == (2, f'./ws: {answer}')
-
-
-def test_help_installs_nothing(fresh):
-    run = in_fresh(fresh, '--help')
-    assert (run.wait(), run.stderr, run.stdout[:11]) == (0, '', 'usage: ./ws'), run.output
+    ('--host 192.0.2.1 --view', '--view is not one of --host ADDRESS, --set-up, --help'),
+    ('--host 192.0.2.1 --host', '--host needs an address of this machine that others can reach'),
+    ('--help', '')])
+def test_help_and_one_line_for_what_makes_no_sense_make_nothing(fresh, arguments, answer):
+    before = set(fresh.iterdir())
+    ended = in_checkout(fresh, f'"$CHECKOUT/ws" {arguments}', status=2 if answer else 0)
+    assert ended.stderr == (answer and f'./ws: {answer}') and set(fresh.iterdir()) == before
+    assert ended.stdout.startswith('' if answer else 'usage: ./ws')
 
 
 @pytest.mark.parametrize('command, hint', [
     ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
 def test_a_command_that_is_not_there(command, hint):
-    run = Process(ROOT / 'ws', command)
-    assert (run.wait(), run.output.strip()) == (2, f'./ws: there is no command {command}{hint}')
+    ended = run(ROOT / 'ws', command, status=2)
+    assert ended.output.strip() == f'./ws: there is no command {command}{hint}'
 
 
 @pytest.mark.parametrize('variable, status, answer', [
@@ -77,9 +64,8 @@ def test_a_command_that_is_not_there(command, hint):
 def test_a_variable_that_stops_python_is_named_or_of_no_effect(tmp_path, variable, status, answer):
     """As a folder with a module of the name of one of Python's own."""
     (tmp_path / 'platform.py').write_text('x = 1\n')
-    run = Process('env', f'{variable}={tmp_path}', ROOT / 'ws', 'true')
-    assert run.wait() == status, run.output
-    assert re.fullmatch(answer.format(tmp_path), run.output.strip().replace('./ws: ', '', 1)), run.output
+    ended = run('env', f'{variable}={tmp_path}', ROOT / 'ws', 'true', status=status)
+    assert re.fullmatch(answer.format(tmp_path), ended.output.strip().replace('./ws: ', '', 1)), ended.output
 
 
 @pytest.mark.parametrize('command, extras', [
@@ -91,8 +77,8 @@ def test_a_variable_that_stops_python_is_named_or_of_no_effect(tmp_path, variabl
     ('dask worker', CLUSTER), ('sweep move --cluster tcp://a:1', CLUSTER),
     ('check heading my.py', ''), ('check heading my.py --view', VIEW)])
 def test_a_word_installs_something_only_where_it_means_that(fresh, command, extras):
-    run = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}')
-    assert run.stdout.split() == extras.split(), run.output
+    added = in_checkout(fresh, f'WORDS=({command})\n{EXTRAS}')
+    assert added.stdout.split() == extras.split(), added.output
 
 
 @pytest.mark.parametrize('command', ['test --help', 'pytest', 'python3 -m pytest -x'])
@@ -104,20 +90,17 @@ def test_tests_need_everything_that_they_test(fresh, command):
 
 def last_words(folder, commands, **variables):
     """Return the one line with which a set-up ends, without its beginning."""
-    run = in_checkout(folder, commands, **variables)
-    assert run.wait() == 1, run.output
-    assert run.stdout == '' and len(run.stderr.splitlines()) == 1, run.output
-    return run.stderr.strip().replace('./ws: ', '', 1)
+    ended = in_checkout(folder, commands, status=1, **variables)
+    assert ended.stdout == '' and len(ended.stderr.splitlines()) == 1, ended.output
+    return ended.stderr.replace('./ws: ', '', 1)
 
 
 def test_another_kind_of_system(tmp_path):
     (tmp_path / 'bash').symlink_to(shutil.which('bash'))
     (tmp_path / 'uname').write_text('#!/bin/sh\necho Darwin\n')
     (tmp_path / 'uname').chmod(0o755)
-    run = subprocess.run(['/usr/bin/env', '-i', f'PATH={tmp_path}', ROOT / 'ws', 'demo'],
-                         check=False, capture_output=True, text=True)
-    assert (run.returncode, run.stdout) == (1, '')
-    assert run.stderr == './ws: this needs Linux. On Darwin, use the container: docs/container.md\n'
+    ended = run('/usr/bin/env', '-i', f'PATH={tmp_path}', ROOT / 'ws', 'demo', status=1)
+    assert ended.output.strip() == './ws: this needs Linux. On Darwin, use the container: docs/container.md'
 
 
 def test_packages_of_the_system(fresh):

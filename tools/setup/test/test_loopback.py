@@ -8,7 +8,7 @@ import os
 
 import pytest
 from odometry_tests.linux import assert_loopback_only
-from odometry_tests.processes import Process, hold_port
+from odometry_tests.processes import Process, hold_port, run
 from odometry_tests.scripts import ROOT
 from odometry_tests.terminal import Terminal
 
@@ -25,9 +25,8 @@ ETC = f'{os.environ["ODOMETRY_ROOT"]}/tools/setup'  # a link where this project'
     (['ROS_HOSTNAME=localhost'], ['--host', '192.0.2.1'], ['192.0.2.1'])])
 def test_each_name_of_loopback_is_the_same_and_others_stay(settings, options, shown):
     """The first of them that says something decides, as for rospy."""
-    show = Process('env', *(f'--unset={name}' for name in SET_BY_WS), *settings, ROOT / 'ws',
-                   *options, 'printenv', *SET_BY_WS)
-    show.wait()
+    show = run('env', *(f'--unset={name}' for name in SET_BY_WS), *settings, ROOT / 'ws',
+               *options, 'printenv', *SET_BY_WS, status=None)
     assert show.output.split()[:len(shown)] == shown
 
 
@@ -58,10 +57,10 @@ def test_dask_and_its_dashboards_listen_on_loopback_only(options):
 @pytest.mark.parametrize('setting', ['ROS_IP=192.0.2.1', 'ROS_HOSTNAME=robot.invalid'])
 def test_an_address_of_another_network_is_named_and_stops_no_demo(setting):
     """As a lab's ~/.bashrc leaves it; the demo has a ROS master of its own."""
-    named = Process('env', '--unset=ROS_HOSTNAME', setting, ROOT / 'ws', 'true')
-    assert (named.wait(), named.output.strip()) == (0, (
-        f'./ws: {setting} is not an address of this machine, so other nodes cannot reach yours: unset it'))
+    named = run('env', '--unset=ROS_HOSTNAME', setting, ROOT / 'ws', 'true')
+    assert named.output.strip() == (
+        f'./ws: {setting} is not an address of this machine, so other nodes cannot reach yours: unset it')
     with hold_port() as port:
-        demo = Process('env', '--unset=ROS_HOSTNAME', setting, f'ROS_MASTER_URI=http://localhost:{port}',
-                       ROOT / 'ws', 'demo', '--distance', '0.1', '--real-time-factor', '0')
-        assert (demo.wait(60.0), demo.stderr) == (0, ''), demo.output
+        demo = run('env', '--unset=ROS_HOSTNAME', setting, f'ROS_MASTER_URI=http://localhost:{port}',
+                   ROOT / 'ws', 'demo', '--distance', '0.1', '--real-time-factor', '0', timeout=60.0)
+    assert not demo.stderr

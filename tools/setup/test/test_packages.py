@@ -13,11 +13,12 @@ from checkout import (
     RUN_MINE,
     START,
     TIMEOUT,
+    command_in,
     in_checkout,
     make_package,
     set_up,
-    start_in_checkout,
 )
+from odometry_tests.processes import Process
 from odometry_tests.terminal import Terminal
 
 # A package, the file in it that is wrong, how, and what is said of that.
@@ -66,7 +67,7 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
         assert set_up(checkout).output.strip() == ''
     replace(checkout / 'test_movement' / 'package.xml', '1.0.0', '1.0.1')
     with another_set_up(checkout):
-        run = start_in_checkout(checkout, RUN_MINE)
+        run = Process(*command_in(checkout, RUN_MINE))
         run.wait_for_output('./ws: another set-up is running; waiting for it')
         assert run.running and 'building' not in run.output
     assert run.wait(60.0) == 0, run.output
@@ -82,7 +83,7 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
     (student / 'uncompiled' / 'x.cpp').write_text('int x() { return 1 }')
     for building in (['./ws: building the packages ...'], []):
         run = in_checkout(checkout, RUN_MINE)
-        assert run.wait() == 0 and run.stdout.startswith('hello from pybullet\n'), run.output
+        assert run.stdout.startswith('hello from pybullet\n'), run.output
         shown = run.stderr.splitlines()
         assert shown[:len(building)] == building
         assert run.stderr.count('./ws: ') == len(building) + len(BAD), run.stderr
@@ -105,7 +106,7 @@ def test_what_a_package_depends_on_is_installed(checkout):
     """As far as rosdep's table has it; other names are only said, and without root the others run."""
     depend(checkout, 'tf', 'tf2_ros', 'odometry_common', 'nowhere', 'libapache2-mod-php')
     run = in_checkout(checkout, DEPENDS + RUN_MINE)
-    assert run.wait() == 0 and 'hello from pybullet' in run.stdout, run.output
+    assert 'hello from pybullet' in run.stdout, run.output
     assert run.stderr.splitlines()[:4] == [
         ("./ws: mine depends on libapache2-mod-php, which is Debian's, not ROS's: "
          'sudo apt-get install --no-remove libapache2-mod-php'),
@@ -128,7 +129,7 @@ def test_on_a_terminal_it_asks_before_it_installs_what_a_package_depends_on(chec
 
 
 def test_apt_may_remove_nothing(checkout):
-    run = in_checkout(checkout, 'as_root() { "$@"; }\napt_get -s install libboost1.81-dev || apt_get -s install libmpich-dev')
+    run = in_checkout(checkout, 'as_root() { "$@"; }\napt_get -s install libboost1.81-dev || apt_get -s install libmpich-dev', status=None)
     assert 'Remv' not in run.stdout, run.output
 
 
@@ -171,10 +172,9 @@ def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkou
     for text, age in ('first', 0.0), ('second', 1e5):
         shutil.rmtree(folder, ignore_errors=True)
         make_program(folder, text, age)
-        run = in_checkout(checkout, run_it)
-        assert run.wait() == 0 and run.stdout.strip() == text, run.output
+        assert in_checkout(checkout, run_it).stdout == text
     leave_out(folder)
-    run = in_checkout(checkout, run_it)
+    run = in_checkout(checkout, run_it, status=None)
     assert run.wait() != 0 and 'hw' in run.stderr, run.output
     assert not (checkout / '.ws' / 'devel' / 'lib' / 'hw' / 'hw_node').is_symlink()
 
@@ -182,7 +182,7 @@ def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkou
 def test_a_package_of_ours_that_has_gone_leaves_no_program(checkout):
     """As after an update, which may move it."""
     program = checkout / '.ws' / 'devel' / 'lib' / 'test_movement' / 'test_movement.py'
-    run = set_up(checkout)
-    assert run.wait() == 0 and program.exists(), run.output
-    run = set_up(checkout, 'PACKAGES=(odometry_common)\nrm "$CHECKOUT/.ws/ready"\n')
-    assert run.wait() == 0 and not program.exists(), run.output
+    set_up(checkout)
+    assert program.exists()
+    set_up(checkout, 'PACKAGES=(odometry_common)\nrm "$CHECKOUT/.ws/ready"\n')
+    assert not program.exists()

@@ -48,13 +48,13 @@ def test_a_locale_that_is_not_installed_is_no_matter():
 
 def test_who_cannot_write_the_clone_runs_what_is_built(checkout, read_only):
     """Until something is missing: then one line says who is to install it, and how."""
-    assert as_reader(checkout, RUN_MINE).wait() == 0
+    as_reader(checkout, RUN_MINE)
     (checkout / '.ws' / 'src' / 'mine' / 'new.h').touch()
     read_only()
     run = as_reader(checkout, RUN_MINE)
-    assert run.wait() == 0 and './ws: ' not in run.stderr and 'hello from pybullet' in run.stdout, run.output
-    run = as_reader(checkout, FASTER + 'has_requirements() { false; }\nset_up demo --view')
-    assert run.wait() == 1 and re.fullmatch(
+    assert './ws: ' not in run.stderr and 'hello from pybullet' in run.stdout, run.output
+    run = as_reader(checkout, FASTER + 'has_requirements() { false; }\nset_up demo --view', status=1)
+    assert re.fullmatch(
         r'./ws: not everything that demo needs is installed and built, and you cannot write \S+: '
         r'ask \w+ to type: \S+/ws --set-up demo --view', run.output.strip()), run.output
 
@@ -65,8 +65,8 @@ def test_what_sudo_has_left_is_named_with_what_mends_it(checkout):
     for folder in '.ws', 'runs':
         (checkout / folder).mkdir(exist_ok=True)
         os.chown(checkout / folder, 65534, 65534)
-    run = as_reader(checkout, FASTER + 'set_up demo')
-    assert run.wait() == 1 and re.fullmatch(
+    run = as_reader(checkout, FASTER + 'set_up demo', status=1)
+    assert re.fullmatch(
         r'./ws: these belong to another user, as after sudo: sudo chown -R root: (\S+)/\.ws \1/runs',
         run.output.strip()), run.output
 
@@ -81,4 +81,4 @@ def test_under_sudo_it_goes_on_as_the_caller(checkout, user, owner, shown):
     run = in_checkout(checkout, f'id() {{ echo {user}; }}\nstat() {{ echo {owner}; }}\nCHECKOUT=.\n'
                       'leave_root demo rotate\necho stays', SUDO_UID='1000', SUDO_GID='100',
                       PATH=f'{checkout.parent}:{os.environ["PATH"]}')
-    assert (run.wait(), run.output.strip()) == (0, shown)
+    assert run.output.strip() == shown

@@ -1,5 +1,6 @@
 """The demo's command line; what a demo waits for, where it records, where its master is."""
 
+import re
 import sys
 import threading
 import time
@@ -50,28 +51,21 @@ def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize('arguments', [
     ['--speed', '0'], ['--distance', 'far'], ['--target', '45'], ['rotate', '--speed', '-0.1'], ['dance'],
-    ['--real-time-factor', '-1']])
+    ['--real-time-factor', '-1'], ['--distnce', '3']])
 def test_bad_options_get_one_clear_line(arguments, capsys):
     with pytest.raises(SystemExit) as ending:
         parse(arguments)
     assert ending.value.code == 2
-    assert capsys.readouterr().err.splitlines()[-1].startswith('./ws demo: error: argument')
-
-
-def test_an_unknown_option_is_named_and_not_its_value(capsys):
-    with pytest.raises(SystemExit):
-        parse(['--distnce', '3'])
-    assert 'unrecognized arguments: --distnce' in capsys.readouterr().err
+    line = capsys.readouterr().err.splitlines()[-1]
+    assert re.match(r'./ws demo: error: (argument|unrecognized arguments: --distnce)', line), line
 
 
 @pytest.mark.parametrize('name', ['sim', 'move_two_meters', 'rotate'])
 def test_a_file_sets_the_parameters_that_are_no_arguments(tmp_path, name):
     (tmp_path / 'drift.yaml').write_text('{gyro: false, gyro_drift: 0.01}')
     dump = run('roslaunch', '--dump-params', 'odometry_launch', f'{name}.launch', 'params:=drift.yaml', cwd=tmp_path)
-    values = {key: value for key, value in yaml.safe_load(dump.stdout).items() if 'gyro' in key}
-    assert values == {'/sim_turtlebot/gyro': False, '/sim_turtlebot/gyro_drift': 0.01,
-                      '/sim_turtlebot/gyro_noise': 0.0, '/sim_turtlebot/gyro_scale_error': 0.0,
-                      '/sim_turtlebot/gyro_scale_correction': 1.0}
+    values = yaml.safe_load(dump.stdout)
+    assert [values[f'/sim_turtlebot/{key}'] for key in ('gyro', 'gyro_drift', 'gyro_noise')] == [False, 0.01, 0.0]
 
 
 @pytest.mark.parametrize('address, port', [

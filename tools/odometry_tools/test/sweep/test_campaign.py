@@ -20,12 +20,11 @@ def written(tmp_path):
 
 
 def test_every_combination_is_run_with_every_seed_once():
-    campaign = Campaign(Tutorial('rotate'), 2, {'kp': [1], 'x': [0], 'target': [90, -45], 'rate': [5, 10]}, {})
+    campaign = Campaign(Tutorial('rotate'), 2, {'kp': [1], 'rate': [5, 10]}, {})
     runs = [tuple(run.values()) for run in campaign.runs()]
-    assert runs[:4] == [(1, 0, 90, 5, 0), (1, 0, 90, 5, 1), (1, 0, 90, 10, 0), (1, 0, 90, 10, 1)]
-    assert len({*runs}) == len(runs) == campaign.count == 8
-    assert campaign.names[1:3] == ['target 90, rate 10', 'target -45, rate 5']
-    assert campaign._replace(values={'kp': [1]}).names == ['all runs']
+    assert runs == [(1, 5, 0), (1, 5, 1), (1, 10, 0), (1, 10, 1)] and campaign.count == 4
+    assert campaign.names == ['rate 5', 'rate 10']
+    assert campaign._replace(values={'kp': [1], 'x': [0]}).names == ['all runs']
 
 
 def test_the_command_line_and_a_file_say_the_same(written):
@@ -69,8 +68,6 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
      'there are 10000000000 runs, but must be 1 to 1000000'),
     ({'tutorial': 'move', 'set': {'kp': 1}},
      'parameter kp cannot be set in a sweep of move: there is cmd_vel_timeout, dist'),
-    ({'tutorial': 'move', 'set': {'wheel_nose': 0.1}},
-     'parameter wheel_nose cannot be set in a sweep of move: did you mean wheel_noise?'),
     ({'tutorial': 'move', 'limits': {'overshoot_p95': 1}}, 'unknown limit overshoot_p95: there is '),
     ({'tutorial': 'move', 'limits': {'time_p5': -1}}, 'limit time_p5 is -1, but must be a number from 0')])
 def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
