@@ -1,5 +1,7 @@
 """The latency of a node: from odometry to its answer."""
 
+import contextlib
+import itertools
 import time
 from statistics import median
 
@@ -16,39 +18,33 @@ MESSAGES, WARM_UP = 60, 20
 STEP = 0.001  # m
 
 
-class Answers:
-    """Odometry to a node, and the times at which it answers."""
+@contextlib.contextmanager
+def answering(namespace):
+    """Yield a function that measures the latency (ms) of the node in a namespace."""
+    arrivals, places = [], itertools.count(step=STEP)
+    publisher = advertise(f'{namespace}odom', Odometry)
+    subscriber = rospy.Subscriber(f'{namespace}moved_distance', Float64,
+                                  lambda _: arrivals.append(time.perf_counter()), tcp_nodelay=True)
 
-    def __init__(self, namespace):
-        self._arrivals = []
-        self._x = 0.0
-        self._publisher = advertise(f'{namespace}odom', Odometry)
-        self._subscriber = rospy.Subscriber(f'{namespace}moved_distance', Float64, self._on_answer, tcp_nodelay=True)
-        wait_for_subscribers(self._publisher, timeout=TIMEOUT)
-        # The answers may be connected later than the questions.
-        wait_until(lambda: self._publisher.publish(odometry(stamp=rospy.get_time())) or self._arrivals,
-                   TIMEOUT, f'an answer in {namespace}')
-
-    def close(self):
-        self._publisher.unregister()
-        self._subscriber.unregister()
-
-    def latency(self):
-        del self._arrivals[:]
-        start = time.perf_counter()
-        departures = [self._send_at(start + PERIOD * number) for number in range(WARM_UP + MESSAGES)]
-        wait_until(lambda: len(self._arrivals) == len(departures), TIMEOUT,
-                   lambda: f'{len(departures)} answers; there were {len(self._arrivals)}')
-        return median(1e3 * (arrival - departure) for departure, arrival
-                      in zip(departures[WARM_UP:], self._arrivals[WARM_UP:]))
-
-    def _send_at(self, moment):
-        self._x += STEP
-        message = odometry(self._x, stamp=rospy.get_time())
+    def send_at(moment):
+        message = odometry(next(places), stamp=rospy.get_time())
         time.sleep(max(0.0, moment - time.perf_counter()))
         departure = time.perf_counter()
-        self._publisher.publish(message)
+        publisher.publish(message)
         return departure
 
-    def _on_answer(self, _):
-        self._arrivals.append(time.perf_counter())
+    def latency():
+        arrivals.clear()
+        start = time.perf_counter()
+        departures = [send_at(start + PERIOD * number) for number in range(WARM_UP + MESSAGES)]
+        wait_until(lambda: len(arrivals) == len(departures), TIMEOUT,
+                   lambda: f'{len(departures)} answers; there were {len(arrivals)}')
+        return median(1e3 * (arrival - departure) for departure, arrival
+                      in zip(departures[WARM_UP:], arrivals[WARM_UP:]))
+
+    wait_for_subscribers(publisher, timeout=TIMEOUT)
+    # The answers may be connected later than the questions.
+    wait_until(lambda: send_at(0.0) and arrivals, TIMEOUT, f'an answer in {namespace}')
+    yield latency
+    publisher.unregister()
+    subscriber.unregister()

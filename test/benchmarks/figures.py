@@ -7,7 +7,7 @@ import time
 from functools import partial
 from pathlib import Path
 
-from answers import Answers
+from answers import answering
 from geometry_msgs.msg import Twist
 from graph import FINE_LOCKSTEP, LOCKSTEP, RING, TIMEOUT, UNPACED, Graph, beside_ring
 from nav_msgs.msg import Odometry
@@ -16,7 +16,7 @@ from odometry_tests.processes import Process, hold_port, path_of, run
 from odometry_tests.scripts import ROOT, load_script
 from odometry_tests.tutorial import detector, forget_parameters, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers, wait_until
-from registry import FIGURES, Figure, figure, in_slices, in_turns
+from registry import figure, in_slices, in_turns
 from worlds import SPEED, BareWorld, RobotWorld, bare_worlds
 
 FOLDER = Path(__file__).parent
@@ -53,19 +53,15 @@ def demo(options):
 def latency(options):
     """Compare the way from /odom to /moved_distance with a node of bare rospy that answers each odometry."""
     forget_parameters()
-    with detector(), Process(sys.executable, RING, 'detector'), contextlib.closing(Answers('/')) as answers, \
-            contextlib.closing(Answers('/ring/')) as bare:
-        return in_turns(options, answers.latency, bare.latency)
+    with detector(), Process(sys.executable, RING, 'detector'), answering('/') as latency_of_ours, \
+            answering('/ring/') as latency_of_bare:
+        return in_turns(options, latency_of_ours, latency_of_bare)
 
 
-def robot(drive, options):
-    """Compare the simulator's robot, commanded after each odometry, with PyBullet alone at 0.1 m/s."""
-    return in_slices(options, RobotWorld(*drive).speed, BareWorld().speed)
-
-
-for name, drive in {'robot': (SPEED, 0.0), 'robot_fast': (0.5, 0.0), 'robot_spin': (0.0, 3.0)}.items():
-    FIGURES[name] = Figure('robot without ROS, {} m/s, {:g} rad/s'.format(*drive), 'simulated s/s', '>=', 0.85,
-                           partial(robot, drive))
+@figure(f'robot without ROS, {SPEED} m/s', 'simulated s/s', '>=', 0.85)
+def robot(options):
+    """Compare the simulator's robot, commanded after each odometry, with PyBullet alone."""
+    return in_slices(options, RobotWorld().speed, BareWorld().speed)
 
 
 @figure(f'cost per robot of {ROBOTS} robots', 'ms/simulated s/robot', '<=', 1.1)

@@ -10,9 +10,10 @@ import platform
 import sys
 from statistics import median
 
+import figures  # noqa: F401 - fills FIGURES
 import rospy
-from figures import FIGURES
 from odometry_tests.processes import Master
+from registry import FIGURES
 
 WIDTHS = '{:<44} {:>10} {:<21} {:>10} {:>8}  {}'
 

@@ -61,12 +61,11 @@ def _bare_speed(window):
 class RobotWorld:
     """A robot that is commanded after each odometry, as a controller in lockstep would."""
 
-    def __init__(self, speed=SPEED, turn_speed=0.0):
+    def __init__(self):
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
-        self._command = speed, turn_speed
 
     def run_to_odometry(self):
-        self._simulation.command(*self._command)
+        self._simulation.command(SPEED, 0.0)
         while not self._simulation.advance():
             pass
 
