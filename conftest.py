@@ -5,6 +5,7 @@ import os
 import signal
 import sys
 import uuid
+from unittest import mock
 
 import pytest
 
@@ -39,10 +40,8 @@ def master_port():
 @pytest.fixture(scope='module', autouse=True)
 def own_variables():
     """Give each file the environment that pytest was started with."""
-    before = dict(os.environ)
-    yield
-    os.environ.clear()
-    os.environ.update(before)
+    with mock.patch.dict(os.environ):
+        yield
 
 
 @pytest.fixture(scope='module')

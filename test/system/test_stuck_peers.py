@@ -9,12 +9,12 @@ from urllib.parse import urlparse
 
 import pytest
 import rosgraph
-import rospy
 from geometry_msgs.msg import Twist
 from odometry_tests.links import ANSWER
+from odometry_tests.partners import Partner
 from odometry_tests.pausing import call
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step
-from odometry_tests.waiting import PATIENCE, TIMEOUT, Recorder, wait_for_subscribers, wait_until
+from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
 from rosgraph.network import read_ros_handshake_header, write_ros_handshake_header
 from std_msgs.msg import Float64
 
@@ -53,12 +53,8 @@ def publisher_of(topic):
     return publishers and publishers[0]
 
 
-@contextlib.contextmanager
-def published(topic, message_class):
-    publisher = rospy.Publisher(topic, message_class, queue_size=COUNT, tcp_nodelay=True)
-    wait_for_subscribers(publisher)
-    yield publisher
-    publisher.unregister()
+def is_drive(command):
+    return command != Twist()
 
 
 def assert_ends_at_once(node):
@@ -92,27 +88,19 @@ def test_peers_that_say_nothing_keep_no_subscriber_out_and_no_node_alive(master)
     with mover() as node:
         wait_until(lambda: publisher_of('/cmd_vel'), 20.0, 'the mover')
         api = urlparse(rosgraph.Master('/test').lookupNode(publisher_of('/cmd_vel')))
-        with connected(publisher_of('/cmd_vel'), '/cmd_vel'), \
-                socket.create_connection((api.hostname, api.port)), \
-                published('moved_distance', Float64) as distances:
-            commands = Recorder('cmd_vel', Twist)
-            commands.wait_for_publisher()
-            distances.publish(0.0)
-            commands.wait_for(what='a command')
+        with connected(publisher_of('/cmd_vel'), '/cmd_vel'), socket.create_connection((api.hostname, api.port)):
+            Partner('moved_distance', Float64, 'cmd_vel', Twist).say_until(Float64, is_drive, 'a command')
             assert_ends_at_once(node)
 
 
 def test_a_node_whose_master_is_stuck_stops_the_robot_and_ends(master):
     """It cannot unregister: its names stay on the master, so this test has a namespace."""
-    commands = Recorder('/forgotten/cmd_vel', Twist)
-    with mover(env={'ROS_NAMESPACE': '/forgotten'}) as node, \
-            published('/forgotten/moved_distance', Float64) as distances:
-        commands.wait_for_publisher()
-        distances.publish(0.0)
-        commands.wait_for(what='a command')
+    with mover(env={'ROS_NAMESPACE': '/forgotten'}) as node:
+        talk = Partner('/forgotten/moved_distance', Float64, '/forgotten/cmd_vel', Twist)
+        talk.say_until(Float64, is_drive, 'a command')
         master.send(signal.SIGSTOP)
         try:
             assert_ends_at_once(node)
         finally:
             master.send(signal.SIGCONT)
-    wait_until(lambda: commands.last == Twist(), 10.0, 'zero as the last command')
+    wait_until(lambda: talk.answers.last == Twist(), 10.0, 'zero as the last command')

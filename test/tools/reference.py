@@ -97,27 +97,17 @@ def _node_part(heading):
 
 def _launch_part(name):
     """Name the arguments that are described elsewhere, and describe the others."""
-    if name not in LAUNCHED_NODE:
-        return _arguments_part(name)
-    own, parameters = _arguments(name), defaults(LAUNCHED_NODE[name])
-    passed = [argument for argument, (default, _) in own.items() if parameters.get(argument) == default]
-    if name != BASE_LAUNCH:
-        shared = [argument for argument in own if argument in _arguments(BASE_LAUNCH)]
-        return (f'{_code(", ".join(passed))} of {LAUNCHED_NODE[name]}, and '
-                f'{_code(", ".join(shared))} of {BASE_LAUNCH}.')
-    rows = [(_code(argument), _code(default), meaning)
-            for argument, (default, meaning) in own.items() if argument not in passed]
-    return (f'Every parameter of {LAUNCHED_NODE[name]}, and:\n\n'
-            f'{_table("argument | default | meaning", rows)}')
-
-
-def _arguments_part(name):
-    """Describe the arguments that are not those of BASE_LAUNCH."""
-    own, known = _arguments(name), _arguments(BASE_LAUNCH)
-    rows = [(_code(argument), _code(default), meaning)
-            for argument, (default, meaning) in own.items() if argument not in known and default is not None]
+    own, node = _arguments(name), LAUNCHED_NODE.get(name)
+    parameters = defaults(node) if node else {}
+    known = {} if name == BASE_LAUNCH else _arguments(BASE_LAUNCH)
+    passed = _code(', '.join(argument for argument, (default, _) in own.items() if parameters.get(argument) == default))
     shared = _code(', '.join(argument for argument in own if argument in known))
-    return f'{_table("argument | default | meaning", rows)}\n\nAnd {shared} of {BASE_LAUNCH}.'
+    table = _table('argument | default | meaning', [
+        (_code(argument), _code(default), meaning) for argument, (default, meaning) in own.items()
+        if default is not None and argument not in known and parameters.get(argument) != default])
+    if name == BASE_LAUNCH:
+        return f'Every parameter of {node}, and:\n\n{table}'
+    return f'{passed} of {node}, and {shared} of {BASE_LAUNCH}.' if node else f'{table}\n\nAnd {shared} of {BASE_LAUNCH}.'
 
 
 def defaults(node):

@@ -13,9 +13,7 @@ from odometry_tests.waiting import Recorder, wait_until
 
 NODES = 'sim_turtlebot', 'test_movement', 'rotate_robot'  # with parameters, by their own names
 REST_COUNT = 100  # distances in a row; five seconds of the robot's time
-# Of the mover in lockstep, at its 0.1 m/s and 20 Hz; both have a margin of a tenth.
-LONGEST_STEP = 0.0055  # m in a period
-OVERSHOOT = 0.0075  # m: the way of a period and of the brakes
+LONGEST_STEP = 0.0055  # m in a period of the mover in lockstep, at its 0.1 m/s and 20 Hz; a tenth of it is margin
 
 
 # Each starts a node, and takes its arguments and a Process's options.

@@ -28,6 +28,7 @@ BAD = [
     ('open', 'package.xml', '</package>', '', 'invalid XML'),
     ('unconfigured', 'CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS nowhere)',
      'Could not find a package configuration file provided by "nowhere"'),
+    ('waiting', 'package.xml', '</package>', '<depend>unconfigured</depend></package>', 'it depends on unconfigured'),
     ('conditional', 'package.xml', '<buildtool_depend>', '<buildtool_depend condition="$ROS_VERSION = 1">', 'failed to parse'),
     ('uncompiled', 'CMakeLists.txt', 'catkin_package()', 'catkin_package()\nadd_library(x x.cpp)', 'x.cpp:1:.* error: '),
 ]
@@ -81,6 +82,7 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
         make_package(student / name, 'pybullet')
         replace(student / name / file, old, new)
     (student / 'uncompiled' / 'x.cpp').write_text('int x() { return 1 }')
+    replace(student / 'waiting' / 'CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS unconfigured)')
     for building in (['./ws: building the packages ...'], []):
         run = in_checkout(checkout, RUN_MINE)
         assert run.stdout.startswith('hello from pybullet\n'), run.output
@@ -139,18 +141,6 @@ def test_a_build_is_tried_again_once_something_was_installed(checkout):
     installed = 'DPKG=$CHECKOUT/status\n'
     assert 'building' not in set_up(checkout, installed).stderr
     assert 'building' in set_up(checkout, installed + 'touch "$DPKG"\n').stderr
-
-
-def test_an_error_is_named_where_it_is(checkout):
-    """Not at what only waits for that."""
-    mine, user = (checkout / '.ws' / 'src' / name for name in ('mine', 'user'))
-    make_package(user, 'pybullet')
-    replace(user / 'package.xml', '</package>', '<depend>mine</depend></package>')
-    replace(user / 'CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS mine)')
-    (mine / 'CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
-    lines = set_up(checkout).stderr.splitlines()
-    assert './ws: mine is not built, or only in part: no SDL' in lines, lines
-    assert './ws: user is not built, or only in part: it depends on mine' in lines
 
 
 def make_program(folder, text, age=0.0):

@@ -5,7 +5,6 @@ import os
 import re
 from pathlib import Path
 
-import rosbag
 from odometry_tests.forms import number_after
 from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
@@ -14,7 +13,7 @@ from odometry_tools.runs.ports import HeldPort
 PNG = b'\x89PNG'
 
 
-def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
+def test_it_drives_two_metres_and_leaves_a_picture():
     """In lockstep the distances are the same at each pace; beside another demo it says where its master is."""
     with contextlib.closing(HeldPort(0)) as port:
         demo = run(ROOT / 'ws', 'demo', '--real-time-factor', '0', timeout=90.0,
@@ -28,6 +27,3 @@ def test_it_drives_two_metres_and_leaves_a_bag_and_a_picture():
     picture = re.search(r'picture +(.*)', demo.stdout).group(1)
     assert Path(picture).resolve().parents[1] == Path(os.environ['ODOMETRY_RUNS'])
     assert Path(picture).read_bytes().startswith(PNG)
-    with rosbag.Bag(picture.replace('run.png', 'run.bag')) as bag:
-        topics = set(bag.get_type_and_topic_info().topics)
-    assert topics == {'/odom', '/base_pose_ground_truth', '/moved_distance', '/cmd_vel'}
