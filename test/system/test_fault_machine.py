@@ -15,14 +15,10 @@ from odometry_tests.tutorial import Truth, detector, mover, simulator, simulator
 from odometry_tests.waiting import Recorder, wait_for_subscribers
 from std_msgs.msg import Empty, Float64, String
 
-NODES = {'simulator': ('sim_turtlebot', 'sim_turtlebot_node.py'),
-         'detector': ('odom_movement_detector', 'odom_movement_detector.py'),
-         'mover': ('test_movement', 'test_movement.py')}
 # In a namespace of mounts that ends with the node; the folder is $0.
 FAULTS = {'full': 'mount -t tmpfs -o size=4k tmpfs "$0"; head -c 8k /dev/zero >"$0/filler" || true; exec "$@"',
           'missing': 'rmdir "$0"; touch "$0"; exec "$@"', 'no home': 'unset HOME ROS_LOG_DIR; exec "$@"'}
-LIMIT = 64
-ROBOTS = 12  # need more than that
+ROBOTS = 12  # need more than 64 files
 PARTS, PART = 6, 100  # s of the robot's time
 ALLOWED = 3.0, 2, 3  # more MB, threads, files
 
@@ -34,13 +30,14 @@ def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
         pytest.skip('nothing can be mounted here')
     moved = Recorder('moved_distance', Float64)
 
-    def start(name):
-        folder = tmp_path / name
+    def start(package, program):
+        folder = tmp_path / package
         folder.mkdir()
-        return Process('unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder, path_of(*NODES[name]),
+        return Process('unshare', '--mount', 'sh', '-ec', FAULTS[fault], folder, path_of(package, program),
                        env={'ROS_LOG_DIR': str(folder)})
 
-    with start('simulator') as robot, start('detector') as counter, start('mover') as driver:
+    with start('sim_turtlebot', 'sim_turtlebot_node.py') as robot, start('test_movement', 'test_movement.py') as driver, \
+            start('odom_movement_detector', 'odom_movement_detector.py') as counter:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,
                        lambda: f'movement; {robot.output} {counter.output} {driver.output}')
         for process in (driver, counter, robot):
@@ -59,17 +56,10 @@ def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):
     assert 0 < float(reached) < 900
 
 
-def with_limit(most):
-    """Return options of a process that may open so many files, unless it asks for more.
-
-    :param most: how many more it may ask for
-    """
-    return {'preexec_fn': lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (LIMIT, most))}
-
-
 def test_a_node_takes_more_file_descriptors_than_usual_if_it_may(master):
     """Of many robots each topic takes one, and 1024 are usual."""
-    with simulator(f'_robots:={ROBOTS}', env={'ROS_NAMESPACE': 'many'}, **with_limit(1024)):
+    with simulator(f'_robots:={ROBOTS}', env={'ROS_NAMESPACE': 'many'},
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (64, 1024))):
         Recorder(f'/many/robot_{ROBOTS}/odom', Odometry).wait_for()
 
 

@@ -29,10 +29,12 @@ reaper.os.kill, reaper.GIVE_UP_AFTER = refuse, 0.6
 
 @pytest.mark.parametrize('command, status, error', [
     (['sh', '-c', 'exit 7'], 7, ''), (['sh', '-c', 'kill -KILL $$'], 128 + signal.SIGKILL, ''),
-    (['no-such-command'], 127, 'no-such-command: No such file or directory\n')])
-def test_it_ends_as_the_command_ended(command, status, error, capfd):
+    (['no-such-command'], 127, 'no-such-command: No such file or directory\n'),
+    (['bash', '-c', 'setsid sleep 1000 & (setsid sleep 1001 &) ; exit 3'], 3, '')])
+def test_it_ends_as_the_command_ended_and_with_its_orphans(command, status, error, capfd, mark):
     assert start_guarded(*command).wait() == status
     assert capfd.readouterr().err == error
+    assert not marked(mark)
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGPIPE, signal.SIGHUP])
@@ -45,12 +47,6 @@ def test_signals_reach_the_command(signum):
         assert process.wait(10.0 * PATIENCE) == 128 + signum
     finally:
         signal.signal(signum, before)
-
-
-def test_orphans_end_with_the_command(mark):
-    script = 'setsid sleep 1000 & (setsid sleep 1001 &) ; exit 3'
-    assert start_guarded('bash', '-c', script).wait() == 3
-    assert not marked(mark)
 
 
 def reaper(program, *command, **popen_options):

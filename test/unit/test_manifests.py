@@ -3,22 +3,15 @@
 import ast
 import importlib.util
 import re
-import sys
-import sysconfig
 from xml.etree import ElementTree
 
 import pytest
 from odometry_tests.scripts import PACKAGES, ROOT
 
-REQUIREMENTS = [ROOT / 'requirements.txt', *ROOT.glob('*/requirements*.txt'), *ROOT.glob('tools/*/requirements*.txt')]
 MANIFESTS = [package / 'package.xml' for package in [*PACKAGES, ROOT / 'docs' / 'example']]
-UNDER_OTHER_NAMES = {'pybullet_utils', 'xdist'}  # of pybullet, pytest-xdist
 OPTIONAL = {'amcl', 'gmapping', 'map_server', 'move_base', 'robot_view', 'rviz', 'tf'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
-# The requirements files list these, under names that rosdep does not know.
-FROM_PYPI = UNDER_OTHER_NAMES.union(line.partition('==')[0].replace('-', '_')
-                                    for file in REQUIREMENTS for line in file.read_text().splitlines()) - {*KEYS}
 # Where Debian's name is not python3- and the key.
 DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
           'rostest': ['python3-rostest', 'librostest-dev']}
@@ -50,11 +43,10 @@ def imports(tree):
             yield node.module.partition('.')[0]
 
 
-def is_of_python(module):
+def is_installed(module):
+    """Return whether a module comes from ROS or Debian, and neither with Python nor from PyPI."""
     spec = importlib.util.find_spec(module)
-    origin = spec.origin or '' if spec else ''
-    return module in sys.builtin_module_names or origin == 'frozen' or (
-        origin.startswith(sysconfig.get_path('stdlib')) and 'site-packages' not in origin)
+    return 'dist-packages' in str(spec and spec.origin)
 
 
 def needs(folder):
@@ -64,9 +56,8 @@ def needs(folder):
                if path.name != 'setup.py' and path.parts[-3] != 'nodes']  # these are as learners write
     trees = [ast.parse(source.read_text()) for source in sources]
     modules = {name for tree in trees for name in imports(tree)}
-    # odometry_tests tests all others, so that none can depend on it.
-    modules -= {source.stem for source in sources} | FROM_PYPI | {'odometry_tests'}
-    keys = {KEYS.get(module, module) for module in modules if not is_of_python(module)}
+    modules -= {'odometry_tests'}  # it tests all others, so that none can depend on it
+    keys = {KEYS.get(module, module) for module in modules if module in KEYS or is_installed(module)}
     for path in [*folder.rglob('*.launch'), *folder.rglob('*.test')]:
         keys |= set(re.findall(r'(?:pkg="|\$\(find )(\w+)', path.read_text()))
     return keys

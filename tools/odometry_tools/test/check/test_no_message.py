@@ -1,5 +1,6 @@
 """What the check says of a node that published nothing: what the graph, the output and the exit status show."""
 
+import math
 import signal
 
 import pytest
@@ -51,6 +52,8 @@ def verdict_on(exercise='two_meters', **facts):
     ({'exercise': 'moved_distance', 'publishes': {'/moved_distance': 'std_msgs/Float32'}}, 'silent output_type'),
     ({'subscribes': {'/odometry': ''}}, 'silent input'),
     ({'subscribes': {}}, 'silent input'),
+    ({'subscribes': {'/tf': 'tf2_msgs/TFMessage'}}, 'silent'),
+    ({'commands': [ZERO[0]._replace(linear=math.nan)]}, 'not_finite'),
     ({'subscribes': {'/moved_distance/reset': 'std_msgs/Empty', **HEARS}}, 'silent')])
 def test_a_cause_has_a_witness(facts, expected):
     verdict = verdict_on(**facts)

@@ -1,7 +1,6 @@
 """The demo's command line; what a demo waits for, where it records, where its master is."""
 
 import re
-import sys
 import threading
 import time
 
@@ -14,26 +13,12 @@ from odometry_tools.runs.options import parse
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.ports import usual_master_port
 
-WATCH_A_MONITOR = '''
-from odometry_tools.runs.launch import Launch
-with Launch('odometry_tools', 'session.launch', {'page_port': 0}) as launch:
-    launch.wait_until_started()
-    print('its thread is in', *{open(f'/proc/self/task/{launch._monitor.native_id}/wchan').read()
-                                for _ in range(200)})
-'''
-
 
 def test_a_master_that_is_suspended_ends_a_wait(monkeypatch):
     monkeypatch.setattr(Launch, 'check', lambda self: None)
     monkeypatch.setattr('odometry_tools.runs.launch.START_TIMEOUT', 0.1)
     with pytest.raises(RunError, match='^no answer within 0.1 s; '):
         Launch('odometry_launch', 'sim.launch', {}).wait_for(threading.Event().wait, 'no answer')
-
-
-def test_lockstep_does_not_wait_for_the_thread_that_watches_the_nodes():
-    process = run(sys.executable, '-c', WATCH_A_MONITOR)
-    assert 'its thread is in' in process.stdout
-    assert 'nanosleep' not in process.stdout, process.output
 
 
 def test_a_real_time_signal_has_no_name():

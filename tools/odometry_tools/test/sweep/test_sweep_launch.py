@@ -114,13 +114,12 @@ def test_ctrl_c_ends_runs_that_would_go_on_for_long(mark):
 
 
 def test_a_session_that_breaks_is_replaced_once(monkeypatch):
-    first, second, third = sessions = [mock.Mock(), mock.Mock(), mock.Mock()]
-    first.run.side_effect = [1, RunError('broken')]
-    second.run.side_effect = [2, RunError('broken')]
-    third.run.side_effect = RunError('broken again')
-    monkeypatch.setattr(session_process, 'SessionProcess', mock.Mock(side_effect=sessions))
-    monkeypatch.setattr(session_process, 'kept', mock.Mock(process=None))
-    assert [session_process.run_in_session(None, {}) for _ in range(2)] == [1, 2]
+    broken, fresh = mock.Mock(), mock.Mock()
+    broken.run.side_effect = RunError('broken')
+    fresh.run.side_effect = [1, RunError('broken'), RunError('broken again')]
+    monkeypatch.setattr(session_process, 'SessionProcess', mock.Mock(return_value=fresh))
+    monkeypatch.setattr(session_process, 'kept', mock.Mock(process=broken))
+    assert session_process.run_in_session(None, {}) == 1
     with pytest.raises(RunError, match='broken again'):
         session_process.run_in_session(None, {})
 
