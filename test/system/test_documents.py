@@ -16,7 +16,7 @@ MORE = '...'  # what a document has for the rest of an output
 TYPED = re.compile(r'(\./ws (demo|check|sweep)|ros(run|launch|topic))\b(?! (pub|one_metre|--replay))[^|]*$')
 DRIVES = '## Make a map'  # in docs/navigation.md; its commands need one another
 CAMPAIGN = 'launch/navigation/campaign.yaml'
-NAVIGATION = ROOT / '.ws' / 'devel' / 'lib' / 'move_base'
+NAVIGATION = ROOT / '.ws/devel' / 'lib/move_base'
 TIMEOUT = 60.0  # s
 SEEDS = re.compile(r'(--seeds) \d+')  # too many for a test
 
@@ -70,7 +70,7 @@ def test_what_is_typed_prints_what_is_shown(page, tmp_path):
 @pytest.mark.skipif(not NAVIGATION.exists(), reason='docs/navigation.md builds its packages')
 def test_what_is_typed_maps_the_house_and_drives_to_a_goal(tmp_path):
     """In lockstep, whose result does not depend on the machine; each launch ends the one before."""
-    _, heading, page = (ROOT / 'docs' / 'navigation.md').read_text().partition(DRIVES)
+    _, heading, page = (ROOT / 'docs/navigation.md').read_text().partition(DRIVES)
     campaign = tmp_path / 'campaign.yaml'
     campaign.write_text(re.sub('seeds: .*', 'seeds: 1', (ROOT / CAMPAIGN).read_text()))
     with Master(), hold_port() as port, ExitStack() as launched:

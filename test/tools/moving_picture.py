@@ -16,7 +16,7 @@ from odometry_tests.waiting import wait_until
 from PIL import Image, ImageDraw, ImageFont
 
 browser = load_script('tools/robot_view/test/browser.py')
-FILE = ROOT / 'docs' / 'images' / 'demo.gif'
+FILE = ROOT / 'docs/images/demo.gif'
 MAX_SIZE = 1_000_000  # bytes
 COMMAND = './ws demo --view'
 # Unlike selenium, it does not scroll to the button.

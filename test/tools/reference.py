@@ -16,8 +16,8 @@ from odometry_tools.runs import options as demo_options
 from odometry_tools.sweep.options import make_parser as make_sweep_parser
 from sim_turtlebot.settings import PARAMETERS
 
-PAGE = ROOT / 'docs' / 'reference.md'
-SIM_LAUNCH = ROOT / 'launch' / 'sim.launch'
+PAGE = ROOT / 'docs/reference.md'
+SIM_LAUNCH = ROOT / 'launch/sim.launch'
 GENERATED = re.compile(r'^## (\S+\.py|\S+\.launch|\./ws demo|\./ws sweep|\./ws check)\n.*?(?=^## |\Z)',
                        re.DOTALL | re.MULTILINE)
 # Those of sim.launch that the simulator's table gives.

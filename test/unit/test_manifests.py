@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import pytest
 from odometry_tests.scripts import PACKAGES, ROOT
 
-MANIFESTS = [package / 'package.xml' for package in [*PACKAGES, ROOT / 'docs' / 'example']]
+MANIFESTS = [package / 'package.xml' for package in [*PACKAGES, ROOT / 'docs/example']]
 OPTIONAL = {'amcl', 'gmapping', 'map_server', 'move_base', 'robot_view', 'rviz', 'tf'}
 KEYS = {'PIL': 'python3-pil', 'matplotlib': 'python3-matplotlib', 'numpy': 'python3-numpy',
         'psutil': 'python3-psutil', 'pytest': 'python3-pytest', 'rospkg': 'python3-rospkg', 'yaml': 'python3-yaml'}
@@ -17,7 +17,7 @@ DEBIAN = {'catkin': ['catkin'], 'rosbash': ['rosbash'],
           'rostest': ['python3-rostest', 'librostest-dev']}
 # The lists in the set-up, by name.
 PARTS = {name: words.split() for name, words in re.findall(
-    r'^(\w+)_PARTS=\(([^)]*)\)', (ROOT / 'tools' / 'setup' / 'set_up.bash').read_text(), re.MULTILINE)}
+    r'^(\w+)_PARTS=\(([^)]*)\)', (ROOT / 'tools/setup/set_up.bash').read_text(), re.MULTILINE)}
 
 
 def name_of(manifest):
@@ -70,7 +70,7 @@ def test_a_package_depends_on_what_it_uses(manifest):
 
 def test_an_administrator_installs_what_the_set_up_would():
     """docs/class.md: the line to paste."""
-    line, = re.findall(r"apt-get install -y --no-install-recommends ([^']*)", (ROOT / 'docs' / 'class.md').read_text())
+    line, = re.findall(r"apt-get install -y --no-install-recommends ([^']*)", (ROOT / 'docs/class.md').read_text())
     assert {*line.split()} == {*PARTS['DEBIAN'], 'ca-certificates', 'git'}
 
 
@@ -83,7 +83,7 @@ def debian_packages():
 
 def test_a_workspace_of_your_own_gets_what_the_packages_depend_on():
     """docs/workspace.md: neither less nor more than ./ws installs, and what comes with that."""
-    page = (ROOT / 'docs' / 'workspace.md').read_text()
+    page = (ROOT / 'docs/workspace.md').read_text()
     lines = re.findall(r'sudo apt install (?:--no-install-recommends )?([^`\n]*)', page)
     installed = {word for line in lines for word in line.split()}
     by_set_up = {'rviz', *PARTS['DEBIAN'], *PARTS['WINDOW']}

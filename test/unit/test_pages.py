@@ -6,7 +6,7 @@ import pytest
 from odometry_tests.scripts import DOCUMENTS, ROOT, SCRIPTS, load_script
 
 LINK = re.compile(r'\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)')
-EXAMPLE = ROOT / 'docs' / 'example'
+EXAMPLE = ROOT / 'docs/example'
 reference = load_script('test/tools/reference.py')
 
 

@@ -1,5 +1,6 @@
 """Outputs that differ in their numbers only."""
 
+import csv
 import re
 
 ESCAPE = re.compile(r'\x1b\[[?\d;]*[A-Za-z]|\x1b\][^\x07]*\x07')
@@ -23,6 +24,12 @@ def number_after(text, output):
     found = re.search(rf'{text} +(-?[0-9.]+)', output)
     assert found, f'no {text!r} in:\n{output}'
     return float(found[1])
+
+
+def rows_of(path):
+    """Return the rows of a CSV file, each a dictionary by column."""
+    with path.open(newline='', encoding='utf-8') as file:
+        return list(csv.DictReader(file))
 
 
 def form(line):

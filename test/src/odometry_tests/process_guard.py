@@ -5,7 +5,7 @@ import sys
 
 from odometry_tests.scripts import ROOT
 
-REAPER = ROOT / 'tools' / 'setup' / 'reaper.py'
+REAPER = ROOT / 'tools/setup/reaper.py'
 
 
 def start_guarded(*command, **popen_options):

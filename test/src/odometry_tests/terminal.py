@@ -8,7 +8,6 @@ import select
 import struct
 import subprocess
 import termios
-import threading
 
 from odometry_tests.forms import plain_lines
 from odometry_tests.waiting import PATIENCE, TIMEOUT, wait_until
@@ -37,9 +36,6 @@ class Terminal:
         os.close(keyboard)
         self._bytes = b''
         self._typed, self._line = 0, ''
-        self._is_open = True
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
         self.wait_for_prompt()
 
     def __enter__(self):
@@ -51,9 +47,9 @@ class Terminal:
         The system sends it, and hangs up the line too: a bash that is about to wait for a key
         would postpone a bare SIGHUP until the next key press.
         """
-        self._is_open = False
-        self._reader.join()
+        self._read()
         os.close(self._screen)
+        self._screen = None
         self._bash.wait(TIMEOUT * PATIENCE)
 
     @property
@@ -89,6 +85,7 @@ class Terminal:
                    lambda: f'{text!r} in:\n{self.output}', LOOKING_PERIOD)
 
     def type(self, line):
+        self._read()
         self._typed, self._line = len(self._bytes), line
         os.write(self._screen, f'{line}\n'.encode())
 
@@ -97,13 +94,13 @@ class Terminal:
 
     @property
     def text(self):
+        self._read()
         return self._bytes[self._typed:].decode(errors='replace')
 
     def _read(self):
-        """Read until the window is closed: as long as this thread waits in a read, it is not."""
+        """Read what is there: who prints more than a terminal holds waits until a test looks."""
         try:
-            while self._is_open:
-                if select.select([self._screen], [], [], LOOKING_PERIOD)[0]:
-                    self._bytes += os.read(self._screen, 65536)
+            while self._screen and select.select([self._screen], [], [], 0.0)[0]:
+                self._bytes += os.read(self._screen, 65536)
         except OSError:
             pass  # on Linux: the other end is closed

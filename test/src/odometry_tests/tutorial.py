@@ -6,14 +6,11 @@ from functools import partial
 import rosgraph
 from nav_msgs.msg import Odometry
 from odometry_common.rest import is_slow
-from std_msgs.msg import Float64
 
 from odometry_tests.processes import rosrun
-from odometry_tests.waiting import Recorder, wait_until
+from odometry_tests.waiting import Recorder
 
 NODES = 'sim_turtlebot', 'test_movement', 'rotate_robot'  # with parameters, by their own names
-REST_COUNT = 100  # distances in a row; five seconds of the robot's time
-LONGEST_STEP = 0.0055  # m in a period of the mover in lockstep, at its 0.1 m/s and 20 Hz; a tenth of it is margin
 
 
 # Each starts a node, and takes its arguments and a Process's options.
@@ -73,25 +70,3 @@ class Truth(Recorder):
         end = self.stamp + seconds
         return self.wait_for(lambda m: m.header.stamp.to_sec() >= end, timeout,
                              f'{seconds} s of the robot\'s time')
-
-
-class Distance(Recorder):
-    """The moved distance."""
-
-    def __init__(self, namespace=''):
-        super().__init__(f'{namespace}moved_distance', Float64)
-
-    def wait_until_arrived(self, goal, timeout=40.0):
-        """Return the distance (m) once it has reached the goal and no longer changes, to the bit."""
-        self.wait_for(lambda m: m.data >= goal, timeout, f'{goal} m')
-        wait_until(lambda: len(self._recent()) == REST_COUNT and len(set(self._recent())) == 1,
-                   timeout, lambda: f'a constant distance; the last were {self._recent()[-5:]}')
-        return self.last.data
-
-    @property
-    def steps(self):
-        seen = [message.data for message in self.messages]
-        return [after - before for before, after in zip(seen, seen[1:])]
-
-    def _recent(self):
-        return [message.data for message in self.messages[-REST_COUNT:]]

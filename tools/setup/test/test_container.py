@@ -87,7 +87,7 @@ def test_it_drives_and_its_page_alone_is_reached(engine, tmp_path):
 
 def test_the_tutorials_are_typed_in_its_shells(engine, tmp_path):
     """A second shell in the same container sees the first one's robot; packages are built."""
-    make_package(tmp_path / 'packages' / 'hello', 'rospy')
+    make_package(tmp_path / 'packages/hello', 'rospy')
     with engine.terminal(tmp_path, PACKAGES) as terminal:
         terminal.wait_for_output('(ws) ', START_TIMEOUT)
         terminal.type('roslaunch odometry_launch sim.launch')

@@ -7,8 +7,8 @@ import yaml
 from checkout import in_checkout, make_checkout
 from odometry_tests.scripts import ROOT
 
-EXAMPLE = ROOT / 'docs' / 'example'
-WORKFLOW = yaml.safe_load((EXAMPLE / '.github' / 'workflows' / 'robot.yml').read_text())
+EXAMPLE = ROOT / 'docs/example'
+WORKFLOW = yaml.safe_load((EXAMPLE / '.github/workflows/robot.yml').read_text())
 COPY, TEST = [step['run'] for step in WORKFLOW['jobs']['robot']['steps'] if 'run' in step][-2:]
 CLONE = '/robot'
 # What ./ws does before a command, with the virtual environment of this project.
@@ -31,8 +31,8 @@ def checkout(tmp_path_factory):
 @pytest.mark.nightly
 @pytest.mark.parametrize('distance, passes', [('1.0', True), ('1.1', False)])
 def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, distance, passes):
-    node = checkout / '.ws' / 'src' / 'one_metre' / 'src' / 'one_metre.py'
-    original = (EXAMPLE / 'src' / 'one_metre.py').read_text()
+    node = checkout / '.ws/src' / 'one_metre/src/one_metre.py'
+    original = (EXAMPLE / 'src/one_metre.py').read_text()
     assert 'DISTANCE = 1.0 ' in original
     node.write_text(original.replace('DISTANCE = 1.0 ', f'DISTANCE = {distance} '))
     run = in_checkout(checkout, RUN + TEST.replace(f'{CLONE}/ws ', ''), status=None)

@@ -48,7 +48,7 @@ def replace(file, old, new):
 
 @contextlib.contextmanager
 def another_set_up(folder):
-    with open(folder / '.ws' / 'lock', 'w') as lock:
+    with open(folder / '.ws/lock', 'w') as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         yield
 
@@ -57,8 +57,8 @@ def another_set_up(folder):
 def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
     """Packages of the user stay, and nothing comes in from another workspace that is sourced."""
     (tmp_path / 'other').mkdir()
-    (tmp_path / 'other' / '.catkin').write_text('/nowhere')
-    (tmp_path / 'other' / 'catkin_pkg.py').write_text('raise ImportError("of another workspace")')
+    (tmp_path / 'other/.catkin').write_text('/nowhere')
+    (tmp_path / 'other/catkin_pkg.py').write_text('raise ImportError("of another workspace")')
     other = {name: f'{tmp_path}/other' for name in
              ('CMAKE_PREFIX_PATH', 'PYTHONPATH', 'ROS_PACKAGE_PATH')}
     run = in_checkout(checkout, RUN_MINE, **other)
@@ -66,7 +66,7 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
     assert f'{tmp_path}/other' not in run.stdout
     with another_set_up(checkout):  # it need not wait: nothing is missing
         assert set_up(checkout).output.strip() == ''
-    replace(checkout / 'test_movement' / 'package.xml', '1.0.0', '1.0.1')
+    replace(checkout / 'test_movement/package.xml', '1.0.0', '1.0.1')
     with another_set_up(checkout):
         run = Process(*command_in(checkout, RUN_MINE))
         run.wait_for_output('./ws: another set-up is running; waiting for it')
@@ -77,12 +77,12 @@ def test_a_workspace_is_built_when_something_has_changed(checkout, tmp_path):
 
 def test_a_bad_package_is_named_and_stops_no_other(checkout):
     """In later calls too, which build nothing; once it is mended, it alone is built."""
-    student = checkout / '.ws' / 'src' / 'student'
+    student = checkout / '.ws/src/student'
     for name, file, old, new, _ in BAD:
         make_package(student / name, 'pybullet')
         replace(student / name / file, old, new)
-    (student / 'uncompiled' / 'x.cpp').write_text('int x() { return 1 }')
-    replace(student / 'waiting' / 'CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS unconfigured)')
+    (student / 'uncompiled/x.cpp').write_text('int x() { return 1 }')
+    replace(student / 'waiting/CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS unconfigured)')
     for building in (['./ws: building the packages ...'], []):
         run = in_checkout(checkout, RUN_MINE)
         assert run.stdout.startswith('hello from pybullet\n'), run.output
@@ -91,17 +91,17 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
         assert run.stderr.count('./ws: ') == len(building) + len(BAD), run.stderr
         for name, *_, reason in BAD:
             assert any(re.search(rf'\b{name}\b.*: .*{reason}', line) for line in shown), (name, run.stderr)
-    made = (checkout / '.ws' / 'build' / 'src+mine' / 'CMakeCache.txt').stat()
-    (student / 'uncompiled' / 'x.cpp').write_text('int x() { return 1; }')
+    made = (checkout / '.ws/build' / 'src+mine/CMakeCache.txt').stat()
+    (student / 'uncompiled/x.cpp').write_text('int x() { return 1; }')
     run = in_checkout(checkout, RUN_MINE)
     assert 'building the packages' in run.stderr and 'uncompiled' not in run.stderr, run.stderr
-    assert (checkout / '.ws' / 'build' / 'src+mine' / 'CMakeCache.txt').stat() == made
+    assert (checkout / '.ws/build' / 'src+mine/CMakeCache.txt').stat() == made
 
 
 def depend(checkout, *names):
     """Have the package of the user's depend on others."""
     depends = ''.join(f'<depend>{name}</depend>' for name in names)
-    replace(checkout / '.ws' / 'src' / 'mine' / 'package.xml', '</package>', f'{depends}</package>')
+    replace(checkout / '.ws/src' / 'mine/package.xml', '</package>', f'{depends}</package>')
 
 
 def test_what_a_package_depends_on_is_installed(checkout):
@@ -136,7 +136,7 @@ def test_apt_may_remove_nothing(checkout):
 
 
 def test_a_build_is_tried_again_once_something_was_installed(checkout):
-    (checkout / '.ws' / 'src' / 'mine' / 'CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
+    (checkout / '.ws/src' / 'mine/CMakeLists.txt').write_text('message(FATAL_ERROR "no SDL")')
     assert 'building' in set_up(checkout).stderr
     installed = 'DPKG=$CHECKOUT/status\n'
     assert 'building' not in set_up(checkout, installed).stderr
@@ -158,7 +158,7 @@ def make_program(folder, text, age=0.0):
 def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkout, leave_out):
     """Also if its files are older; the program of a package that is removed or ignored does not run."""
     run_it = FASTER + 'set_up true\nset +u\n. "$WORKSPACE/devel/setup.bash"\nrosrun hw hw_node'
-    folder = checkout / '.ws' / 'src' / 'hw'
+    folder = checkout / '.ws/src/hw'
     for text, age in ('first', 0.0), ('second', 1e5):
         shutil.rmtree(folder, ignore_errors=True)
         make_program(folder, text, age)
@@ -166,12 +166,12 @@ def test_a_package_that_takes_the_place_of_another_is_built_from_nothing(checkou
     leave_out(folder)
     run = in_checkout(checkout, run_it, status=None)
     assert run.wait() != 0 and 'hw' in run.stderr, run.output
-    assert not (checkout / '.ws' / 'devel' / 'lib' / 'hw' / 'hw_node').is_symlink()
+    assert not (checkout / '.ws/devel' / 'lib/hw/hw_node').is_symlink()
 
 
 def test_a_package_of_ours_that_has_gone_leaves_no_program(checkout):
     """As after an update, which may move it."""
-    program = checkout / '.ws' / 'devel' / 'lib' / 'test_movement' / 'test_movement.py'
+    program = checkout / '.ws/devel' / 'lib/test_movement/test_movement.py'
     set_up(checkout)
     assert program.exists()
     set_up(checkout, 'PACKAGES=(odometry_common)\nrm "$CHECKOUT/.ws/ready"\n')

@@ -1,12 +1,12 @@
 """Which ROS 1 ./ws uses: a table of systems, faked by folders and PATH."""
 
 import shlex
-import subprocess
 
 import pytest
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
-SETUP = shlex.quote(str(ROOT / 'tools' / 'setup'))
+SETUP = shlex.quote(str(ROOT / 'tools/setup'))
 FIND = f"""
 . {SETUP}/system.bash
 . {SETUP}/python.bash
@@ -22,7 +22,6 @@ DEBIAN, NOETIC, ONE, MINE = 'usr', 'opt/ros/noetic', 'opt/ros/one', 'mine'
 SYSTEMS = {
     'a bare Debian': ('', '', '', '', DEBIAN),
     'its ROS and a workspace sourced': ('usr mine', 'mine usr', '1', '', DEBIAN),
-    'noetic': ('opt/ros/noetic', '', '', '', NOETIC),
     'noetic sourced, and a workspace': ('opt/ros/noetic mine', 'mine opt/ros/noetic', '1', '', NOETIC),
     "noetic and Debian's": ('opt/ros/noetic usr', 'usr', '', '', NOETIC),
     'ROS One and ROS 2 sourced': ('opt/ros/one', '', '2', '', ONE),
@@ -31,16 +30,16 @@ SYSTEMS = {
 }
 
 
-def run(system, commands, path='', **variables):
-    return subprocess.run(['/bin/bash', '-euo', 'pipefail', '-c', commands], check=False, env={
-        'SYSTEM': str(system), 'PATH': f'{path}{system}/bin', **variables},
-        capture_output=True, text=True)
+def find_ros(system, path='', status=0, version=''):
+    """Run FIND on a system; return its Process."""
+    return run('env', '-i', f'SYSTEM={system}', f'PATH={path}{system}/bin', f'ROS_VERSION={version}',
+               '/bin/bash', '-euo', 'pipefail', '-c', FIND, status=status)
 
 
 @pytest.fixture
 def system(tmp_path):
     make_programs(tmp_path / 'bin', 'dpkg-query')
-    make_programs(tmp_path / 'usr' / 'bin', 'python3')
+    make_programs(tmp_path / 'usr/bin', 'python3')
     return tmp_path
 
 
@@ -58,13 +57,12 @@ def test_the_choice(system, there, sourced, version, made_with, chosen):
         (system / folder / 'setup.bash').touch()
     if made_with:
         (system / 'venv').mkdir()
-        (system / 'venv' / 'ros').write_text(f'{system}/{made_with}\n{system}/usr/bin/python3\n')
+        (system / 'venv/ros').write_text(f'{system}/{made_with}\n{system}/usr/bin/python3\n')
     path = ''.join(f'{system}/{folder}/bin:' for folder in sourced.split())
-    found = run(system, FIND, path, ROS_VERSION=version)
-    assert found.stdout.split() == [f'{system}/{chosen}', f'{system}/usr/bin/python3'], found
+    found = find_ros(system, path, version=version)
+    assert found.stdout.split() == [f'{system}/{chosen}', f'{system}/usr/bin/python3'], found.output
 
 
 def test_a_system_without_ros_is_told_of_the_container(tmp_path):
-    found = run(tmp_path, FIND)
-    assert (found.returncode, found.stdout) == (1, '')
-    assert found.stderr == './ws: this system has no ROS 1. Use the container: docs/container.md\n'
+    found = find_ros(tmp_path, status=1)
+    assert found.output.strip() == './ws: this system has no ROS 1. Use the container: docs/container.md'

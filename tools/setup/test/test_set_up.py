@@ -51,7 +51,7 @@ def test_an_interrupted_or_deleted_build_is_not_taken_for_a_whole_one(checkout, 
     'readlink() { echo /usr/bin/python3.99; }'])
 def test_it_notices_a_deleted_or_interrupted_python(tmp_path, damage):
     """Or, as in the last of these, another Python of the system."""
-    run = in_checkout(make_checkout(tmp_path / 'a' / 'robot', made=()),
+    run = in_checkout(make_checkout(tmp_path / 'a/robot', made=()),
                       f'{PYTHON}{damage}\n! has_requirements requirements.txt test/requirements.txt')
     assert not run.output.strip()
 

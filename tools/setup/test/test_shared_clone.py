@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 from checkout import FASTER, RUN_MINE, START, in_checkout, set_up
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 # Without root's right to write everywhere.
@@ -40,23 +41,21 @@ build_fingerprint
 
 def test_a_locale_that_is_not_installed_is_no_matter():
     """As over ssh, which brings the locale of another machine."""
-    names = {name: value for name, value in os.environ.items() if not name.startswith('LC_')}
-    run = subprocess.run([ROOT / 'ws', 'check', '--help'], env={**names, 'LANG': 'xx_YY.UTF-8'},
-                         check=True, capture_output=True, text=True)
-    assert not run.stderr
+    kept = [f'{name}={os.environ[name]}' for name in ('HOME', 'PATH')]
+    assert not run('env', '-i', *kept, 'LANG=xx_YY.UTF-8', ROOT / 'ws', 'check', '--help').stderr
 
 
 def test_who_cannot_write_the_clone_runs_what_is_built(checkout, read_only):
     """Until something is missing: then one line says who is to install it, and how."""
     as_reader(checkout, RUN_MINE)
-    (checkout / '.ws' / 'src' / 'mine' / 'new.h').touch()
+    (checkout / '.ws/src' / 'mine/new.h').touch()
     read_only()
-    run = as_reader(checkout, RUN_MINE)
-    assert './ws: ' not in run.stderr and 'hello from pybullet' in run.stdout, run.output
-    run = as_reader(checkout, FASTER + 'has_requirements() { false; }\nset_up demo --view', status=1)
+    ended = as_reader(checkout, RUN_MINE)
+    assert './ws: ' not in ended.stderr and 'hello from pybullet' in ended.stdout, ended.output
+    ended = as_reader(checkout, FASTER + 'has_requirements() { false; }\nset_up demo --view', status=1)
     assert re.fullmatch(
         r'./ws: not everything that demo needs is installed and built, and you cannot write \S+: '
-        r'ask \w+ to type: \S+/ws --set-up demo --view', run.output.strip()), run.output
+        r'ask \w+ to type: \S+/ws --set-up demo --view', ended.output.strip()), ended.output
 
 
 @pytest.mark.skipif(os.getuid() != 0, reason='only root can give files away')
@@ -65,10 +64,10 @@ def test_what_sudo_has_left_is_named_with_what_mends_it(checkout):
     for folder in '.ws', 'runs':
         (checkout / folder).mkdir(exist_ok=True)
         os.chown(checkout / folder, 65534, 65534)
-    run = as_reader(checkout, FASTER + 'set_up demo', status=1)
+    ended = as_reader(checkout, FASTER + 'set_up demo', status=1)
     assert re.fullmatch(
         r'./ws: these belong to another user, as after sudo: sudo chown -R root: (\S+)/\.ws \1/runs',
-        run.output.strip()), run.output
+        ended.output.strip()), ended.output
 
 
 @pytest.mark.parametrize('user, owner, shown', [
@@ -78,7 +77,7 @@ def test_under_sudo_it_goes_on_as_the_caller(checkout, user, owner, shown):
     sudo = checkout.parent / 'sudo'
     sudo.write_text('#!/bin/sh\necho "$@"\n')
     sudo.chmod(0o755)
-    run = in_checkout(checkout, f'id() {{ echo {user}; }}\nstat() {{ echo {owner}; }}\nCHECKOUT=.\n'
+    ended = in_checkout(checkout, f'id() {{ echo {user}; }}\nstat() {{ echo {owner}; }}\nCHECKOUT=.\n'
                       'leave_root demo rotate\necho stays', SUDO_UID='1000', SUDO_GID='100',
                       PATH=f'{checkout.parent}:{os.environ["PATH"]}')
-    assert run.output.strip() == shown
+    assert ended.output.strip() == shown

@@ -66,14 +66,6 @@ def once(memory, pose):
 
 
 @remembering
-def to_point(memory, pose):
-    dx, dy = 2.0 - pose.x, -pose.y
-    memory['there'] = memory['there'] or math.hypot(dx, dy) < 0.02
-    error = wrap_to_pi(math.atan2(dy, dx) - pose.yaw)
-    return (0.0, 0.0) if memory['there'] else (0.2 if abs(error) < 0.3 else 0.0, error)
-
-
-@remembering
 def turn_by(memory, pose):
     memory['turned'] += wrap_to_pi(pose.yaw - memory['last'].yaw)
     return 0.0, 0.5 * (RIGHT_ANGLE - memory['turned'])

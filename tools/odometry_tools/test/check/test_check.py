@@ -1,6 +1,5 @@
 """A learner's node gets the verdict that the behaviour deserves, each time the same."""
 
-import csv
 import re
 import signal
 from xml.etree import ElementTree
@@ -8,6 +7,7 @@ from xml.etree import ElementTree
 import psutil
 import pytest
 from learners import VARIANTS, expected, write
+from odometry_tests.forms import rows_of
 from odometry_tests.processes import Process, run
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
@@ -22,12 +22,6 @@ def check(*words, timeout=TIMEOUT, **options):
     return run(ROOT / 'ws', 'check', *words, timeout=timeout, **options)
 
 
-def rows_of(path):
-    """Return what a check has written for a spreadsheet."""
-    with path.open(newline='') as file:
-        return list(csv.DictReader(file))
-
-
 def found_in(row):
     """Return rule and hint of a row, as variants.yaml has them."""
     return f'{row["rule"]} {row["hint"]}'.strip()
@@ -35,7 +29,6 @@ def found_in(row):
 
 @pytest.mark.parametrize('exercise, node, scenario', [
     ('heading', 'tutorial_rotate', 'interrupt'), ('two_meters', 'right_resets_odometry', 'moved_start'),
-    pytest.param('two_meters', 'right_leaves_a_program', 'interrupt', marks=pytest.mark.nightly),
     ('two_meters', 'callback_beats_hook', 'interrupt'), ('two_meters', 'queue_text', 'plain'), ('two_meters', 'type_of_input', 'slow_base'),
     ('moved_distance', 'once_a_second', 'odom_5hz')])
 def test_a_node_gets_its_verdict(tmp_path, exercise, node, scenario):
@@ -89,7 +82,7 @@ def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum):
     ('heading', ['rotate_robot', 'rotate.py']), *(pytest.param(*case, marks=pytest.mark.nightly) for case in [
         ('moved_distance', ['odom_movement_detector', 'odom_movement_detector.py']),
         ('two_meters', ['test_movement', 'test_movement.py']),
-        ('two_meters', [ROOT / 'docs' / 'example' / 'src' / 'one_metre.py', '_distance:=2'])])])
+        ('two_meters', [ROOT / 'docs/example' / 'src/one_metre.py', '_distance:=2'])])])
 def test_our_nodes_pass_everything(tmp_path, exercise, words):
     """The ports by PACKAGE NODE, and the example of the documents; CI reads it."""
     file = tmp_path / 'junit.xml'

@@ -9,27 +9,20 @@ from odometry_tests.scripts import ROOT
 from odometry_tools.check.options import program_of
 
 
-def make_package(folder, *nodes):
-    """Make a package with these files in src, and return it."""
-    (folder / 'src').mkdir(parents=True)
-    (folder / 'package.xml').touch()
-    for node in nodes:
-        (folder / 'src' / node).touch()
-    return folder
-
-
 def test_the_folder_of_a_package_is_its_node_and_its_modules_are_for_the_node_alone(tmp_path):
-    package = make_package(tmp_path / 'mine', 'turn.py', '__init__.py')
-    program = program_of([str(package), '_x:=1'])
-    assert program.command == [sys.executable, str(package / 'src' / 'turn.py'), '_x:=1']
+    (tmp_path / 'src').mkdir()
+    for name in 'package.xml', 'src/turn.py', 'src/__init__.py':
+        (tmp_path / name).touch()
+    program = program_of([str(tmp_path), '_x:=1'])
+    assert program.command == [sys.executable, str(tmp_path / 'src/turn.py'), '_x:=1']
     (name, paths), = program.environment
-    assert (name, paths.split(':')[0]) == ('PYTHONPATH', str(package / 'src'))
-    assert str(package / 'src') not in sys.path
+    assert (name, paths.split(':')[0]) == ('PYTHONPATH', str(tmp_path / 'src'))
+    assert str(tmp_path / 'src') not in sys.path
 
 
-def test_a_package_with_two_nodes_asks_for_one(tmp_path):
-    with pytest.raises(StartError, match='2 files could be the node of mine: say PACKAGE NODE'):
-        program_of([str(make_package(tmp_path / 'mine', 'a.py', 'b.py'))])
+def test_a_package_with_several_nodes_asks_for_one():
+    with pytest.raises(StartError, match='files could be the node of example: say PACKAGE NODE'):
+        program_of([str(ROOT / 'docs/example')])
 
 
 def test_a_package_and_a_node_are_those_of_rosrun_wherever_one_stands(monkeypatch):

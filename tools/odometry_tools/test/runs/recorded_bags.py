@@ -27,12 +27,6 @@ def record(path, messages, topic='/odom', mode='w'):
     return path
 
 
-def write_damaged(path):
-    """Write a bag whose only message is cut off."""
-    with rosbag.Bag(str(path), 'w') as bag:
-        bag.write('/odom', (Odometry._type, b'short', Odometry._md5sum, Odometry), raw=True)
-
-
 def write_without_speed(path):
     """Write a bag with a finite position, whose speed is not."""
     message = odometry()

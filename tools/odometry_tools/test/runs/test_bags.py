@@ -3,14 +3,13 @@
 import pytest
 import rosbag
 from odometry_tools.runs.recorded_run import BagError, read_run
-from recorded_bags import metre, plot, record, write_damaged, write_foreign, write_without_speed
+from recorded_bags import metre, plot, record, write_foreign, write_without_speed
 from std_msgs.msg import Float64
 
 
 @pytest.mark.parametrize('write, lines', [
     (lambda path: path.write_bytes(b'no bag at all'), 'cannot be read'),
     (lambda path: rosbag.Bag(str(path), 'w').flush(), "is not indexed: rosbag reindex '{}'"),
-    (write_damaged, 'is damaged: DeserializationError('),
     (lambda path: path.write_bytes(b'\xff' * 1000), 'is damaged: UnicodeDecodeError('),
     (write_without_speed, 'has no message with finite numbers on /odom')])
 def test_a_file_without_a_run_is_refused(tmp_path, write, lines):
@@ -41,14 +40,11 @@ def test_only_the_odometry_needs_the_right_type(tmp_path):
         read_run(path, '/cmd_vel')
 
 
-@pytest.mark.parametrize('topic, line', [
-    ('/base_pose_ground_truth', 'left out    /base_pose_ground_truth, defined differently from the installed message'),
-    ('/b/odom', '')])
-def test_a_definition_in_a_bag_does_not_run(tmp_path, topic, line):
-    path = write_foreign(tmp_path / 'stranger.bag', topic, tmp_path / 'ran')
+def test_a_definition_in_a_bag_does_not_run(tmp_path):
+    path = write_foreign(tmp_path / 'stranger.bag', '/base_pose_ground_truth', tmp_path / 'ran')
     run = plot('--topic', '/odom', path)
-    assert line in run.stdout and not run.stderr, run.output
-    assert not (tmp_path / 'ran').exists()
+    assert 'left out    /base_pose_ground_truth, defined differently from the installed message' in run.stdout
+    assert not run.stderr and not (tmp_path / 'ran').exists()
 
 
 def test_an_index_that_points_to_a_foreign_definition_does_not_run_it(tmp_path):
@@ -65,3 +61,4 @@ def test_odometry_that_is_defined_differently_or_absent_is_named(tmp_path):
         read_run(path, '/b/odom')
     with pytest.raises(BagError, match='other.bag has 0 messages on /odom'):
         read_run(path, '/odom', end=0.0)
+    assert not (tmp_path / 'ran').exists()

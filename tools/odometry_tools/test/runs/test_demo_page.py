@@ -21,11 +21,6 @@ pytest.importorskip('robot_view', reason='the page is left out')
 pytest.importorskip('viser', reason='viser is not installed')
 
 
-def assert_the_page_is_served(url):
-    with urllib.request.urlopen(url, timeout=TIMEOUT * PATIENCE) as answer:
-        assert b'viser' in answer.read().lower()
-
-
 def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run():
     """The line is rewritten in place up to a full bar; Ctrl-C at the page is no failure."""
     with hold_port() as master_port, Terminal(
@@ -33,7 +28,8 @@ def test_on_a_terminal_the_progress_is_one_line_and_the_page_stays_after_the_run
         terminal.type('./ws demo --view --distance 0.15 --speed 0.05 --real-time-factor 3')
         terminal.wait_for_output(STAYS, 60.0)
         url, port = ADDRESS.search('\n'.join(terminal.lines)).groups()
-        assert_the_page_is_served(url)
+        with urllib.request.urlopen(url, timeout=TIMEOUT * PATIENCE) as answer:
+            assert b'viser' in answer.read().lower()
         assert_loopback_only(terminal.pid)
         terminal.press_ctrl_c()
         assert terminal.wait_for_prompt() == 0, terminal.output

@@ -58,10 +58,10 @@ def test_each_odometry_goes_with_the_truth_of_its_moment(monkeypatch, late):
     """Though the messages of one topic arrive later."""
     monkeypatch.setattr('odometry_tools.runs.following.rospy.Subscriber', lambda *_, **__: None)
     ticks = Ticks()
-    messages = [(number + late * (topic != 'odom'), topic, odometry(x=number, stamp=0.05 * number))
-                for topic in ('odom', 'base_pose_ground_truth') for number in range(50)]
-    for _, topic, message in sorted(messages, key=lambda message: message[0]):
-        ticks.add(topic, message)
+    for tick in range(-30, 80):
+        for topic, number in ('odom', tick), ('base_pose_ground_truth', tick - late):
+            if number in range(50):
+                ticks.add(topic, odometry(x=number, stamp=0.05 * number))
     for number in range(50):
         stamp, seen, true = ticks.next(0.0)
         assert (stamp, seen.position[0], true.position[0]) == pytest.approx((0.05 * number, number, number))

@@ -1,20 +1,21 @@
 """Sweeps as a user types them, and what they leave."""
 
-import csv
 import os
 import re
 import sys
+from functools import partial
 from pathlib import Path
 
+from odometry_tests.forms import rows_of
 from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 TIMEOUT = 120.0  # s
-WS, SCRIPT = (ROOT / 'ws', 'sweep'), (sys.executable, ROOT / 'tools' / 'odometry_tools' / 'script' / 'sweep.py')
+WS, SCRIPT = (ROOT / 'ws', 'sweep'), (sys.executable, ROOT / 'tools/odometry_tools' / 'script/sweep.py')
 
 
-def sweep(*arguments, command=WS, timeout=TIMEOUT, **options):
-    return run(*command, *arguments, cwd=ROOT, timeout=timeout, **options)
+sweep = partial(run, *WS, cwd=ROOT, timeout=TIMEOUT)
+sweep_by_script = partial(run, *SCRIPT, cwd=ROOT, timeout=TIMEOUT)  # ./ws knows only its own packages
 
 
 def folder_of(output):
@@ -22,5 +23,4 @@ def folder_of(output):
 
 
 def rows_in(folder):
-    with open(folder / 'runs.csv', newline='', encoding='utf-8') as file:
-        return list(csv.DictReader(file))
+    return rows_of(folder / 'runs.csv')

@@ -56,7 +56,6 @@ def test_a_limit_that_does_not_hold_is_one_line_and_status_1_and_its_worst_run(t
 
 @pytest.mark.parametrize('arguments, line', [
     ([], './ws sweep: error: choose a tutorial'),
-    (['move', '--set', 'speed=0'], 'sweep: parameter ~speed is 0, but must be a number other than 0 m/s'),
     (['--replay', '/no/such', '1'], 'sweep: /no/such/campaign.yaml cannot be read')])
 def test_what_makes_no_sense_gets_one_line_and_status_2(arguments, line):
     """Before anything is run; test_campaign has the others."""

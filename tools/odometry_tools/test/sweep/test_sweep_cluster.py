@@ -59,8 +59,6 @@ def test_what_is_killed_loses_no_row_and_is_said_in_one_line(tmp_path):
     assert found and len(rows_below(tmp_path / 'some')) == int(found[1]) > 0, run.stderr
 
 
-@pytest.mark.parametrize('address', [
-    pytest.param('tcp://127.0.0.1:1', marks=pytest.mark.nightly), 'nonsense'])
-def test_no_scheduler_is_one_line(address):
-    run = sweep('move', '--cluster', address, status=2)
-    assert re.fullmatch(f'sweep: no scheduler answers at {address}: .*', run.stderr), run.stderr
+def test_no_scheduler_is_one_line():
+    run = sweep('move', '--cluster', 'nonsense', status=2)
+    assert re.fullmatch('sweep: no scheduler answers at nonsense: .*', run.stderr), run.stderr

@@ -18,7 +18,7 @@ from odometry_tools.runs.output import RunError
 from odometry_tools.sweep import session_process
 from odometry_tools.sweep.campaign import Campaign
 from odometry_tools.sweep.subjects import Launched
-from sweeps import SCRIPT, TIMEOUT, folder_of, rows_in, sweep
+from sweeps import SCRIPT, TIMEOUT, folder_of, rows_in, sweep_by_script
 
 
 @pytest.fixture(autouse=True)
@@ -30,8 +30,8 @@ def packages(tmp_path, monkeypatch):
         (folder / name).write_text(text.replace('{python}', sys.executable))
         (folder / name).chmod(0o755)
     (folder / 'plain.py').touch()
-    example = shutil.copytree(ROOT / 'docs' / 'example', tmp_path / 'example')
-    for file in (example / 'package.xml', example / 'launch' / 'one_metre.launch'):
+    example = shutil.copytree(ROOT / 'docs/example', tmp_path / 'example')
+    for file in (example / 'package.xml', example / 'launch/one_metre.launch'):
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
     monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{example}:{os.environ["ROS_PACKAGE_PATH"]}')
 
@@ -40,20 +40,20 @@ def test_the_example_gives_the_same_bytes_each_time():
     """The robot's parameters reach the robot, and the others the node."""
     arguments = ['example', 'one_metre.launch', '--until', '4', '--seeds', '2', '--set', 'speed=0.5',
                  '--set', 'odometry_source=encoder', '--set', 'wheel_noise=0.01']
-    printed = sweep(*arguments, command=SCRIPT).stdout  # ./ws knows only its own packages
+    printed = sweep_by_script(*arguments).stdout
     first = folder_of(printed)
     assert re.search(r'^from_start \(m\) .*\nall runs +1\.0', printed, re.MULTILINE), printed
     rows = rows_in(first)
     assert [row['ended'] for row in rows] == ['until', 'until']
     assert all(float(row['time']) < 4.0 and row['commands'] == '40' for row in rows), rows
     assert len({row['odometry_error'] for row in rows} - {'0.0'}) == 2, 'no noise, or always the same'
-    again = sweep('--campaign', first / 'campaign.yaml', '--jobs', '1', command=SCRIPT)
+    again = sweep_by_script('--campaign', first / 'campaign.yaml', '--jobs', '1')
     assert (folder_of(again.stdout) / 'runs.csv').read_bytes() == (first / 'runs.csv').read_bytes()
 
 
 def swept(*words):
     """Sweep a launch file of the package; return what was printed, and how each run ended."""
-    printed = sweep('guest', *words, command=SCRIPT).stdout
+    printed = sweep_by_script('guest', *words).stdout
     return printed, [row['ended'] for row in rows_in(folder_of(printed))]
 
 
@@ -81,7 +81,7 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
                           'odometry_source=encoder', '--set', 'wheel_noise=0.05')
     assert {*ends} == {'arrived', 'crashed'}, ends
     assert f'not arrived     {ends.count("crashed")} of 4, with all runs' in printed, printed
-    again = sweep('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1), command=SCRIPT)
+    again = sweep_by_script('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1))
     assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
     assert again.stderr == 'sweep: node has ended with status 1; last error printed: ValueError: on purpose'
 
@@ -90,7 +90,7 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
     ('unpause_physics', 'sweep: somebody has called unpause_physics, but '),
     ('reset_simulation', 'sweep: somebody has called reset_simulation after 1')])
 def test_a_node_that_changes_how_time_goes_on_is_named(service, line):
-    printed = sweep('guest', 'calls.launch', '--until', '3', '--set', f'service={service}', status=1, command=SCRIPT)
+    printed = sweep_by_script('guest', 'calls.launch', '--until', '3', '--set', f'service={service}', status=1)
     assert printed.stderr.startswith(line) and len(printed.stderr.splitlines()) == 1, printed.stderr
 
 
@@ -137,8 +137,7 @@ def test_a_session_whose_run_fails_after_the_sweep_has_ended_says_nothing(monkey
 
 
 def test_a_program_that_is_no_node_is_not_waited_for_and_an_argument_may_have_a_parameters_name():
-    printed = sweep('guest', 'helper.launch', '--until', '2', '--set', 'launch:x=done', '--set', 'x=1',
-                    command=SCRIPT, timeout=60.0).stdout
+    printed = sweep_by_script('guest', 'helper.launch', '--until', '2', '--set', 'launch:x=done', '--set', 'x=1', timeout=60.0).stdout
     row, = rows_in(folder_of(printed))
     assert (row['ended'], row['x'], row['launch:x']) == ('until', '1', 'done')
 
