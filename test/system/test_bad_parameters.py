@@ -50,7 +50,7 @@ def test_each_bad_value_is_refused_by_name(script, row):
         assert str(refusal.value).startswith(f'parameter {row.name} is {value!r}, but must be ')
 
 
-@pytest.mark.parametrize('name, value', [('odom_rate', 0.1), ('odom_rate', 1000), ('scan_range_min', 9), ('robots', 2)])
+@pytest.mark.parametrize('name, value', [('odom_rate', 0.1), ('odom_rate', 1000)])
 def test_a_value_is_accepted_beside_the_defaults_that_a_launch_file_sets(name, value):
     defaults = {row.name[1:]: row.default for row in TABLES['sim_turtlebot_node.py'].rows}
     settings = read_settings({**defaults, 'use_sim_time': True, name: value})

@@ -1,11 +1,9 @@
 """However a node that moves the robot ends, the robot stops, without a traceback."""
 
 import os
-import re
 import signal
 import socket
 import sys
-from pathlib import Path
 
 import psutil
 import pytest
@@ -13,6 +11,7 @@ import rosgraph
 import rosnode
 import rospy
 from geometry_msgs.msg import Twist
+from odometry_tests.linux import signals
 from odometry_tests.pausing import moves_on
 from odometry_tests.processes import Process, hold_port, rosrun
 from odometry_tests.scripts import ROOT
@@ -61,9 +60,7 @@ def test_a_node_that_nohup_starts_outlives_its_terminal():
             'nohup', ROOT / 'ws', 'rosrun', 'test_movement', 'test_movement.py',
             env={'ROS_MASTER_URI': f'http://localhost:{port}'}) as node:
         node.wait_for_output('Unable to register with master node')
-        status = Path(f'/proc/{node.pid}/status').read_text()
-        ignored = int(re.search(r'SigIgn:\t(\w+)', status)[1], 16)
-        assert ignored & 1 << signal.SIGHUP - 1, status
+        assert signal.SIGHUP in signals(node.pid, 'SigIgn')
 
 
 def test_the_simulator_ends_while_it_loads_a_world(master, tmp_path):
@@ -98,9 +95,7 @@ def test_a_signal_that_comes_just_before_a_wait_ends_it():
 
 
 @pytest.mark.parametrize('package, program', [
-    ('odom_movement_detector', 'odom_movement_detector.py'), ('test_movement', 'test_movement.py'),
-    ('rotate_robot', 'rotate.py'), ('rotate_robot', 'main.py'),
-    ('sim_turtlebot', 'sim_turtlebot_node.py')])
+    ('odom_movement_detector', 'odom_movement_detector.py'), ('rotate_robot', 'rotate.py'), ('rotate_robot', 'main.py')])
 def test_a_node_that_waits_ends_quietly(ns, package, program):
     with rosrun(package, program, '__name:=waiting') as node:
         wait_until(lambda: f'{ns}waiting' in rosnode.get_node_names(), 20.0, 'a node', period=0.1)

@@ -7,13 +7,12 @@ import subprocess
 
 import psutil
 import pytest
-import rospy
 from nav_msgs.msg import Odometry
 from odometry_tests.pausing import call, pause
 from odometry_tests.processes import Process, path_of
 from odometry_tests.tutorial import Truth, detector, mover, simulator, simulator_in_step
-from odometry_tests.waiting import Recorder, wait_for_subscribers
-from std_msgs.msg import Empty, Float64, String
+from odometry_tests.waiting import Recorder
+from std_msgs.msg import Float64, String
 
 # In a namespace of mounts that ends with the node; the folder is $0.
 FAULTS = {'full': 'mount -t tmpfs -o size=4k tmpfs "$0"; head -c 8k /dev/zero >"$0/filler" || true; exec "$@"',
@@ -52,8 +51,7 @@ def test_a_pace_that_no_machine_can_keep_is_told_of_once(simulated_time):
         assert robot.end() == 0, robot.output
     line, = robot.stderr.splitlines()
     assert warning.data in line
-    reached = re.search(r'reaches a real-time factor of (\S+) instead of 1000$', line)[1]
-    assert 0 < float(reached) < 900
+    assert re.search(r'reaches a real-time factor of [\d.]+ instead of 1000$', line), line
 
 
 def test_a_node_takes_more_file_descriptors_than_usual_if_it_may(master):
@@ -71,10 +69,8 @@ def usage(process):
 @pytest.mark.nightly
 def test_memory_threads_and_files_stay_the_same(simulated_time, master):
     truth = Truth()
-    reset = rospy.Publisher('moved_distance/reset', Empty, queue_size=1)
     with simulator_in_step('_real_time_factor:=0', '_scan:=true') as robot, detector() as counter, \
             mover('_distance:=1000000') as driver:
-        wait_for_subscribers(reset)
         used = []
         for _ in range(PARTS):
             with detector('__name:=killed') as killed:
@@ -85,7 +81,6 @@ def test_memory_threads_and_files_stay_the_same(simulated_time, master):
                 ('simulator', robot), ('detector', counter), ('mover', driver), ('master', master)]})
             pause(truth)
             truth.clear()
-            reset.publish()
             call('reset_simulation')
             call('unpause_physics')
     # The least of each half: the simulator's files follow the threads of the graph, which come and go.

@@ -40,13 +40,11 @@ def test_it_ends_as_the_command_ended_and_with_its_orphans(command, status, erro
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGPIPE, signal.SIGHUP])
 def test_signals_reach_the_command(signum):
     before = signal.signal(signum, signal.SIG_IGN)
-    try:
-        process = start_guarded('sleep', '1000')
-        wait_until(lambda: command_of(process).name() == 'sleep', 10.0, 'the command')
-        command_of(process).send_signal(signum)
-        assert process.wait(10.0 * PATIENCE) == 128 + signum
-    finally:
-        signal.signal(signum, before)
+    process = start_guarded('sleep', '1000')
+    signal.signal(signum, before)
+    wait_until(lambda: command_of(process).name() == 'sleep', 10.0, 'the command')
+    command_of(process).send_signal(signum)
+    assert process.wait(10.0 * PATIENCE) == 128 + signum
 
 
 def reaper(program, *command, **popen_options):

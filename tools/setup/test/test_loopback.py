@@ -44,7 +44,7 @@ def test_a_launch_in_a_shell_listens_on_loopback_only(tmp_path):
 
 @pytest.mark.parametrize('options', [[], ['--host', '127.0.0.1']])
 def test_dask_and_its_dashboards_listen_on_loopback_only(options):
-    with hold_port() as port, Process(ROOT / 'ws', 'dask', 'scheduler', '--port', str(port), *options) as scheduler:
+    with hold_port() as port, Process(ROOT / 'ws', 'dask', 'scheduler', '--port', port, *options) as scheduler:
         scheduler.wait_for_output('dashboard at', DASK_TIMEOUT)
         assert_loopback_only(scheduler.pid)
         with Process(ROOT / 'ws', 'dask', 'worker', f'tcp://127.0.0.1:{port}', *options) as worker:

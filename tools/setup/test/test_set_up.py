@@ -1,6 +1,5 @@
 """What ./ws notices of a set-up that was interrupted, damaged or fails."""
 
-import shutil
 import signal
 
 import pytest
@@ -71,8 +70,7 @@ def test_every_home_finds_the_same_link_to_an_odd_path(checkout):
     root, target = in_checkout(checkout, PATH).stdout.splitlines()
     assert target == str(checkout)
     assert in_checkout(checkout, PATH, HOME='/nowhere').stdout.splitlines()[0] == root
-    moved = shutil.move(str(checkout), f"{checkout.parent}/moved 'again'")
-    again, target = in_checkout(checkout.parent / "moved 'again'", f'{PATH}; rm "$ROOT"'
-                                ).stdout.splitlines()
-    assert again != root and target == moved
-    shutil.move(moved, str(checkout))
+    moved = checkout.rename(checkout.with_name("moved 'again'"))
+    again, target = in_checkout(moved, f'{PATH}; rm "$ROOT"').stdout.splitlines()
+    assert again != root and target == str(moved)
+    moved.rename(checkout)

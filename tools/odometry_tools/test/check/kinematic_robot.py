@@ -83,9 +83,7 @@ def verdict_on(run):
     return verdict
 
 
-def verdicts(name, node, scenarios=None):
+def verdicts(exercise, node):
     """Return the Verdicts on a function in an exercise, by scenario."""
-    exercise = EXERCISES[name]
-    runs = [drive(node, scenario, exercise) for scenario in exercise.scenarios
-            if scenarios is None or scenario.name in scenarios]
+    runs = [drive(node, scenario, exercise) for scenario in exercise.scenarios]
     return {verdict.scenario: verdict for verdict in verdicts_on(runs, exercise)}

@@ -11,21 +11,16 @@ NODES = Path(__file__).with_name('nodes')
 VARIANTS = yaml.safe_load((NODES / 'variants.yaml').read_text())
 
 
-def source_of(exercise, node):
-    """Return the program of a node."""
-    variant = VARIANTS[exercise][node]
-    text = (NODES / exercise / f'{variant.get("base", node)}.py').read_text()
-    for old, new in variant.get('replace', {}).items():
-        assert old in text, f'{node}: its base has no {old!r}'
-        text = text.replace(old, new)
-    return text
-
-
 def write(folder, exercise, *nodes):
     """Write nodes to a folder, and return their files."""
     files = [folder / f'{node}.py' for node in nodes]
-    for file in files:
-        file.write_text(source_of(exercise, file.stem))
+    for node, file in zip(nodes, files):
+        variant = VARIANTS[exercise][node]
+        text = (NODES / exercise / f'{variant.get("base", node)}.py').read_text()
+        for old, new in variant.get('replace', {}).items():
+            assert old in text, f'{node}: its base has no {old!r}'
+            text = text.replace(old, new)
+        file.write_text(text)
     return files
 
 

@@ -68,7 +68,6 @@ CASES = {
         'wrong derivative': (wrong_derivative, dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
         'by': (turn_by, dict.fromkeys(('moved_start', 'slow_base'), 'elsewhere turns_by')),
         'time': (turn_by_time, {'slow_base': 'elsewhere open_loop'}),
-        'chatter': (turning(lambda yaw: math.copysign(1.0, error_of(yaw))), 'rings'),
         'high gain': (turning(error_of, 10.0), {'odom_5hz': 'rings gain_high'}),
         'low gain': (turning(error_of, 0.01), 'unfinished gain_low'),
         'drives': (driving(way), 'only_drove')},
@@ -77,7 +76,6 @@ CASES = {
         'right, by speed': (counting(lambda last, pose: abs(pose.linear) * (pose.time - last.time)), {}),
         'right, while it moves': (while_moving, {}),
         'never': (lambda: lambda pose: 0.0, 'miscounted'),
-        'displacement': (remembering(lambda memory, pose: way(memory['start'], pose)), 'displacement'),
         'displacement, by speed': (place_by_speed, 'displacement'),
         'one axis': (counting(lambda last, pose: abs(pose.x - last.x)), 'miscounted one_axis'),
         'sum': (counting(lambda last, pose: pose.x - last.x + pose.y - last.y), 'miscounted sum_of_axes'),
@@ -97,13 +95,14 @@ def test_a_behaviour_gets_its_rule_and_no_hint_that_is_not_proven(exercise, case
     if isinstance(expected, str):
         expected = {scenario.name: expected for scenario in EXERCISES[exercise].scenarios if not scenario.interrupt}
     found = {scenario: f'{verdict.rule} {verdict.hint}'.strip()
-             for scenario, verdict in verdicts(exercise, node).items() if not verdict.has_passed}
+             for scenario, verdict in verdicts(EXERCISES[exercise], node).items() if not verdict.has_passed}
     assert found == expected
 
 
 def test_a_fit_needs_a_second_rate():
     """At one rate alone many a mistake looks like another."""
-    found = verdicts('moved_distance', counting(lambda last, pose: abs(pose.x - last.x)), ['route', 'moved_start'])
+    detector = EXERCISES['moved_distance']
+    found = verdicts(detector._replace(scenarios=detector.scenarios[:2]), CASES['moved_distance']['one axis'][0])
     assert [verdict.hint for verdict in found.values()] == ['', '']
 
 
@@ -115,7 +114,7 @@ def test_a_fit_needs_a_second_rate():
     ('moved_distance', CASES['moved_distance']['thousandths'][0], 'times a fixed 0.001 s')])
 def test_a_sentence_says_what_was_seen(exercise, node, words):
     """A place is that of the moment of which it speaks."""
-    verdict, *_ = verdicts(exercise, node).values()
+    verdict, *_ = verdicts(EXERCISES[exercise], node).values()
     assert words in verdict.sentence
 
 
@@ -155,9 +154,3 @@ def test_a_command_before_time_begins_moves_no_robot():
     run.commands.append(Command(0.0, 0.2, 0.0, (), 'cmd_vel'))
     verdict = verdict_on(run)
     assert (verdict.rule, verdict.hint) == ('before_start', 'one_command'), verdict.sentence
-
-
-def test_a_controller_that_never_settles_is_watched_for_some_sixty_changes_of_direction():
-    heading = EXERCISES['heading']
-    run = drive(turning(lambda yaw: -error_of(yaw), 20.0), heading.scenarios[0], heading)
-    assert run.now < 30.0, run.now

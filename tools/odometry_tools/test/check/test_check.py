@@ -4,10 +4,10 @@ import re
 import signal
 from xml.etree import ElementTree
 
-import psutil
 import pytest
 from learners import VARIANTS, expected, write
 from odometry_tests.forms import rows_of
+from odometry_tests.linux import marked
 from odometry_tests.processes import Process, run
 from odometry_tests.scripts import ROOT
 from odometry_tests.waiting import wait_until
@@ -68,14 +68,13 @@ def test_a_submission_that_kills_its_check_stops_no_other(tmp_path):
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum):
+def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum, mark):
     """In the scenarios of one node, which run side by side."""
     (tmp_path / 'node.py').write_text(f'open({str(tmp_path / "here")!r}, "w")\nwhile True:\n    pass\n')
     with Process(ROOT / 'ws', 'check', 'heading', tmp_path / 'node.py') as process:
         wait_until((tmp_path / 'here').exists, TIMEOUT, lambda: process.output)
-        family = psutil.Process(process.pid).children(recursive=True)
         assert process.end(signum, timeout=5.0) == 128 + signum, process.output
-    assert not [one for one in family if one.is_running()]
+    assert not marked(mark)
 
 
 @pytest.mark.parametrize('exercise, words', [

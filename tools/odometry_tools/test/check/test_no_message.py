@@ -61,7 +61,6 @@ def test_a_cause_has_a_witness(facts, expected):
 @pytest.mark.parametrize('facts, words', [
     ({'status': -signal.SIGSEGV}, 'by a signal (Segmentation fault)'),
     ({'output': BAD_CALLBACK}, 'NameError: no x, line 7'),
-    ({'status': 2, 'output': '\x1b[31mno gyro\x1b[0m\n'}, 'It said last: no gyro'),
     ({}, 'We do not know why: print the distance in your loop, and look at the picture'),
     ({'subscribes': {'/odom': 'geometry_msgs/PoseStamped'}}, 'You subscribe to /odom as geometry_msgs/PoseStamped')])
 def test_the_sentence_has_what_was_seen(facts, words):
@@ -71,8 +70,6 @@ def test_the_sentence_has_what_was_seen(facts, words):
 def test_the_log_of_rospy_shows_that_a_node_has_begun(tmp_path):
     """Also of one that has ended before anybody looked; roslaunch's logs do not."""
     (tmp_path / 'run').mkdir()
-    for name in 'roslaunch-host-1.log', 'mine-1-stdout.log':
+    for name in 'roslaunch-host-1.log', 'mine-1-stdout.log', 'mine-1.log':
         (tmp_path / 'run' / name).touch()
-    assert not has_node_logged(tmp_path)
-    (tmp_path / 'run/mine-1.log').touch()
-    assert has_node_logged(tmp_path)
+        assert has_node_logged(tmp_path) == (name == 'mine-1.log')

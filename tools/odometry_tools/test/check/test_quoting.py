@@ -1,7 +1,7 @@
 """What a report quotes of a node's output."""
 
 import pytest
-from odometry_tools.check.quoting import error_in, how_ended, last_line, plain
+from odometry_tools.check.quoting import error_in, plain
 
 TRACEBACK = '''Error: 1.57
 Traceback (most recent call last):
@@ -36,9 +36,3 @@ def test_an_error_is_one_of_a_traceback(output, error):
     ('größer', 'größer')])
 def test_what_differs_each_time_or_steers_a_terminal_is_left_out(printed, quoted):
     assert plain(printed) == quoted
-
-
-def test_the_end_of_a_process_is_in_words():
-    assert how_ended(-11) == 'by a signal (Segmentation fault)'
-    assert how_ended(3) == 'with status 3'
-    assert last_line('\n one \n\n') == 'one'

@@ -39,7 +39,6 @@ def test_the_command_line_and_a_file_say_the_same(written):
 
 
 @pytest.mark.parametrize('arguments, line', [
-    (['move', '--seeds', '1.5'], "invalid int value: '1.5'"),
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
     (['guest', 'a.launch', '--set', 'max-speed=1'], 'argument --until: a launch file needs it'),
     (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),

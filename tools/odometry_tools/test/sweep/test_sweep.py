@@ -35,7 +35,7 @@ def test_a_sweep_leaves_a_row_for_each_run_and_prints_a_table(monkeypatch):
     assert ' 6 of 6 runs' in first.stdout and EQUAL not in first.stdout
     assert (folder / 'distributions.png').read_bytes().startswith(b'\x89PNG')
     monkeypatch.setenv('GLIBC_TUNABLES', WITHOUT_AVX)
-    second = sweep('--campaign', str(folder / 'campaign.yaml'), '--jobs', '1')
+    second = sweep('--campaign', folder / 'campaign.yaml', '--jobs', '1')
     assert rows_in(folder_of(second.stdout)) == rows
 
 
@@ -43,7 +43,7 @@ def test_a_limit_that_does_not_hold_is_one_line_and_status_1_and_its_worst_run(t
     file, report = tmp_path / 'limits.yaml', tmp_path / 'junit.xml'
     file.write_text('tutorial: move\nseeds: 2\nset: {distance: 0.1, speed: 0.3}\n'
                     'limits: {moved_error_p95: 0.001, not_arrived: 0}\n')
-    run = sweep('--campaign', str(file), '--junit', str(report), status=1)
+    run = sweep('--campaign', file, '--junit', report, status=1)
     line, = run.stderr.splitlines()
     assert re.fullmatch('sweep: moved_error_p95 is .*, over its limit of 0.001, with all runs', line), line
     assert EQUAL in run.stdout and run.stdout.endswith('\nthe same, to the last bit'), run.output

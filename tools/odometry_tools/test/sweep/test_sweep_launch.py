@@ -81,7 +81,7 @@ def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
                           'odometry_source=encoder', '--set', 'wheel_noise=0.05')
     assert {*ends} == {'arrived', 'crashed'}, ends
     assert f'not arrived     {ends.count("crashed")} of 4, with all runs' in printed, printed
-    again = sweep_by_script('--replay', str(folder_of(printed)), str(ends.index('crashed') + 1))
+    again = sweep_by_script('--replay', folder_of(printed), ends.index('crashed') + 1)
     assert again.stdout.splitlines()[-1] == 'the same, to the last bit'
     assert again.stderr == 'sweep: node has ended with status 1; last error printed: ValueError: on purpose'
 
