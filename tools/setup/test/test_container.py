@@ -3,11 +3,11 @@
 import os
 import re
 import shutil
-import subprocess
 
 import psutil
 import pytest
 from checkout import make_package
+from odometry_tests.processes import run
 from odometry_tests.scripts import DOCUMENTS, ROOT
 from odometry_tests.terminal import Terminal
 
@@ -29,7 +29,7 @@ class Engine:
 
     def __init__(self):
         self._name = next(filter(shutil.which, ('docker', 'podman')), None)
-        if not self._name or subprocess.run([self._name, 'info'], capture_output=True, check=False).returncode:
+        if not self._name or run(self._name, 'info', status=None).wait():
             pytest.skip('neither Docker nor Podman can be used here')
         if self.addresses():
             pytest.skip('port 8080 is taken')
@@ -43,7 +43,7 @@ class Engine:
         return terminal
 
     def run(self, *arguments):
-        return subprocess.run([self._name, *arguments], check=True, capture_output=True, text=True).stdout
+        return run(self._name, *arguments).stdout
 
     @staticmethod
     def addresses():

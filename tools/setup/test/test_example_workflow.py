@@ -1,10 +1,9 @@
 """The example of docs/ci.md, set up and run as its workflow does."""
 
-import subprocess
-
 import pytest
 import yaml
 from checkout import in_checkout, make_checkout
+from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 EXAMPLE = ROOT / 'docs/example'
@@ -24,7 +23,7 @@ set +u
 @pytest.fixture(scope='module')
 def checkout(tmp_path_factory):
     folder = make_checkout(tmp_path_factory.mktemp('machine') / 'robot')
-    subprocess.run(COPY.replace(CLONE, str(folder)), shell=True, check=True, cwd=EXAMPLE)
+    run('bash', '-c', COPY.replace(CLONE, str(folder)), cwd=EXAMPLE)
     return folder
 
 
@@ -35,7 +34,7 @@ def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, 
     original = (EXAMPLE / 'src/one_metre.py').read_text()
     assert 'DISTANCE = 1.0 ' in original
     node.write_text(original.replace('DISTANCE = 1.0 ', f'DISTANCE = {distance} '))
-    run = in_checkout(checkout, RUN + TEST.replace(f'{CLONE}/ws ', ''), status=None)
-    assert (run.wait() == 0) == passes, run.output
-    assert f'RESULT: {"SUCCESS" if passes else "FAIL"}' in run.stdout, run.output
-    assert passes or '!= 1.015 within 0.015 delta' in run.output, run.output
+    ended = in_checkout(checkout, RUN + TEST.replace(f'{CLONE}/ws ', ''), status=None)
+    assert (ended.wait() == 0) == passes, ended.output
+    assert f'RESULT: {"SUCCESS" if passes else "FAIL"}' in ended.stdout, ended.output
+    assert passes or '!= 1.015 within 0.015 delta' in ended.output, ended.output

@@ -79,8 +79,7 @@ def drive(node, scenario=PLAIN, exercise=TWO_METERS):
 
 def verdict_on(run):
     """Return the Verdict on a Run of two metres."""
-    verdict, = verdicts_on([run], TWO_METERS)
-    return verdict
+    return verdicts_on([run], TWO_METERS)[0]
 
 
 def verdicts(exercise, node):

@@ -10,8 +10,6 @@ from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 from odometry_tools.runs.ports import HeldPort
 
-PNG = b'\x89PNG'
-
 
 def test_it_drives_two_metres_and_leaves_a_picture():
     """In lockstep the distances are the same at each pace; beside another demo it says where its master is."""
@@ -26,4 +24,4 @@ def test_it_drives_two_metres_and_leaves_a_picture():
     assert re.search('^.* of 2.00 m', demo.stdout, re.MULTILINE), 'no progress in plain lines'
     picture = re.search(r'picture +(.*)', demo.stdout).group(1)
     assert Path(picture).resolve().parents[1] == Path(os.environ['ODOMETRY_RUNS'])
-    assert Path(picture).read_bytes().startswith(PNG)
+    assert Path(picture).read_bytes().startswith(b'\x89PNG')
