@@ -7,8 +7,8 @@ from sim_turtlebot.geometry import about_z, rotate
 from sim_turtlebot.kobuki import TICKS_PER_TURN, WHEEL_RADIUS, WHEEL_SEPARATION
 from sim_turtlebot.robot.odometry import STILL, Motion
 from sim_turtlebot.robot.robot import Robot as SimulatedRobot
+from sim_turtlebot.timeline import Timeline
 
-STEP_RATE = 240.0  # Hz
 SPEED = 0.1  # m/s
 PERIOD = 0.05  # s between two odometries at 20 Hz
 TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN  # m
@@ -64,17 +64,17 @@ class Robot(SimulatedRobot):
     def __init__(self, **parameters):
         settings = settings_of(**parameters)
         self._seed = settings.seed
-        super().__init__(Body(), STEP_RATE, settings)
+        super().__init__(Body(), Timeline(settings.odom_rate), settings)
 
     def start(self, motion, angles=(0.0, 0.0)):
         self.body.motion, self.body.angles = motion, angles
         self.begin(self._seed)
         return self.odometry
 
-    def move(self, motion, angles=(0.0, 0.0), duration=PERIOD):
+    def move(self, motion, angles=(0.0, 0.0)):
         self.body.motion, self.body.angles = motion, angles
-        self.command(SPEED, 0.0, 0)  # else it would be held
-        self.update(0, duration)
+        self.command(SPEED, 0.0)  # else it would be held
+        self.update()
         return self.odometry
 
 

@@ -71,7 +71,7 @@ def play(simulation, episode, stride=math.inf):
         else:
             with contextlib.suppress(ValueError):  # a number is not finite, or something is in the way
                 if name == 'command':
-                    simulation.command(*arguments[:2], robot, *arguments[2:])
+                    robots[robot].command(*arguments)
                 else:
                     robots[robot].set_pose(*arguments)
                     has_dropped = has_dropped or arguments[0][2] > 0

@@ -39,9 +39,9 @@ TILTED = Motion((1.0, 2.0, 0.03), (0.1, 0.0, 0.0, math.sqrt(0.99)), (0.2, 0.01, 
 
 def test_world_odometry_is_a_full_pose_and_over_a_long_time_the_twist_of_the_moment():
     """The mean of a second says little of the velocity, and a turn may be more than half."""
-    robot = Robot()
+    robot = Robot(odom_rate=1.0)
     robot.start(motion(1.0, 2.0, 0.5))
-    now = robot.move(TILTED, duration=1.0)
+    now = robot.move(TILTED)
     assert now.position[2] == pytest.approx(0.03)
     assert math.hypot(*now.orientation[:2]) == pytest.approx(0.1)
     assert (*now.linear, *now.angular) == pytest.approx((*TILTED.linear, *TILTED.angular))

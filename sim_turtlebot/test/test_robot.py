@@ -52,10 +52,10 @@ def test_each_robot_has_a_multiplexer_of_its_own_and_a_reset_starts_it_anew():
 
     def obeys(robot, *name):
         before = simulation.robots[robot].resting
-        simulation.command(0.2, 0.0, robot, *name)
+        simulation.robots[robot].command(0.2, 0.0, *name)
         return before and not simulation.robots[robot].resting
 
-    simulation.command(0.0, 0.0, 0, TELEOP)
+    simulation.robot.command(0.0, 0.0, TELEOP)
     assert not obeys(0, NAVI) and obeys(1, NAVI)
     assert obeys(0)
     simulation.reset(seed=0)

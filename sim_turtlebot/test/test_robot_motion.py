@@ -87,16 +87,16 @@ def test_beside_a_driving_robot_a_standing_one_does_not_creep_until_it_is_pushed
     simulation = Simulation((0, 0, 0), (-3.0, 0, 0))
     simulation.drive(0.3, 0.0, 1.0)
     simulation.drive(0.0, 0.0, STOPPING)
-    robot = simulation.robot
+    robot, other = simulation.robots
     start = robot.ground_truth
-    simulation.command(0.2, 0.0, robot=1)
+    other.command(0.2, 0.0)
     record = simulation.run(10.0)
     assert max(distance_between(start, motion) for motion in record.ground_truth) <= 1e-6
     assert len(set(record.odometry)) == 1
     simulation.run(10.0)
     assert distance_between(start, robot.ground_truth) > 0.1
     assert robot.odometry.position == pytest.approx(robot.ground_truth.position, abs=1e-9)
-    simulation.command(0.0, 0.0, robot=1)
+    other.command(0.0, 0.0)
     simulation.run(STOPPING)
     assert all(robot.resting for robot in simulation.robots)
     assert len(set(simulation.run(10.0).odometry)) == 1

@@ -65,7 +65,7 @@ class RobotWorld:
         self._simulation = Simulation(settings_of(odom_rate=ODOM_RATE))
 
     def run_to_odometry(self):
-        self._simulation.command(SPEED, 0.0)
+        self._simulation.robots[0].command(SPEED, 0.0)
         while not self._simulation.advance():
             pass
 

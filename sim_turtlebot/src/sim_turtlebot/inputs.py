@@ -16,16 +16,16 @@ from sim_turtlebot.robot.poses import checked_pose
 class Inputs:
     """Turns messages and calls into requests for robots."""
 
-    def __init__(self, simulation, requests, warn):
+    def __init__(self, robots, requests, warn):
         """Subscribe.
 
         :param requests: sim_turtlebot.requests.RequestQueue
         :param warn: called with a topic and why a pose on it is refused, or '' if it is accepted
         """
-        self._simulation, self._requests, self._warn = simulation, requests, warn
+        self._requests, self._warn = requests, warn
         self.obeys = True  # lockstep ignores commands before time zero
         self._pose_is_set = False
-        for robot in simulation.robots:
+        for robot in robots:
             for topic in ('cmd_vel', 'mobile_base/commands/velocity', *INPUTS):
                 self._subscribe(f'{robot.namespace}{topic}', Twist, self._command, robot, topic)
             self._subscribe(f'{robot.namespace}mobile_base/commands/reset_odometry', Empty,
@@ -68,7 +68,7 @@ class Inputs:
                 'lockstep ignores commands before time zero: wait for the first /odom')
             return
         try:
-            self._simulation.command(twist.linear.x, twist.angular.z, robot.index, topic)
+            robot.command(twist.linear.x, twist.angular.z, topic)
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
 

@@ -23,19 +23,14 @@ class Simulation:
             starts = [(settings.x, settings.y + index * SPACING, settings.yaw)
                       for index in range(settings.robots)]
         self.timeline = Timeline(settings.odom_rate, settings.clock_rate)
-        step_rate = self.timeline.step_rate
-        self.world = build_world(step_rate, starts, settings.gui, settings.world)
-        self.robots = [Robot(body, step_rate, settings, index)
+        self.world = build_world(self.timeline.step_rate, starts, settings.gui, settings.world)
+        self.robots = [Robot(body, self.timeline, settings, index)
                        for index, body in enumerate(self.world.robots)]
 
     @property
     def everything_rests(self):
         """Whether nothing moves before the next command."""
         return self.world.only_robots_move and all(robot.resting for robot in self.robots)
-
-    def command(self, linear, angular, robot=0, topic=None):
-        """Command a robot (an index) now, as Robot.command() does."""
-        self.robots[robot].command(linear, angular, self.timeline.steps, topic)
 
     def advance(self, last_step=math.inf):
         """Step to the next tick of the clock, but not past `last_step`.
@@ -61,7 +56,7 @@ class Simulation:
         if not timeline.odometry_is_due:
             return False
         for robot in robots:
-            robot.update(timeline.steps, 1.0 / timeline.odom_rate)
+            robot.update()
         return True
 
     def reset(self, seed):

@@ -53,7 +53,7 @@ class Simulator:
         self._topics = SimulationTopics(simulation, settings)
         self._reports = Reports(simulation.robots, settings, self._topics.warn)
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
-        self._inputs = Inputs(simulation, self._requests, self._topics.warn)
+        self._inputs = Inputs(simulation.robots, self._requests, self._topics.warn)
         self._inputs.obeys = not settings.lockstep
         self._warn_of_models_left_out()
         if settings.use_sim_time:

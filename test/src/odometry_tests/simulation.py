@@ -40,7 +40,7 @@ class Simulation(SteppedRobots):
         return record
 
     def drive(self, linear, angular, duration):
-        self.command(linear, angular)
+        self.robot.command(linear, angular)
         return self.run(duration)
 
 

@@ -25,16 +25,17 @@ class Robot:
     Times are counted in physics steps. update() is called once per odometry period.
     """
 
-    def __init__(self, body, step_rate, settings, index=0):
+    def __init__(self, body, timeline, settings, index=0):
         """Start at rest.
 
         :param body: sim_turtlebot.physics.turtlebot.TurtleBot, at rest on the floor
-        :param step_rate: physics steps per second (Hz)
+        :param timeline: sim_turtlebot.timeline.Timeline
         :param settings: of sim_turtlebot.settings.read_settings()
         :param index: of the robot; each has its own random numbers
         """
-        self.body, self.index = body, index
+        self.body, self.index, self._timeline = body, index, timeline
         self.namespace = f'robot_{index + 1}/' if settings.robots > 1 else ''  # of topics, frames
+        step_rate = timeline.step_rate
         self._speed_step = kobuki.MAX_WHEEL_ACCELERATION / step_rate
         timeout = settings.cmd_vel_timeout
         self._timeout = _whole_steps(timeout, step_rate) if timeout else math.inf
@@ -63,12 +64,13 @@ class Robot:
         """Angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""
         return self._anchor[1] if self._anchor else self.body.wheels()
 
-    def command(self, linear, angular, now, topic=None):
-        """Move at `linear` m/s and `angular` rad/s, within the limits of the base.
+    def command(self, linear, angular, topic=None):
+        """Move from now on at `linear` m/s and `angular` rad/s, within the limits of the base.
 
         :param topic: on which the command has come; the multiplexer may block it
         :raises ValueError: if one of them is not finite; the robot then stops
         """
+        now = self._timeline.steps
         if not self._mux.passes(topic, now):
             return
         if not (math.isfinite(linear) and math.isfinite(angular)):
@@ -95,13 +97,14 @@ class Robot:
         if self._driven != self._commanded:
             self._accelerate()
 
-    def update(self, now, duration):
-        """Update ground truth, then sensors, then odometry, `duration` s after the last call."""
+    def update(self):
+        """Update ground truth, then sensors, then odometry."""
+        duration = 1.0 / self._timeline.odom_rate
         self.ground_truth = true_motion(self.body)
         if self._anchor is not None:
             self._hold(duration)
         elif self._commanded == self._driven == (0.0, 0.0):
-            self._detect_rest(now)
+            self._detect_rest(self._timeline.steps)
         if self._encoders:  # reading the wheels takes as long as a physics step
             self._encoders.update(self.wheels[0])
         self.gyro.update(self.ground_truth.orientation, duration)

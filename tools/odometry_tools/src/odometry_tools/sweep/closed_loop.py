@@ -19,7 +19,7 @@ def run(tutorial, parameters):
         loop, settings = TUTORIALS[tutorial](parameters), read_settings(parameters)
         settings.clock_rate = settings.odom_rate  # as for the nodes
         simulation = Simulation(settings, build_world=_world)
-        return follow(loop, _ticks(simulation), simulation.command)
+        return follow(loop, _ticks(simulation), simulation.robots[0].command)
 
 
 def _ticks(simulation):
