@@ -1,5 +1,8 @@
 # Messages of the set-up, its steps, and system packages.
 
+LOCK_TIMEOUT=600  # s
+LOCKED='get lock|was locked by'  # words of apt-get and dpkg
+
 announce() { echo "./ws: $1" >&2; }
 fail() { announce "$1"; exit 1; }
 refuse() { announce "$1"; exit 2; }  # the command line is wrong
@@ -53,11 +56,25 @@ need_parts() {
 
 apt_update() {
     # An earlier set-up may have been killed during an installation.
-    [ -z "$(dpkg --audit)" ] || { as_root dpkg --configure -a; apt_get --fix-broken install; }
-    apt_get update
+    [ -z "$(dpkg --audit)" ] || { patiently as_root dpkg --configure -a; apt_get --fix-broken install; }
+    patiently apt_get update
+}
+
+# patiently COMMAND...: repeat it while another process, as the system's daily update, holds a lock for which
+# dpkg, and apt-get update, do not wait themselves.
+patiently() {
+    local output status end=$((SECONDS + LOCK_TIMEOUT))
+    while true; do
+        status=0
+        output=$(LC_ALL=C "$@" 2>&1) || status=$?
+        [[ $status != 0 && $output =~ $LOCKED && $SECONDS -lt $end ]] || break
+        sleep 2
+    done
+    echo "$output"
+    return $status
 }
 
 # apt_get removes nothing: apt then fails instead.
-apt_get() { as_root apt-get -q -y -o APT::Get::Remove=false -o DPkg::Lock::Timeout=600 "$@"; }
+apt_get() { as_root apt-get -q -y -o APT::Get::Remove=false -o "DPkg::Lock::Timeout=$LOCK_TIMEOUT" "$@"; }
 
 as_root() { $([ "$(id -u)" = 0 ] || echo sudo) env DEBIAN_FRONTEND=noninteractive "$@"; }

@@ -28,6 +28,19 @@ WORKSPACE=$CHECKOUT/.ws LOG=$CHECKOUT/.ws/setup.log ROS=/usr VENV=$CHECKOUT/.ven
 run_step 'an earlier step' echo 'of another step'
 run_step 'filling the disk' fails
 """
+LOCKED = """
+apt_get() {
+    [ ! -e "$CHECKOUT/free" ] || { echo updated; return; }
+    touch "$CHECKOUT/free"
+    echo 'E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1 (apt-get)'
+    return 100
+}
+dpkg() { true; }
+apt_update
+rm "$CHECKOUT/free"
+LOCK_TIMEOUT=0
+apt_update
+"""
 SIGNAL_IT = """
 LOG=$CHECKOUT/.ws/setup.log ROS=/usr VENV=$CHECKOUT/.venv
 run_step 'a step' true
@@ -53,6 +66,11 @@ def test_it_notices_a_deleted_or_interrupted_python(tmp_path, damage):
     run = in_checkout(make_checkout(tmp_path / 'a/robot', made=()),
                       f'{PYTHON}{damage}\n! has_requirements requirements.txt test/requirements.txt')
     assert not run.output.strip()
+
+
+def test_the_package_lists_are_updated_once_another_process_has_done_so(checkout):
+    run = in_checkout(checkout, LOCKED, status=100)
+    assert run.stdout.splitlines()[0] == 'updated' and 'Could not get lock' in run.stdout.splitlines()[1]
 
 
 def test_a_failed_step_shows_its_last_lines(checkout):
