@@ -10,8 +10,7 @@ DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs pyt
     python3-visualization-msgs librostest-dev ros-environment rosbash rosout ros-geometry-msgs ros-nav-msgs
     ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs
     libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev libvisualization-msgs-dev)
-TEST_PARTS=(catkin-lint chromium chromium-driver python3-actionlib python3-dynamic-reconfigure
-    python3-message-filters x11-utils xvfb)
+TEST_PARTS=(catkin-lint chromium chromium-driver python3-actionlib x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)
 
 # set_up COMMAND ARGUMENT...: prepare the workspace for a command.

@@ -57,14 +57,19 @@ def test_each_node_of_a_class_gets_its_verdict_twice(tmp_path, exercise):
 
 
 def test_a_submission_that_kills_its_check_stops_no_other(tmp_path):
-    """Its row says so, and the file has the others."""
-    write(tmp_path, 'two_meters', 'main_not_called')
-    (tmp_path / 'kills.py').write_text(KILLER)
+    """Its row says so, and the file has the others, here a folder each; nobody is left out."""
+    for name in 'anna', 'ben', 'cleo', '__MACOSX':
+        (tmp_path / name).mkdir()
+    (tmp_path / 'anna/kills.py').write_text(KILLER)
+    write(tmp_path / 'ben', 'two_meters', 'main_not_called')
+    (tmp_path / 'dora.zip').touch()
     file = tmp_path / 'rows.csv'
-    check('two_meters', tmp_path, '--scenario', 'plain', '--csv', file, status=1)
-    killed, other = rows_of(file)
-    assert (killed['submission'], killed['sentence']) == ('kills.py', 'the check ended by a signal (Killed)')
-    assert found_in(other) == 'no_node main'
+    ran = check('two_meters', tmp_path, '--scenario', 'plain', '--csv', file, status=1)
+    killed, other, empty = rows_of(file)
+    assert (killed['submission'], killed['sentence']) == ('anna/kills.py', 'the check ended by a signal (Killed)')
+    assert (other['submission'], found_in(other)) == ('ben/main_not_called.py', 'no_node main')
+    assert empty['submission'] == 'cleo' and empty['sentence'].endswith('cleo has no file *.py and no package')
+    assert 'left out: dora.zip' in ran.stderr
 
 
 @pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
@@ -104,7 +109,7 @@ def test_a_failure_leaves_its_recording_and_quotes_what_any_parser_reads(tmp_pat
     ran = check('two_meters', file, '_x:=1', '__ns:=mine', '--scenario', 'plain', '--junit', junit, status=1)
     failure, = ElementTree.parse(junit).getroot().iter('failure')
     assert failure.get('message').endswith('It said last: no gyro at 0x..., giving up')
-    folder = ROOT / re.search(r'^ +(\S*check-two_meters-ends_at_once.py-\S*plain)$', ran.stdout, re.MULTILINE)[1]
+    folder = ROOT / re.search(r'^ +(\S*check-two_meters-\S*ends_at_once.py-\S*plain)$', ran.stdout, re.MULTILINE)[1]
     said = (folder.resolve() / 'output.txt').read_text()
     assert 'no gyro' in said and 'http://localhost:' in said and usual not in said, said
 

@@ -1,5 +1,6 @@
 """What the words of a command name."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -23,6 +24,18 @@ def test_the_folder_of_a_package_is_its_node_and_its_modules_are_for_the_node_al
 def test_a_package_with_several_nodes_asks_for_one():
     with pytest.raises(StartError, match='files could be the node of example: say PACKAGE NODE'):
         program_of([str(ROOT / 'docs/example')])
+
+
+@pytest.mark.parametrize('line, complaint', [
+    ('import rospy\n', 'must be #!/usr/bin/env python3'), ('#!\n', 'must be #!/usr/bin/env python3'),
+    ('#!/usr/bin/env python3\r\n', 'ends as on Windows'),
+    ('#!/usr/bin/python2.5\n', 'names /usr/bin/python2.5, which is not on this machine')])
+def test_a_script_that_the_system_cannot_start_says_why(tmp_path, line, complaint):
+    path = tmp_path / 'node.py'
+    path.write_bytes(line.encode())
+    path.chmod(0o755)
+    with pytest.raises(StartError, match=re.escape(f'the first line of node.py {complaint}')):
+        program_of([str(path)])
 
 
 def test_a_package_and_a_node_are_those_of_rosrun_wherever_one_stands(monkeypatch):
