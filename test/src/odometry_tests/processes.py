@@ -181,8 +181,8 @@ def run(*command, status=0, timeout=TIMEOUT, **options):
     return process
 
 
-def run_script(script, *arguments):
-    return run(sys.executable, ROOT / script, *arguments, status=None)
+def run_script(script, *arguments, **options):
+    return run(sys.executable, ROOT / script, *arguments, status=None, **options)
 
 
 def assert_refused(ended, *words):

@@ -120,6 +120,7 @@ def test_the_chosen_robot_is_put_where_the_page_says_and_a_simulation_is_paused_
         first, second = (Truth(f'/placed/{robot}/') for robot in ROBOTS)
         distance_reset = Recorder('/placed/robot_2/moved_distance/reset', Empty)
         first.wait_for(what='robot_1')
+        second.wait_for(what='robot_2')
         for robot, pose, is_done in (
                 ('robot_1', [1e9, 0.0, 0.0], lambda: 'x is 1e+09 m' in world.output),
                 ('robot_2', [3.0, -1.5, 90], lambda: place(second.last) == (3.0, -1.5, 1.57))):
