@@ -26,7 +26,8 @@ SCRIPTS = {'demo': 'tools/odometry_tools/src/odometry_tools/runs/following.py',
            'detector': 'odom_movement_detector/src/odom_movement_detector.py',
            'mover': 'test_movement/src/test_movement.py'}
 ROBOTS, DRIVES, PROCESSES = 50, 1000, 2
-MORE_RUNS = 10
+SESSIONS = 2 * PROCESSES
+MORE_RUNS = 12
 PACE_WINDOW = 5.0  # s after each; the machine is not as fast in each second
 SWEEP_TIMEOUT = 300.0  # s
 
@@ -110,10 +111,10 @@ def session(options):
     """Compare 20 simulated seconds of ./ws sweep, on two processors, with the start of a bare node."""
     def run_sweep(seeds):
         return run_ws('sweep', 'odometry_launch', 'movers.launch', '--until', 20, '--seeds', seeds,
-                      '--jobs', PROCESSES)
+                      '--jobs', SESSIONS)
 
     def one_more_run():
-        return (run_sweep(PROCESSES + MORE_RUNS) - run_sweep(PROCESSES)) / MORE_RUNS
+        return (run_sweep(SESSIONS + MORE_RUNS) - run_sweep(SESSIONS)) / MORE_RUNS
 
     return in_turns(options, one_more_run, partial(start_bare, ROOT / SCRIPTS['mover']))
 
