@@ -3,7 +3,7 @@
 import math
 
 from odometry_common.angles import wrap_to_pi
-from odometry_tools.check.bench import Pace
+from odometry_tools.check.check_session import Pace
 from odometry_tools.check.endings import Drive, Route
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.run import Command, Pose, Run

@@ -5,7 +5,7 @@ import signal
 
 import pytest
 from learners import BAD_CALLBACK, ERROR
-from odometry_tools.check.bench import Pace
+from odometry_tools.check.check_session import Pace
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.processes import has_node_logged
 from odometry_tools.check.run import Command, Pose, Run

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from odometry_tests.waiting import wait_until
 from odometry_tools.check import report
-from odometry_tools.check.bench import Pace
+from odometry_tools.check.check_session import Pace
 from odometry_tools.check.processes import LAST, ChildProcess
 from odometry_tools.check.run import Run
 from odometry_tools.check.scenarios import EXERCISES

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from odometry_tools.check.bench import Pace
+from odometry_tools.check.check_session import Pace
 from odometry_tools.check.run import Pose, Run
 from odometry_tools.check.scenarios import EXERCISES
 

@@ -1,4 +1,4 @@
-"""A folder of submissions, each judged by a check of its own."""
+"""Judge a folder of submissions, each in a check process of its own."""
 
 import csv
 import sys
@@ -9,7 +9,7 @@ from pathlib import Path
 from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import is_package
-from odometry_tools.check.processes import LOOK_PERIOD, ChildProcess
+from odometry_tools.check.processes import POLL_PERIOD, ChildProcess
 from odometry_tools.check.quoting import how_ended, last_line, plain
 from odometry_tools.check.report import COLUMNS
 from odometry_tools.runs.output import complain
@@ -18,7 +18,7 @@ TIME_LIMIT = 300.0  # s of wall time for each
 
 
 def judge_all(options):
-    """Judge each file and package in a folder; print a line for each, and yield their rows."""
+    """Judge each submission in a folder; print a line and yield the rows of each."""
     folder = Path(options.node[0])
     submissions = {plain(str(path.relative_to(folder))): path for path in _submissions_in(folder)}
     if not submissions:
@@ -38,9 +38,9 @@ def judge_all(options):
 
 
 def _submissions_in(folder):
-    """Return the paths of files and packages in a folder, and in the folders in it.
+    """Return the paths of files and packages in a folder and its subfolders.
 
-    A folder in it that has none stands for itself, so that nobody is left out.
+    A subfolder without a submission is returned itself, so that its student gets a row.
     """
     found = []
     for path in sorted(folder.iterdir()):
@@ -54,10 +54,7 @@ def _submissions_in(folder):
 
 
 def _judge(options, path, name):
-    """Return the rows of one submission with a name.
-
-    It cannot end another, and leaves nothing running.
-    """
+    """Judge one submission in a process of its own, and return its rows."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, 'rows.csv')
         scenario_option = ['--scenario', options.scenario] if options.scenario else []
@@ -66,10 +63,10 @@ def _judge(options, path, name):
         end = time.monotonic() + TIME_LIMIT
         try:
             while check.status is None and time.monotonic() < end:
-                time.sleep(LOOK_PERIOD)
+                time.sleep(POLL_PERIOD)
             status = check.status
         finally:
-            check.end()  # and all that it has left
+            check.end()  # with all of its descendants
         rows = []
         if file.exists():
             with file.open(encoding='utf-8', newline='') as table:

@@ -1,4 +1,4 @@
-"""Finds the law of a controller: which angle the commands follow, and by what gain."""
+"""Fit a proportional controller to commands: which angle they follow, and with what gain."""
 
 import math
 
@@ -6,16 +6,16 @@ import numpy
 
 from odometry_tools.check.scenarios import PERIOD, TARGET
 
-FEWEST, RESIDUAL = 8, 0.003  # commands that show a gain, and the share of them that it may leave
+FEWEST, RESIDUAL = 8, 0.003  # commands needed for a fit; largest residual, share of their range
 UNKNOWN = '', 0.0, 0.0, False
-LIMITED = 0.99  # share of the fastest command from which on the node's own limit may hold
+LIMITED = 0.99  # share of the fastest command; faster ones may be clamped by the node
 
 
 def find_controller(run, moves):
     """Return which angle a Run's commands are proportional to, the gain (1/s) and zero (degrees).
 
-    The angle is '' if none fits, or more than one does. At last, return whether commands go on
-    the longer way, farther than half a circle from zero.
+    The angle is '' unless exactly one fits. The fourth value tells whether a command turned the
+    longer way, with more than half a circle to go.
     """
     if len(moves) < FEWEST:
         return UNKNOWN
@@ -52,9 +52,9 @@ def _law(angle, speed):
 
 
 def _angles(yaw):
-    """Return what a learner may take for the heading, where it is not the same.
+    """Return the angles (rad) that a learner may take for the heading, by name.
 
-    Negative angles are those of an error with the wrong sign.
+    Angles that equal the yaw throughout are left out; "minus" is an error with the wrong sign.
     """
     error = math.radians(TARGET) - yaw
     wrapped = (error + math.pi) % (2 * math.pi) - math.pi

@@ -1,16 +1,16 @@
-"""Compares a detector with what it may have added up from the same odometry."""
+"""Compare a detector's distances with what right and wrong sums give for the same odometry."""
 
 import numpy
 
-# m, and share of the distance, between what was counted and
-FITS = 2e-3, 1e-3  # what fits
-ROUGH = 0.03, 0.02  # what fits by speed, which odometry gives for the moment only
-TOLERANCE = 0.05, 0.01  # what is right; a detector may leave out small steps
+# Allowed differences: m, plus a share of the distance.
+FITS = 2e-3, 1e-3  # from the sum that a mistake gives
+ROUGH = 0.03, 0.02  # from a sum of speeds, which odometry samples
+TOLERANCE = 0.05, 0.01  # from the true distance; a detector may leave out small steps
 BY_SPEED = 'speed', 'signed_speed', 'backwards'
 
 
 def measure_detector(m, run):
-    """Note what the detector counted on each leg, and which mistakes fit."""
+    """Measure what the detector counted on each leg, and which mistakes fit."""
     m.fits = set()
     if not (run.legs and run.moved and len(run.odometry) > run.start + 1):
         return
@@ -20,7 +20,7 @@ def measure_detector(m, run):
     times, published = numpy.append(-numpy.inf, times), numpy.append(0.0, published)
     _, first, _ = run.legs[0]
     ends = numpy.array([first, *(end for *_, end in run.legs)])
-    # A leg ends at rest: the last message before has all of it, even if published once a second.
+    # A leg ends at rest, so the last message before its end has all of it, even at 1 Hz.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])
     sums = {}
@@ -45,7 +45,7 @@ def _last_before(moments, times):
 
 
 def _steps(odometry):
-    """Return what each message may add, by the name of the mistake."""
+    """Return what each message adds, right and by the name of a mistake."""
     time, x, y, _, speeds, _ = odometry.T
     dt = numpy.diff(time)
     dx = numpy.diff(x)
@@ -73,7 +73,7 @@ def _rounded_steps(x, y, digits):
 
 
 def _distances(odometry, at_ends, right):
-    """Return what may be published in place of a sum, by the name of the mistake."""
+    """Return what is published in place of the sum of steps, by the name of a mistake."""
     x, y = odometry[:, 1:3].T
     displacement = numpy.hypot(x - x[0], y - y[0])
     from_origin = numpy.hypot(x, y)
@@ -84,9 +84,9 @@ def _distances(odometry, at_ends, right):
 
 
 def _fits(counted, right, sums):
-    """Yield the names of mistakes that fit, each with None."""
+    """Yield the mistakes without a factor that fit, as pairs of name and None."""
     for name, values in sums.items():
-        # It may be found by speed, and so be as far off as what is right.
+        # A displacement may come from speeds, and is as inexact as a right distance.
         tolerance = TOLERANCE if name == 'displacement' else FITS
         is_wrong = name == 'first_step' or not _agree(values, right, tolerance)
         if is_wrong and _agree(counted, values, tolerance):
@@ -94,7 +94,7 @@ def _fits(counted, right, sums):
 
 
 def _factors(counted, right, by_speed):
-    """Yield the names of mistakes that fit with a factor, and that."""
+    """Yield the mistakes that fit with a factor, as pairs of name and factor."""
     candidates = [('times', right, FITS)]
     candidates += [(name, values, ROUGH) for name, values in by_speed.items()]
     for name, values, tolerance in candidates:
@@ -110,7 +110,7 @@ def _agree(counted, expected, tolerance):
 
 
 def _note_numbers(m, legs, counted, right):
-    """Note what a sentence may quote."""
+    """Set the numbers that sentences quote."""
     m.offset = counted[0]
     m.total = counted[-1]
     m.right = right[-1]

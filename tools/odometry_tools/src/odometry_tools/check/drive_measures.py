@@ -1,4 +1,4 @@
-"""What a Run shows of a robot that a node drives."""
+"""Measures of a Run in which the node drives the robot."""
 
 import math
 import statistics
@@ -11,22 +11,22 @@ from odometry_tools.check.quoting import listed
 from odometry_tools.check.run import ZERO
 from odometry_tools.check.scenarios import GOAL
 
-CLOSE = 0.05  # m, of rest from the goal
-OVERSHOOT = 0.25  # m of way beyond the goal, for a node that comes back to it
+CLOSE = 0.05  # m, from the goal at rest
+OVERSHOOT = 0.25  # m of path beyond the goal, for a node that comes back to it
 AT_TARGET = 3.0  # degrees
-DETOUR = 85.0  # degrees, of overshooting and back; the longer way is at least 90 longer
-SLACK, PACED_SLACK = 0.03, 0.1  # s; s of wall time
-MOVED = 1e-4  # m or rad; less than the slowest command moves a robot until the watchdog stops it
-# s at the end of a run, in which a controller has settled, a heading stays.
+DETOUR = 85.0  # degrees of overshooting and back; the longer way round is at least 90 longer
+SLACK, PACED_SLACK = 0.03, 0.1  # s of simulated and of wall time
+MOVED = 1e-4  # m or rad; even the slowest command moves the robot more before the watchdog stops it
+# The last s of a run, in which a controller should have settled and the heading should stay.
 RINGING, STILL = 5.0, 2.0
-LONGEST_PERIOD = 1.0  # s, of a loop, of which a late zero may take two
-FLIPS = 4  # changes of sign that a controller may make while it settles
-CEASED = 0.55  # s
-FITS = 0.04  # m
+LONGEST_PERIOD = 1.0  # s; a zero may be two periods of the loop late, but no longer ones
+FLIPS = 4  # changes of sign allowed in those RINGING s
+CEASED = 0.55  # s without a command, a little less than the watchdog's
+FITS = 0.04  # m between where the node stopped and where a mistake stops
 
 
 def measure_drive(m, run):
-    """Measure what both driving exercises have in common."""
+    """Measure what both driving exercises share."""
     m.start = run.odometry[run.start]
     m.end = run.odometry[-1]
     m.start_heading = math.degrees(wrap_to_pi(m.start.yaw))
@@ -53,7 +53,7 @@ def measure_drive(m, run):
 
 
 def _measure_last_command(m, run):
-    """Measure how the commands end: by a zero, by silence, or not."""
+    """Measure how the commands end: with a zero, in silence, or not at all."""
     last = m.commands[-1]
     is_turn = abs(last.angular) > abs(last.linear)
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
@@ -66,7 +66,7 @@ def _measure_last_command(m, run):
 
 
 def _first_after(commands, holds):
-    """Return the first command after the last one for which a function holds."""
+    """Return the command after the last one for which a function holds."""
     return commands[max(number for number, command in enumerate(commands) if holds(command)) + 1]
 
 
@@ -77,7 +77,7 @@ def _pose_at(run, time):
 
 
 def measure_distance(m, run):
-    """Measure how a robot drives two metres."""
+    """Measure a drive of two metres."""
     times = [command.time for command in m.moves]
     intervals = [after - before for before, after in zip(times, times[1:])]
     m.own_period = statistics.median(intervals or [0.0])
@@ -96,7 +96,7 @@ def measure_distance(m, run):
 
 
 def _measure_stop(m, run):
-    """Measure when and where the zero came; the robot may turn afterwards."""
+    """Measure when and where the node stopped driving; it may turn afterwards."""
     m.stop = _first_after(m.commands, lambda command: abs(command.linear) > ZERO)
     m.at_stop = _pose_at(run, m.stop.time)
     m.driven = m.stop.time - m.moves[0].time
@@ -113,7 +113,7 @@ def _measure_stop(m, run):
         m.reached = f'{from_start:.2f} m from the start, {m.reached} of way,'
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
-    # How far from here each mistake would have stopped the robot.
+    # How far the robot stopped from where each mistake stops.
     off_by_one_axis = min(abs(m.moved_x - GOAL), abs(m.moved_y - GOAL))
     off_by_sum = abs(m.moved_x + m.moved_y - GOAL)
     off_by_place = math.hypot(m.at_stop.x - GOAL, m.at_stop.y)
@@ -126,7 +126,7 @@ def _measure_stop(m, run):
 
 
 def measure_heading(m, run):
-    """Measure how a robot turns to a heading (degrees)."""
+    """Measure a turn to a heading."""
     after_reset = run.odometry[run.start:]
     target = math.radians(m.target)
     errors = [

@@ -1,4 +1,4 @@
-"""When a scenario is over, by what the robot has done; and the route that the check drives."""
+"""Stop conditions of a scenario, and the route that the check drives."""
 
 import math
 
@@ -6,28 +6,28 @@ from odometry_common.rest import is_slow
 
 from odometry_tools.check.scenarios import ROUTE
 
-PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node that does not begin
-REST_TIME = 7.0  # s, so that a node may rest five seconds between two pieces
+PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node to begin
+REST_TIME = 7.0  # s; a node may rest five seconds between two parts of its drive
 LIMIT = 120.0  # s of driving
-FARTHEST = 5.0  # m; who goes on at two metres is far beyond
+FARTHEST = 5.0  # m
 MOST_TURNS = 3 * 2 * math.pi  # rad
-MOST_SWINGS = 60  # changes of the direction of turning; who settles makes a few
+MOST_SWINGS = 60  # changes of direction; a controller that settles makes a few
 INTERRUPT_AFTER = 0.5  # m or rad
-LEG_REST = 1.6  # s; who publishes once a second does so while the robot rests
+LEG_REST = 1.6  # s; a detector that publishes once a second does so while the robot rests
 
 
 class Drive:
-    """Follows a node that drives until it has arrived, stands, or has gone much too far."""
+    """Stop condition for a node that drives: the robot rests, or has gone much too far."""
 
     def __init__(self, target=None):
         """Take a heading to turn to (degrees), or None."""
         self._target = target
         self._active = None  # s
-        self._commands = self._swings = 0  # of them seen, and changes of direction among them
+        self._commands = self._swings = 0  # commands seen, and their changes of direction
         self._turning = 0.0  # rad/s, at the latest swing
 
     def is_over(self, run):
-        """Look at the latest odometry of a Run."""
+        """Return whether a Run is over at its latest odometry."""
         if run.first_move is None:
             return run.now > PATIENCE and (
                 run.status is not None or run.wall_time() > WALL_PATIENCE)
@@ -46,7 +46,7 @@ class Drive:
                     abs(pose.turn) > MOST_TURNS or self._count_swings(run) > MOST_SWINGS))
 
     def _count_swings(self, run):
-        """Return how often the commands have changed their direction, by more than noise."""
+        """Return how often the commands have changed direction, noise aside."""
         for command in run.commands[self._commands:]:
             if command.swings:
                 self._swings += command.angular * self._turning < 0
@@ -56,14 +56,14 @@ class Drive:
 
 
 class Route:
-    """Drives the route, leg by leg, once the node has published something."""
+    """Drives the route, leg by leg, once the node has published; over at the end of the route."""
 
     def __init__(self, drive):
         """Take a function that commands a linear (m/s) and an angular speed (rad/s)."""
         self._drive, self._start = drive, None
 
     def is_over(self, run):
-        """Command what is next on the route; return whether it is at an end."""
+        """Send the next command of the route; return whether the route is over."""
         if self._start is None:
             if not run.moved and (run.now < PATIENCE or run.wall_time() < WALL_PATIENCE):
                 return False

@@ -1,7 +1,6 @@
-"""Why a run is not right, where something was seen that proves it.
+"""Hints: the cause of a failure, named only where the check saw proof of it.
 
-No rule here holds because no other does: each looks at the graph, a traceback, an exit status,
-or at a fit.
+Each rule looks at the graph, a traceback, an exit status or a fit; none is a default.
 """
 
 import math
@@ -15,7 +14,7 @@ YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
 SAME_ANGLE = 5.0  # degrees
 WATCHDOG = 0.6  # s
 NOT_BEGUN = 'no_node', 'crash', 'silent', 'all_zero'
-# degrees, if the target is mistaken for radians, or the yaw
+# Degrees, if the target or the yaw has the wrong unit.
 DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578
 
 
@@ -24,12 +23,12 @@ def _is_one_of(*names):
 
 
 def _fits(*names):
-    """Return a test: whether a detector's fit holds in all scenarios, and no other does."""
+    """Return a test: whether these are the only fit of a detector that holds in all scenarios."""
     return lambda m: len(m.common_fits) == 1 and {name for name, _ in m.common_fits} <= {*names}
 
 
 def _is_nearest(name):
-    """Return a test: whether a mistake, which does not show in the plain scenario, fits alone."""
+    """Return a test: whether a place fits one mistake only, and `plain` passes."""
     return lambda m: (_is_only_here(m) and m.scenario.name == 'moved_start'
                       and getattr(m, 'fits', None) == {name})
 
@@ -43,7 +42,7 @@ def _has_wrong_sign(m):
 
 
 def _is_only_here(m):
-    """Return whether this scenario fails, and the same with the robot at the origin passes."""
+    """Return whether this scenario fails and the first one passes."""
     return m.plain is not None and m.plain.passed and not m.passed
 
 

@@ -1,4 +1,4 @@
-"""The verdict on each run: the first rule that holds, and a hint where something proves one."""
+"""Judge runs: the first rule that holds is the verdict; a hint follows where one is proven."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
 
 PASSED = Rule('passed', None, '')
-# What stands beside the scenario; of others FAILED.
+# The word beside the scenario, by rule; for other rules FAILED.
 WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
@@ -17,7 +17,7 @@ SAME_ANGLE = 8.0  # degrees
 
 
 class Verdict(NamedTuple):
-    """On one scenario."""
+    """The verdict on one scenario."""
 
     scenario: str
     rule: str  # 'passed' or the name of the rule that holds
@@ -27,17 +27,17 @@ class Verdict(NamedTuple):
 
     @property
     def word(self):
-        """What stands beside the scenario."""
+        """The word beside the scenario."""
         return WORDS.get(self.rule, 'FAILED')
 
     @property
     def has_passed(self):
-        """Whether the node is right in this scenario."""
+        """Whether the node passed."""
         return self.rule == PASSED.name
 
 
 def judge(run, exercise):
-    """Return the measures of a Run of an Exercise, and the Rule that holds."""
+    """Return the measures of a Run of an Exercise, and the first Rule that holds."""
     m = measure(run, exercise)
     held = PASSED if m.passed else first((*rules.START, *RULES[exercise.name]), m)
     m.rule = held.name
@@ -45,14 +45,14 @@ def judge(run, exercise):
 
 
 def verdicts_on(runs, exercise):
-    """Return the Verdicts on Runs of an Exercise, whose hints come from all of them."""
+    """Return the Verdicts on all Runs of an Exercise; hints compare the runs."""
     judged = [judge(run, exercise) for run in runs]
     _compare([m for m, _ in judged])
     return [_verdict_on(m, held) for m, held in judged]
 
 
 def _compare(all_measures):
-    """Note in the measures of each scenario what only all together show."""
+    """Add to the measures of each scenario what a comparison of all shows."""
     fits = [m.fits for m in all_measures if m.exercise.route and hasattr(m, 'fits')]
     has_slow_odometry = any(m.rate < 20 for m in all_measures)
     common_fits = set.intersection(*fits) if fits and has_slow_odometry else set()

@@ -1,4 +1,4 @@
-"""Judge a node, or each of a folder, and report."""
+"""Judge a node, or each submission in a folder, and report."""
 
 import contextlib
 import os
@@ -16,21 +16,21 @@ from odometry_tools.runs.output import RunError, run_command
 from odometry_tools.runs.ports import HOST, next_port
 
 PROGRAM = 'check'
-LONGEST_NAME = 100  # characters, in the name of a folder
+LONGEST_NAME = 100  # characters of a word in the name of a folder
 PAGE_PORT = 8080
-PAGE_PATIENCE = 60.0  # s of wall time, for a browser
+PAGE_PATIENCE = 60.0  # s of wall time until a browser opens the page
 
 
 def main(arguments):
     """Exit 0 if all passed, 1 if some failed, 2 if the check could not run."""
     for stream in sys.stdout, sys.stderr:
-        # Names and errors may have letters that this terminal does not know.
+        # The terminal may lack characters that names and errors contain.
         stream.reconfigure(errors='replace')
     run_command(PROGRAM, lambda: _run(arguments), (StartError, RunError, OSError))
 
 
 def _run(arguments):
-    """Judge what the options name; return the exit status."""
+    """Judge the submissions that the options name; return the exit status."""
     options = parse(arguments)
     from odometry_tools.check import report
     table = report.Table(options.csv or os.devnull)
@@ -46,7 +46,7 @@ def _run(arguments):
 
 
 def _judge_all(options):
-    """Yield rows, those of each submission together."""
+    """Yield the rows of each submission."""
     if options.is_class:
         from odometry_tools.check.classroom import judge_all
         yield from judge_all(options)
@@ -59,8 +59,8 @@ def _judge_all(options):
 def _judge(options, program):
     """Run a node in its scenarios; print and return the Verdicts."""
     from odometry_tools.check import report
+    from odometry_tools.check.attempts import runs_of
     from odometry_tools.check.judging import verdicts_on
-    from odometry_tools.check.looking import runs_of
     use_writable_logs()
     exercise, words = EXERCISES[options.exercise], report.plain(' '.join(options.node))
     print(f'{options.exercise}  {words}', flush=True)
@@ -71,7 +71,7 @@ def _judge(options, program):
         if not verdict.has_passed:
             name = '-'.join(['check', options.exercise, *_names(options.node), verdict.scenario])
             folders[verdict.scenario] = report.keep(run, exercise, name)
-    # Scenarios are left out only after one in which the node did not begin.
+    # After a scenario in which the node did not begin, the others are skipped.
     not_begun = [verdict for run, verdict in zip(runs, verdicts) if not run.odometry]
     by_name = {verdict.scenario: verdict for verdict in verdicts}
     verdicts = [by_name.get(scenario.name) or not_begun[0]._replace(scenario=scenario.name)
@@ -85,27 +85,28 @@ def _judge(options, program):
 
 
 def _runs_in_browser(exercise, scenarios, program):
-    """Return the Runs of a Program, as runs_of() does, one after the other and in a browser."""
-    from odometry_tools.check.bench import Bench, Pace
-    from odometry_tools.check.looking import look_at_all
+    """Return the Runs of a Program, one after the other, shown in a browser."""
+    from odometry_tools.check.attempts import run_all
+    from odometry_tools.check.check_session import CheckSession, Pace
     from odometry_tools.check.runner import Runner
-    with contextlib.closing(next_port(PAGE_PORT)) as port, Bench(exercise, port.number) as bench:
-        bench.prepare(scenarios[0], Pace(True, 1.0))
-        _await_spectator(bench, port.number)
-        return look_at_all(Runner(bench, program, 1.0), scenarios)
+    with contextlib.closing(next_port(PAGE_PORT)) as port, \
+            CheckSession(exercise, port.number) as session:
+        session.prepare(scenarios[0], Pace(True, 1.0))
+        _await_spectator(session, port.number)
+        return run_all(Runner(session, program, 1.0), scenarios)
 
 
 def _names(words):
-    # With their folders: in a class several files may have the same name.
+    # With folders: files of a class may have equal names.
     return [word.strip('/')[-LONGEST_NAME:] for word in words if ':=' not in word]
 
 
-def _await_spectator(bench, port):
+def _await_spectator(session, port):
     """Return once a browser shows the page, or after PAGE_PATIENCE."""
-    bench.simulator.wait_for(lambda: socket.create_connection((HOST, port)).close() or True,
+    session.simulator.wait_for(lambda: socket.create_connection((HOST, port)).close() or True,
                    'the page does not answer')
     print(f'open http://{HOST}:{port}: it begins when the page is there', flush=True)
     end = time.monotonic() + PAGE_PATIENCE
-    while not bench.has_spectator() and time.monotonic() < end:
-        bench.simulator.check()
+    while not session.has_spectator() and time.monotonic() < end:
+        session.simulator.check()
         time.sleep(0.1)

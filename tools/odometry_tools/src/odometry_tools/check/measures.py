@@ -1,4 +1,4 @@
-"""What a Run shows, in numbers and words: rules, hints and their sentences use these names."""
+"""Measures of a Run: the names that rules, hints and their sentences use."""
 
 import math
 from types import SimpleNamespace
@@ -7,12 +7,12 @@ from odometry_tools.check import quoting
 from odometry_tools.check.detector import measure_detector
 from odometry_tools.check.drive_measures import measure_distance, measure_drive, measure_heading
 
-# rospy's words, and roslaunch's
+# Messages of rospy and of roslaunch.
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
-DEAD_THREAD = 'Exception in thread '  # Python's words
+DEAD_THREAD = 'Exception in thread '  # printed by Python
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
-DRIVEN_ON = 5.0  # s after Ctrl-C
-# What a node may know of the robot, and its types.
+DRIVEN_ON = 5.0  # s of driving after Ctrl-C that pass
+# Topics from which a node may learn about the robot, and their types.
 INPUTS = {
     '/odom': 'nav_msgs/Odometry',
     '/base_pose_ground_truth': 'nav_msgs/Odometry',
@@ -23,7 +23,7 @@ INPUTS = {
 
 
 def measure(run, exercise):
-    """Return a namespace of what a Run shows of an Exercise."""
+    """Return the measures of a Run of an Exercise, as a namespace."""
     m = SimpleNamespace(run=run, scenario=run.scenario, exercise=exercise)
     m.topic = exercise.topic
     m.type = exercise.type
@@ -52,14 +52,14 @@ def measure(run, exercise):
 
 
 def _read_output(m, output):
-    """Note what the node has printed, and how it ended."""
+    """Measure what the node printed, and how it ended."""
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
     m.after_words = f', and said last: {m.said}' if m.said else ''
     m.ends_with_error = quoting.ends_with_error(output)
     m.failures = output.count(BAD_CALLBACK)
     m.has_dead_thread = DEAD_THREAD in output
-    # The command before the last: what was printed after the last may have been read before it.
+    # From the command before the last: output and command of one moment arrive in any order.
     late = m.run.printed_since(-2) if len(m.commands) > 1 else output
     m.late_failures = late.count(BAD_CALLBACK)
     m.has_late_dead_thread = DEAD_THREAD in late
@@ -71,7 +71,7 @@ def _read_output(m, output):
 
 
 def _measure_messages(m):
-    """Note what the node has published."""
+    """Measure what the node published."""
     published = [speed for command in m.commands for speed in (command.linear, command.angular)]
     if m.exercise.route:
         published = [value for _, value in m.run.moved] if m.run.legs else []
@@ -80,7 +80,7 @@ def _measure_messages(m):
 
 
 def _read_graph(m, publishes, subscribes):
-    """Note which topics the node publishes and subscribes to; both are types by topic."""
+    """Measure which topics the node publishes and subscribes to, from types by topic."""
     m.outputs = quoting.listed(topic for topic, kind in publishes.items()
                                if kind == m.type and topic != m.topic)
     m.output_type = publishes.get(m.topic) or m.type

@@ -16,10 +16,10 @@ ELF = b'\x7fELF'  # how a compiled program begins
 
 
 class Program(NamedTuple):
-    """What starts a node."""
+    """A command that starts a node."""
 
     command: list
-    environment: tuple = ()  # additional variables: pairs of name and value
+    environment: tuple = ()  # pairs of name and value, added to ours
 
 
 def make_parser():
@@ -45,7 +45,7 @@ def make_parser():
 
 
 def parse(arguments):
-    """Return the options; exit if they make no sense."""
+    """Return the options; exit with a message if they are invalid."""
     parser = make_parser()
     options = parser.parse_args(arguments)
     scenarios = EXERCISES[options.exercise].scenarios
@@ -102,7 +102,7 @@ def _command_of(path, arguments):
 
 
 def _check_first_line(path):
-    """Raise StartError for a script that the system cannot start: its own errors do not say why."""
+    """Raise StartError if the system cannot start a script; its own errors do not say why."""
     with path.open('rb') as file:
         line = file.readline()
     if line.startswith(ELF):
@@ -117,7 +117,7 @@ def _check_first_line(path):
 
 
 def _node_of(package):
-    """Return the node of a package: its only executable Python file, or its only one."""
+    """Return the node of a package: its only executable Python file, or its only Python file."""
     files = [path for path in sorted(package.rglob('*.py'))
              if path.name not in ('setup.py', '__init__.py')]
     files = [path for path in files if os.access(path, os.X_OK)] or files

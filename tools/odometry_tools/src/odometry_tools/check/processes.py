@@ -1,4 +1,4 @@
-"""Processes that a check starts: nodes as they are, and everything that they start."""
+"""Child processes of a check, with all of their descendants."""
 
 import contextlib
 import os
@@ -13,19 +13,19 @@ from pathlib import Path
 
 import psutil
 
-MARK = 'ODOMETRY_CHECK_'  # in the environment of a process and its descendants, wherever they hide
-# And how long it then may take (s of wall time).
+MARK = 'ODOMETRY_CHECK_'  # in the environment of a process and all of its descendants
+# Signals to end a process, and how long to wait after each (s of wall time).
 ENDING = (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)
-LAST = 2**20  # bytes of output
+LAST = 2**20  # bytes of output kept
 CHUNK = 2**16
-READ_PATIENCE = 1.0  # s of wall time, for the output of a process that has ended
-LOOK_PERIOD = 0.05  # s
+READ_PATIENCE = 1.0  # s of wall time to read the rest after a process has ended
+POLL_PERIOD = 0.05  # s of wall time
 
 
 class ChildProcess:
-    """A process in a session of its own; it ends with all that it has started.
+    """A process in a session of its own, which ends with all of its descendants.
 
-    Its keyboard is a file with an empty line, so that one sees whether it was read.
+    Its standard input is a file with an empty line, whose offset shows whether it was read.
     """
 
     def __init__(self, command, environment=()):
@@ -54,7 +54,7 @@ class ChildProcess:
 
     @property
     def output(self):
-        """What it has printed last."""
+        """The last MiB that it has printed."""
         if self.status is not None:
             self._reader.join(READ_PATIENCE)
         return self._output.decode(errors='replace')
@@ -65,7 +65,7 @@ class ChildProcess:
         return os.lseek(self._keyboard.fileno(), 0, os.SEEK_CUR) > 0
 
     def family(self):
-        """Return this process and all descendants that still run."""
+        """Return the process and its descendants, those that run."""
         return [process for process in psutil.process_iter(['environ', 'status'])
                 if self._mark in (process.info['environ'] or ())
                 and process.info['status'] != psutil.STATUS_ZOMBIE]
@@ -78,7 +78,7 @@ class ChildProcess:
                        for one in (process, *process.children(recursive=True)))
 
     def is_cpp(self):
-        """Return whether any of them is a node in C++."""
+        """Return whether the process or a descendant uses roscpp."""
         with contextlib.suppress(psutil.Error):
             return any('libroscpp' in region.path
                        for process in self.family() for region in process.memory_maps())
@@ -89,16 +89,16 @@ class ChildProcess:
             os.killpg(self._process.pid, signal.SIGINT)
 
     def wait(self, timeout):
-        """Return whether all of them have ended within `timeout` s of wall time."""
+        """Wait up to `timeout` s of wall time; return whether all of them have ended."""
         end = time.monotonic() + timeout
         while self.status is None or self.family():
             if time.monotonic() > end:
                 return False
-            time.sleep(LOOK_PERIOD)
+            time.sleep(POLL_PERIOD)
         return True
 
     def end(self):
-        """End all of them, by force if need be."""
+        """End the process and its descendants, by SIGKILL if need be."""
         for signum, patience in ENDING:
             for process in self.family():
                 with contextlib.suppress(psutil.NoSuchProcess):
@@ -108,6 +108,6 @@ class ChildProcess:
 
 
 def has_node_logged(folder):
-    """Return whether rospy has begun a log, as it does in init_node; roslaunch's are others."""
+    """Return whether rospy.init_node has begun a log in a folder; roslaunch's do not count."""
     return any(not re.search(r'^roslaunch-|-stdout\.log$', path.name)
                for path in Path(folder).rglob('*.log'))

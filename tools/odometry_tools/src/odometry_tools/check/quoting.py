@@ -1,9 +1,9 @@
-"""What a node printed, as a report may quote it: always the same, without control characters."""
+"""Quote a node's output: the same in each report, and without control characters."""
 
 import re
 import signal
 
-# Colours and other commands to a terminal; log stamps; addresses, ports and numbers of processes.
+# Terminal escapes and control characters; log stamps; addresses, ports and process ids.
 CHANGING = [(re.compile(pattern), by) for pattern, by in (
     (r'\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)?|\x1b\[[0-?]*[ -/]*[@-~]|\x1b.?', ''),
     (r'[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]', ''),
@@ -11,24 +11,24 @@ CHANGING = [(re.compile(pattern), by) for pattern, by in (
     (r'0x[0-9a-fA-F]+', '0x...'),
     (r'(localhost|\d+\.\d+\.\d+\.\d+):\d+', r'\1:...'),
     (r'\b(pid|process) \d+', r'\1 ...'))]
-# Without `Traceback` and `File` a line is none of Python's; a syntax error has `File` only.
+# A line counts as Python's error only after a `File` line; a syntax error has no `Traceback`.
 TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*)(?:: (.*))?$',
                        re.MULTILINE)
 PLACE = re.compile(r'File "([^"]+)", line (\d+)')
 NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
-DIED = re.compile(r'process has died \[pid \S+, exit code (-?\d+)')  # roslaunch's words
-MOST = 200  # characters of a line
+DIED = re.compile(r'process has died \[pid \S+, exit code (-?\d+)')  # printed by roslaunch
+MOST = 200  # characters of a quoted line
 
 
 def plain(text):
-    """Return a text without what differs each time or is meant for a terminal."""
+    """Return a text without terminal escapes and without what differs from run to run."""
     for pattern, by in CHANGING:
         text = pattern.sub(by, text)
     return text
 
 
 def error_in(output):
-    """Return the error of the last traceback and the line of the learner's file, or ''."""
+    """Return the error of the last traceback, with the line in the learner's file, or ''."""
     found = [*TRACEBACK.finditer(output)]
     if not found:
         return ''
@@ -53,7 +53,7 @@ def last_line(output):
 
 
 def listed(names):
-    """Return names for a sentence: each once, in order."""
+    """Return names as a sorted list for a sentence, each once."""
     return ', '.join(sorted(set(names)))
 
 

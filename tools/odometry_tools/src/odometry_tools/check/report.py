@@ -1,4 +1,4 @@
-"""What a check leaves: lines on the screen, files for CI and for a class, and a recording."""
+"""Output of a check: the report, files for CI and for a class, and recordings."""
 
 import csv
 import os
@@ -20,7 +20,7 @@ COLUMNS = 'submission', 'exercise', 'scenario', 'verdict', 'rule', 'hint', 'sent
 
 
 def show(verdicts, folders):
-    """Print Verdicts, and where their recordings are, by scenario; each sentence and note once."""
+    """Print Verdicts and their recordings' folders (by scenario); each sentence and note once."""
     scenarios, notes = {}, {}
     for verdict in verdicts:
         begin = f'  {verdict.scenario:<12} {verdict.word:<8} '
@@ -48,13 +48,13 @@ def rows_of(submission, exercise, verdicts):
 
 
 class Table:
-    """A file for a spreadsheet, to which rows are written as they come.
+    """A CSV file to which rows are written as they come.
 
-    OSError: it cannot be written.
+    :raises OSError: if it cannot be written
     """
 
     def __init__(self, path):
-        """Begin a new file."""
+        """Create the file, with its header."""
         self._file = open(path, 'w', newline='', encoding='utf-8')  # noqa: SIM115
         self._writer = csv.DictWriter(self._file, COLUMNS)
         self._writer.writeheader()
@@ -67,7 +67,7 @@ class Table:
 
 
 def write_junit(path, rows):
-    """Write rows as CI reads them."""
+    """Write rows as a JUnit file."""
     junit.write(path, 'odometry_check', [junit.Case(
         f'{row["exercise"]}.{row["submission"]}', row['scenario'],
         '' if row['verdict'] == 'passed' else row['sentence'], row['rule'], row['notes'])
@@ -75,7 +75,7 @@ def write_junit(path, rows):
 
 
 def keep(run, exercise, name):
-    """Write bag, picture and output of a Run to the folder of this name; return it, or None."""
+    """Write bag, picture and output of a Run to a folder; return its path, or None on failure."""
     folder = RUNS / re.sub(r'[^\w.-]+', '_', name)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -86,7 +86,7 @@ def keep(run, exercise, name):
         figure = make_figure(read_run(folder / 'run.bag'), **_targets(exercise))
         figure.savefig(str(folder / 'run.png'))
     except BagError:
-        pass  # the robot's time has not begun
+        pass  # no odometry: there is nothing to draw
     except OSError as error:
         complain(f'no recording: {error}', 'check')
         return None
@@ -94,7 +94,7 @@ def keep(run, exercise, name):
 
 
 def _targets(exercise):
-    """Return what the picture draws as the target."""
+    """Return the target that the picture shows, as keywords."""
     if exercise.route:
         return {}
     if exercise.target is None:

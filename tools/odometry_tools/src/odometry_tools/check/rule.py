@@ -1,15 +1,15 @@
-"""What a rule is."""
+"""A rule: a condition on the measures of a run, and the sentence that reports it."""
 
 from typing import Callable, NamedTuple
 
 
 class Rule(NamedTuple):
-    """Something that may show in a run."""
+    """A condition on the measures of a run, and the sentence that reports it."""
 
     name: str
-    test: Callable  # of the measures of a run
-    sentence: str  # with measures in braces
-    explains: bool = False  # whether the sentence says why, too
+    test: Callable  # takes the measures of a run
+    sentence: str  # a format string of measures
+    explains: bool = False  # whether the sentence names the cause, so that no hint follows
 
     def say(self, m):
         """Return the sentence with the numbers of a run."""

@@ -1,24 +1,24 @@
-"""What is not right in a run, as it was measured.
+"""Rules that judge a run by what was measured; the first that holds is the verdict.
 
-The first rule that holds is the verdict; why is in hints.py.
+Causes are in hints.py.
 """
 
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
-BUSY = 'has been busy'  # lockstep's words: it has used its processor time
+BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 
 
 def is_cause(m):
-    """Return whether an error in the output is why the node does not do what it should.
+    """Return whether an error in the output is the cause of the failure.
 
-    A callback is if it fails for most messages, and is the only one that hears of the robot.
+    A failing callback is the cause if it fails for most messages and is the node's only input.
     """
     if not m.error:
         return False
-    if m.rule in ('no_node', 'crash'):  # Python's status after an error; others are chosen
+    if m.rule in ('no_node', 'crash'):  # Python exits with 1 after an error
         return m.status == 1 or m.ends_with_error
-    if m.rule == 'ceased':  # it begins with the last command, and goes on
+    if m.rule == 'ceased':  # the errors must begin at the last command, and go on
         messages = m.rate * (m.run.now - m.commands[-1].time)
         return m.has_late_dead_thread or m.failures == m.late_failures > messages / 2
     fails = len(m.inputs_of_robot) == 1 and m.failures > m.rate * m.run.now / 2
@@ -28,7 +28,7 @@ def is_cause(m):
 
 
 def _exits_at_goal(m):
-    """Return whether a node drove as far as it should, and then chose its exit status."""
+    """Return whether a node reached its goal and then exited with a status of its choice."""
     return m.status > 0 and not m.error and not getattr(m, 'is_short', True)
 
 
@@ -119,7 +119,7 @@ PRAISE = {
     'heading': 'at {heading:.2f} degrees after {arrival:.1f} s',
     'interrupt': 'stopped the robot after Ctrl-C',
     'paced': 'as far as can be said of a node that simulated time cannot wait for'}
-# These hold or not, whatever the verdict.
+# Notes are independent of the verdict.
 NOTES = (
     Rule('no_sleep', lambda m: m.run.unawaited and BUSY in m.run.unawaited,
          'your node computes without a pause: in a loop, add rospy.Rate(10) and rate.sleep(). '
@@ -138,8 +138,8 @@ NOTES = (
          'Ctrl-C did not end your node within 30 simulated seconds'),
     Rule('leaves_process', lambda m: m.run.leaves_process,
          'after Ctrl-C a program that your node had started still ran'),
-    Rule('luck', lambda m: m.passed and m.run.looks > 1 and not m.run.unawaited,
-         'it passed only when it was looked at again. '
+    Rule('luck', lambda m: m.passed and m.run.attempts > 1 and not m.run.unawaited,
+         'it passed only when it was run again. '
          'What a program publishes as it ends can be lost: '
          'rospy.sleep(0.5) after it gives it time to arrive'),
     Rule('commands', lambda m: m.exercise.route and m.commands,

@@ -1,4 +1,4 @@
-"""What happens in one scenario, in memory."""
+"""The record of one scenario: messages and facts, in memory."""
 
 import math
 import threading
@@ -12,10 +12,10 @@ from odometry_common.rest import is_slow
 
 from odometry_tools.check.scenarios import PERIOD
 
-SWING = 0.02  # rad/s; a smaller command is no swing
-ZERO = 1e-3  # m/s, rad/s; a slower command is none
-ALIKE = 0.03  # share, m and rad, by which two runs of one node differ at most
-JUMP = 0.4, 0.8  # m, rad; no robot here moves as far between two messages: odometry was reset
+SWING = 0.02  # rad/s; slower commands are noise of a settled controller
+ZERO = 1e-3  # m/s, rad/s; slower commands count as zero
+ALIKE = 0.03  # share, m or rad, by which two equal runs may differ
+JUMP = 0.4, 0.8  # m, rad between two messages; a larger step is a reset of odometry
 
 
 class Pose(NamedTuple):
@@ -32,7 +32,7 @@ class Pose(NamedTuple):
     turn: float = 0.0  # rad so far, to the left
 
     def after(self, before):
-        """Return this with the way from the Pose before; a reset of odometry does not add to it."""
+        """Return this with way and turns added to those of the Pose before; a reset adds none."""
         step = math.hypot(self.x - before.x, self.y - before.y)
         turn = wrap_to_pi(self.yaw - before.yaw)
         if self.has_jumped(before):
@@ -52,26 +52,26 @@ class Command(NamedTuple):
     time: float  # s, to the nearest PERIOD
     linear: float  # m/s
     angular: float  # rad/s
-    useless: tuple  # names of the other fields that are not zero
+    useless: tuple  # names of the other fields, if not zero
     topic: str
-    printed: int = 0  # bytes that the node had printed by then
+    printed: int = 0  # bytes that the node had printed
 
     @property
     def swings(self):
-        """Whether the robot should turn faster than a controller that has settled."""
+        """Whether it turns the robot faster than a settled controller does."""
         return abs(self.angular) > SWING
 
     @property
     def moves(self):
-        """Whether the robot should move."""
+        """Whether it moves the robot."""
         return not (abs(self.linear) <= ZERO and abs(self.angular) <= ZERO)  # NaN is not zero
 
 
 class Run:
-    """A scenario as it goes: what the topics show, until it is over."""
+    """Records a scenario until it is over."""
 
     def __init__(self, scenario, pace, is_over):
-        """Record until a function of this Run says that it is over."""
+        """Record until `is_over`, a function of this Run, returns True."""
         self.scenario, self.pace, self._is_over = scenario, pace, is_over
         self.changed = threading.Condition()
         self.begin = time.monotonic()  # when time began (s of wall time)
@@ -79,27 +79,27 @@ class Run:
         self.odometry, self.commands, self.moved, self.messages = [], [], [], []
         self.start = 0  # index of the first odometry after the last reset of it
         self.legs = []  # of the route: name, begin and end (s)
-        self.unawaited = None  # why lockstep does not wait for the node
-        self.interrupted = None  # index of the command after Ctrl-C
+        self.unawaited = None  # why lockstep cannot wait for the node, if so
+        self.interrupted = None  # number of commands before Ctrl-C
         self.interrupt_time = math.inf  # of Ctrl-C (s)
         self.ends = True  # whether Ctrl-C ends the node
-        self.answers = False  # whether, after Ctrl-C, the node still answers others
-        self.is_detached = False  # whether only programs that it started go on, without Ctrl-C
-        self.leaves_process = False  # whether another program that it started goes on
-        self.nodes = set()  # names of the nodes that the learner's process contains
-        self.has_begun = False  # whether it has called rospy.init_node, seen or not
+        self.answers = False  # whether the node answers XML-RPC calls after Ctrl-C
+        self.is_detached = False  # whether it has ended and its descendants run on
+        self.leaves_process = False  # whether a descendant survives Ctrl-C
+        self.nodes = set()  # names of the learner's nodes
+        self.has_begun = False  # whether it has called rospy.init_node
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
-        self.refuses = False  # whether the node that is to publish is there, and sends nothing
+        self.refuses = False  # whether its publisher refuses connections
         self.is_cpp = False
         self.has_read_keyboard = False
-        self.follows_wall = False  # whether a second run was another
-        self.looks = 1  # how often it ran before it was judged
+        self.follows_wall = False  # whether a second run differed
+        self.attempts = 1  # how often the scenario ran
         self.status, self.output = None, ''  # exit status, if it has ended by itself
-        self.count_printed = lambda: 0  # returns how many bytes the node has printed
-        self.printed = 0  # in all
+        self.count_printed = lambda: 0  # returns the number of bytes printed so far
+        self.printed = 0  # bytes in all
 
     def __getstate__(self):
-        """Leave out what belongs to the process that records."""
+        """Leave out what cannot be sent to another process."""
         return {name: value for name, value in vars(self).items()
                 if name not in ('changed', '_is_over', 'count_printed')}
 
@@ -115,12 +115,12 @@ class Run:
 
     @property
     def is_driving(self):
-        """Whether the robot moves, as it was told."""
+        """Whether the robot moves, and its last command is not zero."""
         return (bool(self.commands and self.odometry) and self.commands[-1].moves
                 and not is_slow(self.odometry[-1].linear, self.odometry[-1].angular))
 
     def add(self, topic, message):
-        """Take a message."""
+        """Record a message."""
         with self.changed:
             if self.over or message._connection_header.get('callerid') == rospy.get_name():
                 return
@@ -129,7 +129,7 @@ class Run:
             getattr(self, f'_on_{type(message).__name__.lower()}')(topic, message, now.to_sec())
 
     def finish(self, over=True, **facts):
-        """Set attributes and wake the main thread; record nothing more, unless it is not over."""
+        """Set facts and `over`, after which nothing is recorded; wake the main thread."""
         with self.changed:
             vars(self).update(facts, over=over)
             self.changed.notify_all()
@@ -142,7 +142,7 @@ class Run:
                        yaw_from_orientation(pose.orientation), twist.linear.x, twist.angular.z))
 
     def take(self, pose):
-        """Take a Pose that odometry tells, and look whether the scenario is over."""
+        """Record a Pose from odometry, and test whether the scenario is over."""
         if self.odometry:
             before = self.odometry[-1]
             if pose.has_jumped(before):
@@ -154,7 +154,7 @@ class Run:
             self.changed.notify_all()
 
     def _on_twist(self, topic, message, now):
-        # Messages of one tick come in any order: to the millisecond, the tick before may be meant.
+        # Messages of one tick arrive in any order, so the clock may be one tick late.
         now = round(now / PERIOD) * PERIOD
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
@@ -165,19 +165,16 @@ class Run:
         self.moved.append((self.now, message.data))
 
     def printed_since(self, number):
-        """Return what the node has printed since a command, by its index."""
+        """Return what the node has printed since the command with this index."""
         count = self.printed - self.commands[number].printed
         return self.output.encode()[-count:].decode(errors='replace') if count > 0 else ''
 
     def wall_time(self):
-        """Return the seconds of wall time since time began."""
+        """Return the wall time (s) since simulated time began."""
         return time.monotonic() - self.begin
 
     def is_like(self, other):
-        """Return whether the robot, and the detector, came as far in another Run.
-
-        Which thread comes first may make a small difference.
-        """
+        """Return whether another Run ended like this; the order of threads may matter a little."""
         return all(math.isclose(mine, others, rel_tol=ALIKE, abs_tol=ALIKE)
                    for mine, others in zip(self._outcome(), other._outcome()))
 

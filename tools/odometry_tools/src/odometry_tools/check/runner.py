@@ -1,49 +1,51 @@
-"""Runs one node in scenarios, unmodified and in a process of its own."""
+"""Run one node, unmodified and in a process of its own, in scenarios."""
 
 import tempfile
 import time
 
 import rospy
 
-from odometry_tools.check.bench import Pace
+from odometry_tools.check.check_session import Pace
 from odometry_tools.check.endings import Drive, Route
 from odometry_tools.check.processes import ChildProcess, has_node_logged
 from odometry_tools.check.run import Run
 from odometry_tools.runs.session import forget
 
-SIGNAL_PERIOD = 0.5  # s of wall time between two looks for a signal to the check
-STANDSTILL = 60.0  # s of wall time without odometry
-LOOK_PERIOD = 0.03  # s of wall time, while time stands still
-QUIET, BUSY = 0.3, 2.0  # s of wall time
-# s of wall time, and of processor time: a node that has not registered after so long, without
-# computing at the end or after so much computing, will not.
+SIGNAL_PERIOD = 0.5  # s of wall time; Python handles signals only between two waits
+STANDSTILL = 60.0  # s of wall time without odometry that end a run
+POLL_PERIOD = 0.03  # s of wall time, while time stands still
+# s of wall time: a registered node is ready when nothing has changed for QUIET, or after BUSY.
+QUIET, BUSY = 0.3, 2.0
+# A node has failed to register after REGISTRATION_TIMEOUT s of wall time, the last IDLE of them
+# without computing, or after REGISTRATION_CPU s of processor time.
 REGISTRATION_TIMEOUT, IDLE, REGISTRATION_CPU = 20.0, 2.0, 30.0
-# Looks after Ctrl-C, s of wall time apart; a look after a zero is the last. Then time goes on, so
-# that callbacks have odometry.
-HOOK_LOOKS, HOOK_PERIOD = 10, 0.1
-# s of wall and simulated time; lockstep waits for a busy machine, a pace does not
+# After Ctrl-C time stands still for HOOK_POLLS periods (s of wall time), or until a zero came.
+# Then it goes on: a hook may wait for odometry.
+HOOK_POLLS, HOOK_PERIOD = 10, 0.1
+# How long a node may take to end after Ctrl-C: at least s of wall time, in lockstep or paced,
+# and s of simulated time.
 INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
-LEAVE_PATIENCE = 5.0  # s of wall time, for a node that has left to end, and for its last commands
-FASTEST = 5.0  # times real time, to begin with
-SLOWER, SLOWEST = 3.0, 0.7  # by which a pace is slower the next time; times real time
+LEAVE_PATIENCE = 5.0  # s of wall time for an unregistered node to end, and for its last commands
+FASTEST = 5.0  # times real time, in the first paced run
+SLOWER, SLOWEST = 3.0, 0.7  # divides the pace of the next run; times real time
 
 
 class Runner:
-    """Runs a node on a Bench."""
+    """Runs a node on a CheckSession, in one scenario after another."""
 
-    def __init__(self, bench, program, real_time_factor=0.0):
-        """Take the Program of the node, and a factor for spectators."""
-        self._bench, self._program, self.exercise = bench, program, bench.exercise
+    def __init__(self, session, program, real_time_factor=0.0):
+        """Take the Program of the node, and a real-time factor (0: as fast as possible)."""
+        self._session, self._program, self.exercise = session, program, session.exercise
         self.pace = Pace(True, real_time_factor)
-        self.follows_wall = None  # whether two runs in lockstep differ, once that is known
+        self.follows_wall = None  # whether two runs in lockstep differ; None: not tried yet
         self._unawaited = None
         self._is_stubborn = False
 
     def run(self, scenario):
-        """Return the Run of a Scenario: in lockstep or, if that cannot wait for the node, paced."""
+        """Return the Run of a Scenario: in lockstep or, if the node cannot be awaited, paced."""
         run = self._run(scenario)
         if run.unawaited and self.pace.lockstep:
-            run = self._run(scenario)  # beside other work a node may seem busy once
+            run = self._run(scenario)  # on a busy machine a node may seem busy once
         if run.unawaited and self.pace.lockstep:
             self.pace = Pace(False, self.pace.real_time_factor or FASTEST)
             self._unawaited = run.unawaited
@@ -52,17 +54,17 @@ class Runner:
         return run
 
     def run_again(self, scenario):
-        """Return another Run of a Scenario; slower, if the last was paced."""
+        """Return another Run of a Scenario, at a slower pace if the last was paced."""
         self._is_stubborn &= not scenario.interrupt
         if not self.pace.lockstep:
             self.pace = Pace(False, max(SLOWEST, self.pace.real_time_factor / SLOWER))
         return self.run(scenario)
 
     def _run(self, scenario):
-        self._bench.prepare(scenario, self.pace)
-        log = len(self._bench.simulator.lines())
-        ending = Route(self._bench.drive) if self.exercise.route else Drive(self.exercise.target)
-        self._bench.run = run = Run(scenario, self.pace, ending.is_over)
+        self._session.prepare(scenario, self.pace)
+        log = len(self._session.simulator.lines())
+        ending = Route(self._session.drive) if self.exercise.route else Drive(self.exercise.target)
+        self._session.run = run = Run(scenario, self.pace, ending.is_over)
         with tempfile.TemporaryDirectory() as logs:
             command, environment = self._program
             self._run_node(ChildProcess(command, [*environment, ('ROS_LOG_DIR', logs)]), run, log)
@@ -72,24 +74,24 @@ class Runner:
     def _run_node(self, node, run, log):
         """Run a node until its Run is over.
 
-        :param log: number of lines that the simulator's log had before the node started
+        :param log: number of lines in the simulator's log before the node started
         """
         run.count_printed = lambda: node.printed
         try:
             self._await_ready(node, run)
             run.is_cpp = node.is_cpp()
-            self._bench.ask_for_types(run)
+            self._session.ask_for_types(run)
             if run.nodes and (node.status is None or node.family()):
                 self._begin(run, node, log)
-            if self._bench.has_left(run.nodes):
+            if self._session.has_left(run.nodes):
                 node.wait(LEAVE_PATIENCE)  # its exit status counts
-            self._bench.look_at_graph(run)
-            self._bench.ask_for_types(run)
+            self._session.record_graph(run)
+            self._session.ask_for_types(run)
             family = node.family()
             run.finish(status=None if family else node.status, output=node.output,
                        is_detached=bool(family) and node.status is not None,
                        printed=node.printed, has_read_keyboard=node.has_read_keyboard,
-                       refuses=self._bench.is_refused(self.exercise.topic))
+                       refuses=self._session.is_refused(self.exercise.topic))
         finally:
             if run.interrupted is None:
                 self._press_ctrl_c(node, run)
@@ -97,22 +99,22 @@ class Runner:
             forget(run.nodes)
 
     def _begin(self, run, node, log):
-        """Let time go on until the run is over; then press Ctrl-C, if the scenario says so."""
+        """Unpause until the run is over; then press Ctrl-C, if the scenario says so."""
         run.begin = time.monotonic()
-        self._bench.call('unpause_physics')
+        self._session.call('unpause_physics')
         seen, since = 0, run.begin
         with run.changed:
             while not run.over:
                 run.changed.wait(SIGNAL_PERIOD)
                 run.status = node.status
-                self._bench.simulator.check()
+                self._session.simulator.check()
                 self._note_unawaited(run, log)
                 if len(run.odometry) > seen:
                     seen, since = len(run.odometry), time.monotonic()
                 elif time.monotonic() - since > STANDSTILL:
                     run.finish(unawaited='does not let simulated time go on: '
                                          'give its loop a rospy.sleep()')
-        self._bench.call('pause_physics')
+        self._session.call('pause_physics')
         self._note_unawaited(run, log)
         if run.scenario.interrupt and not run.unawaited and run.is_driving:
             run.finish(interrupted=len(run.commands), interrupt_time=run.now, over=False)
@@ -120,29 +122,29 @@ class Runner:
             self._await_last_commands()
 
     def _note_unawaited(self, run, log):
-        for name, reason in self._bench.unawaited(log).items():
-            if name not in self._bench.ours:
+        for name, reason in self._session.unawaited(log).items():
+            if name not in self._session.ours:
                 run.finish(unawaited=reason)
 
     def _await_last_commands(self):
-        """Return once what was sent has arrived: a connection is closed after all of it."""
+        """Wait until the node's connections are closed, and so all of its commands have arrived."""
         end = time.monotonic() + LEAVE_PATIENCE
-        while not self._bench.is_silent() and time.monotonic() < end:
-            time.sleep(LOOK_PERIOD)
+        while not self._session.is_silent() and time.monotonic() < end:
+            time.sleep(POLL_PERIOD)
 
     def _press_ctrl_c(self, node, run):
-        """Press Ctrl-C; note whether that ends the node, and all that it has started."""
+        """Press Ctrl-C; record whether the node and its descendants end."""
         node.interrupt()
         has_ended = (_ends_at_once(node, run)
                      or not self._is_stubborn and self._ends_in_time(node))
-        run.answers = not has_ended and any(map(self._bench.ask, run.nodes))
+        run.answers = not has_ended and any(map(self._session.ask, run.nodes))
         run.ends = has_ended or node.status is not None and not run.answers
         run.leaves_process = run.ends and not has_ended
         self._is_stubborn = not run.ends
 
     def _ends_in_time(self, node):
-        """Return whether a node ends that may sleep before, by simulated or by wall time."""
-        self._bench.call('unpause_physics')
+        """Return whether the node ends while time goes on: it may sleep before."""
+        self._session.call('unpause_physics')
         begin, latest = rospy.get_time(), time.monotonic() + STANDSTILL
         try:
             has_ended = node.wait(INTERRUPT_PATIENCE if self.pace.lockstep else PACED_PATIENCE)
@@ -151,15 +153,15 @@ class Runner:
                 has_ended = node.wait(SIGNAL_PERIOD)
             return has_ended
         finally:
-            self._bench.call('pause_physics')
+            self._session.call('pause_physics')
 
     def _await_ready(self, node, run):
-        """Return once the node has registered and rests, computes without a rest, or has ended."""
+        """Wait until the node is ready, has ended, or has failed to register."""
         begin = changed = time.monotonic()
         state = registered = None
         while node.status is None or node.family():
-            self._bench.simulator.check()
-            self._bench.look_at_graph(run)
+            self._session.simulator.check()
+            self._session.record_graph(run)
             now, before = time.monotonic(), state
             cpu_time = node.cpu_time()
             state = cpu_time, len(run.nodes), len(run.publishes), len(run.subscribes)
@@ -172,12 +174,12 @@ class Runner:
             if (now - begin > REGISTRATION_TIMEOUT and now - changed > IDLE
                     or (cpu_time or 0.0) > REGISTRATION_CPU):
                 return
-            time.sleep(LOOK_PERIOD)
+            time.sleep(POLL_PERIOD)
 
 
 def _ends_at_once(node, run):
-    """Return whether a node ends that needs no simulated time; one that has sent zero should."""
-    for _ in range(HOOK_LOOKS):
+    """Return whether the node ends while time stands still."""
+    for _ in range(HOOK_POLLS):
         has_stopped = bool(run.commands) and not run.commands[-1].moves
         if node.wait(HOOK_PERIOD):
             return True

@@ -4,11 +4,11 @@ from typing import NamedTuple
 
 GOAL = 2.0  # m
 TARGET = 90.0  # degrees
-PERIOD = 0.05  # s between two odometry messages, where a scenario has no other
+PERIOD = 0.05  # s between two odometry messages, unless a scenario says otherwise
 
 
 class Scenario(NamedTuple):
-    """What the robot and its surroundings are like."""
+    """The conditions under which a node is judged."""
 
     name: str
     yaw: float = 0.0  # degrees, of the robot at the start
@@ -24,15 +24,15 @@ class Leg(NamedTuple):
     name: str
     linear: float  # m/s
     angular: float  # rad/s
-    duration: float  # s, and one more at rest
+    duration: float  # s
 
 
 class Exercise(NamedTuple):
-    """What a learner's node is to do."""
+    """A task for a learner's node."""
 
     name: str
     task: str
-    topic: str  # of what the node is to publish, and
+    topic: str  # that the node must publish
     type: str
     scenarios: tuple
     route: tuple = ()
@@ -50,7 +50,7 @@ SLOW = 0.7
 PLAIN, INTERRUPT = Scenario('plain'), Scenario('interrupt', interrupt=True)
 SLOW_ODOMETRY = Scenario('odom_5hz', odom_rate=5.0)
 SLOW_BASE = Scenario('slow_base', speed_ratio=SLOW)
-# From there the usual mistakes end in places of their own: one axis, the sum of both, (2, 0).
+# From here each usual mistake ends somewhere else: one axis, the sum of both, the point (2, 0).
 ELSEWHERE = 3.0, -1.2
 COMMANDS = '/cmd_vel', 'geometry_msgs/Twist'
 OBLIQUE = Scenario('moved_start', 130.0, ELSEWHERE)

@@ -1,4 +1,4 @@
-"""A Session for one scenario after another, in which the check does what the node does not."""
+"""A session that the check uses for one scenario after another."""
 
 import contextlib
 import math
@@ -19,7 +19,7 @@ from odometry_tools.runs.session import Session
 from odometry_tools.runs.starting import registered
 
 PAGE = '/session_view'
-FLOOD = 20  # commands that arrive together; of more, the latest
+FLOOD = 20  # commands queued; older ones are dropped
 NEAR = 0.01  # m
 CPU_BUDGET = 2.0  # s; a tutorial's node computes for milliseconds
 
@@ -31,24 +31,23 @@ class Pace(NamedTuple):
     real_time_factor: float = 0.0  # 0: as fast as the machine can
 
 
-class Bench(Session):
-    """A Session whose time stands still, but for what its user does.
+class CheckSession(Session):
+    """A Session in which the check plays the part that the node does not.
 
-    The check drives the robot for an exercise that has a route,
-    and measures the distance for others.
+    For an exercise with a route it drives the robot; for others it publishes the distance.
     """
 
     def __init__(self, exercise, page_port=0):
-        """Take an Exercise, and where a page is served, if one is."""
+        """Take an Exercise, and the port of a browser page (0: none)."""
         super().__init__(page_port)
         self.exercise, self._drives = exercise, bool(exercise.route)
         self._position = math.inf, math.inf
-        self.run = None  # which takes the messages
+        self.run = None  # the Run that receives the messages
 
     def __enter__(self):
-        """Start the master, and become a node."""
+        """Start the master, and register as a node."""
         super().__enter__()
-        # roslaunch starts the last.
+        # roslaunch starts /rosout.
         self.ours = {rospy.get_name(), '/sim_turtlebot', PAGE, '/rosout'}
         self._subscribers = {topic: rospy.Subscriber(
             topic, kind, partial(self._receive, topic), tcp_nodelay=True,
@@ -59,7 +58,7 @@ class Bench(Session):
         return self
 
     def prepare(self, scenario, pace):
-        """Put the robot where a Scenario begins, at a Pace, with time standing still."""
+        """Reset the paused simulation and place the robot for a Scenario at a Pace."""
         self.simulate({'odom_rate': scenario.odom_rate, 'speed_ratio': scenario.speed_ratio,
                        'cpu_budget': CPU_BUDGET, **pace._asdict()})
         self.simulator.wait_for(self._is_connected, 'the simulator does not answer')
@@ -73,8 +72,8 @@ class Bench(Session):
         command.linear.x, command.angular.z = linear, angular
         self._publisher.publish(command)
 
-    def look_at_graph(self, run):
-        """Add what the node has announced to the Run."""
+    def record_graph(self, run):
+        """Record the nodes and topics that the master knows in the Run."""
         publishers, subscribers, services = self.master.getSystemState()
         for topics, found in ((publishers, run.publishes), (subscribers, run.subscribes),
                               (services, {})):
@@ -84,7 +83,7 @@ class Bench(Session):
                     run.nodes |= {*names} - self.ours
 
     def ask_for_types(self, run):
-        """Add the types that the nodes themselves name: the master knows one for each topic."""
+        """Ask the nodes for the types of their topics: the master keeps only one type a topic."""
         for name in run.nodes:
             run.publishes.update(self.ask(name, 'getPublications') or ())
             run.subscribes.update(self.ask(name, 'getSubscriptions') or ())
@@ -95,23 +94,23 @@ class Bench(Session):
         return any(topic == '/odom' and PAGE in names for topic, names in subscribers)
 
     def is_refused(self, topic):
-        """Return whether a node that answers publishes a topic, but does not connect."""
+        """Return whether a live node publishes a topic but refuses our connection."""
         publishers, _, _ = self.master.getSystemState()
         names = {name for known, names in publishers if known == topic
                  for name in names} - {rospy.get_name()}
         return any(map(self.ask, names)) and not is_connected(self._subscribers[topic.lstrip('/')])
 
     def ask(self, name, call='getPid'):
-        """Return what a node answers to a call; None if it does not."""
+        """Call a node's XML-RPC server; return its answer, or None without one."""
         with contextlib.suppress(rosgraph.MasterException):
             return ask(self.master.lookupNode(name), call)
 
     def has_left(self, names):
-        """Return whether nodes have been there, and the master knows none of them any more."""
+        """Return whether all of these nodes (at least one) have unregistered."""
         return bool(names) and names.isdisjoint(f'/{name}' for name in registered())
 
     def is_silent(self):
-        """Return whether no other node is connected to what drives the robot."""
+        """Return whether no other node is connected to a command topic."""
         return not any(self._subscribers[topic].impl.connections for topic in COMMANDS)
 
     def _is_connected(self):

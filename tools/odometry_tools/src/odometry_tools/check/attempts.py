@@ -1,34 +1,34 @@
-"""Looks at scenarios, several at once, as often as it takes to judge the node and nothing else."""
+"""Run scenarios in parallel, and again where chance may have decided."""
 
 import concurrent.futures
 import math
 import multiprocessing
 import os
 
-from odometry_tools.check.bench import Bench
+from odometry_tools.check.check_session import CheckSession
 from odometry_tools.check.judging import judge
 from odometry_tools.check.runner import SLOWEST, Runner
 from odometry_tools.runs.output import Line, RunError, bar
 
-LOOKS = 3
-STUBBORN_LOOKS = 2  # each takes long, and rospy locks itself out once in 250 times
+ATTEMPTS = 3
+STUBBORN_ATTEMPTS = 2  # each takes long; rospy's handler of Ctrl-C deadlocks once in 250 times
 PROGRESS_PERIOD = 0.1  # s of wall time
-done = multiprocessing.Value('i')  # scenarios, of all processes
+done = multiprocessing.Value('i')  # scenarios, in all processes
 
 
 def runs_of(exercise, scenarios, program):
-    """Return the Runs of a Program in Scenarios of an Exercise; fewer, if it never became a node.
+    """Return the Runs of a Program in Scenarios of an Exercise; fewer if it never becomes a node.
 
     :raises RunError: if the check cannot go on
     """
     jobs = min(len(os.sched_getaffinity(0)), len(scenarios))
-    # Neighbours have the same robot, and so share a simulator.
+    # Neighbours have the same robot parameters, and so share a simulator.
     ends = [-(-len(scenarios) * job // jobs) for job in range(jobs + 1)]
     parts = [scenarios[begin:end] for begin, end in zip(ends, ends[1:])]
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context('fork')) as pool:
         try:
-            futures = [pool.submit(_look_at_part, exercise, program, part) for part in parts]
+            futures = [pool.submit(_run_part, exercise, program, part) for part in parts]
             _show_progress(futures, len(scenarios))
             found = {run.scenario: run for future in futures for run in future.result()}
         except concurrent.futures.BrokenExecutor:
@@ -40,13 +40,13 @@ def runs_of(exercise, scenarios, program):
     return [found[scenario] for scenario in scenarios if scenario in found]
 
 
-def _look_at_part(exercise, program, scenarios):
-    with Bench(exercise) as bench:
-        return look_at_all(Runner(bench, program), scenarios)
+def _run_part(exercise, program, scenarios):
+    with CheckSession(exercise) as session:
+        return run_all(Runner(session, program), scenarios)
 
 
 def _show_progress(futures, total):
-    """Show on a terminal how many scenarios are done, until all are; raise what ended one."""
+    """Show progress on a terminal until all are done; raise what ended one."""
     line = Line(math.inf, math.inf)
     while True:
         ended, going = concurrent.futures.wait(futures, PROGRESS_PERIOD)
@@ -58,11 +58,11 @@ def _show_progress(futures, total):
     line.show('', 0.0)
 
 
-def look_at_all(runner, scenarios):
-    """Return a Run of each Scenario, until one shows that the node does not begin."""
+def run_all(runner, scenarios):
+    """Return a Run of each Scenario, up to the first in which the node does not begin."""
     runs = []
     for scenario in scenarios:
-        runs.append(look(runner, scenario))
+        runs.append(run_until_sure(runner, scenario))
         with done.get_lock():
             done.value += 1
         if not runs[-1].odometry:
@@ -70,26 +70,31 @@ def look_at_all(runner, scenarios):
     return runs
 
 
-def look(runner, scenario):
-    """Return the Run by which to judge a Scenario, done as often as that needs."""
-    looks, run = 1, runner.run(scenario)
+def run_until_sure(runner, scenario):
+    """Return the Run by which to judge a Scenario, repeated if chance may have decided."""
+    attempts, run = 1, runner.run(scenario)
     m, _ = judge(run, runner.exercise)
-    while _may_be_luck(m) and looks < (STUBBORN_LOOKS if m.rule == 'interrupt_ignored' else LOOKS):
-        looks, run = looks + 1, runner.run_again(scenario)
+    while _may_be_luck(m) and attempts < _most_attempts(m):
+        attempts, run = attempts + 1, runner.run_again(scenario)
         m, _ = judge(run, runner.exercise)
-    run.looks = looks
-    if not m.passed and looks == 1 and run.interrupted is None and not m.is_silent and m.is_finite:
+    run.attempts = attempts
+    is_complete = run.interrupted is None and not m.is_silent and m.is_finite
+    if not m.passed and attempts == 1 and is_complete:
         if runner.follows_wall is None:
             runner.follows_wall = not run.is_like(runner.run_again(scenario))
         run.follows_wall = runner.follows_wall
     return run
 
 
+def _most_attempts(m):
+    return STUBBORN_ATTEMPTS if m.rule == 'interrupt_ignored' else ATTEMPTS
+
+
 def _may_be_luck(m):
     """Return whether a right node may fail like this, rarely or on a busy machine.
 
-    A pace may be too fast for it; what it publishes as it ends can be lost; rospy's own handler of
-    Ctrl-C can lock itself out; a node that ends at once may do so between two looks at the graph.
+    A pace may be too fast for it; a message published at exit can be lost; rospy's own handler of
+    Ctrl-C can deadlock; a node that ends at once can be missed in the graph.
     """
     if m.passed:
         return False

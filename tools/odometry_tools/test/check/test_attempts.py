@@ -1,11 +1,11 @@
-"""A node is judged, and not its luck: what a right node may fail by chance is looked at again."""
+"""A node is judged, and not its luck: a run that a right node may fail by chance is repeated."""
 
 from types import SimpleNamespace
 
 import pytest
 from kinematic_robot import PLAIN, TWO_METERS, drive, verdict_on
-from odometry_tools.check.bench import Pace
-from odometry_tools.check.looking import LOOKS, look
+from odometry_tools.check.attempts import ATTEMPTS, run_until_sure
+from odometry_tools.check.check_session import Pace
 
 
 def run_of(distance, has_zero=True, **facts):
@@ -17,28 +17,28 @@ def run_of(distance, has_zero=True, **facts):
     return run
 
 
-def look_at(*runs):
-    """Return the Verdict on a scenario that gives these Runs, one at each look."""
+def attempt(*runs):
+    """Return the Verdict on a scenario that gives these Runs, one at each attempt."""
     given = iter(runs)
     runner = SimpleNamespace(exercise=TWO_METERS, follows_wall=None)
     runner.run = runner.run_again = lambda _scenario: next(given)
-    return verdict_on(look(runner, PLAIN))
+    return verdict_on(run_until_sure(runner, PLAIN))
 
 
 def test_a_zero_that_was_lost_once_fails_nobody():
     """And a note says so."""
-    verdict = look_at(run_of(2.0, has_zero=False, status=0), run_of(2.0))
+    verdict = attempt(run_of(2.0, has_zero=False, status=0), run_of(2.0))
     assert verdict.has_passed
-    assert 'only when it was looked at again' in verdict.notes['luck']
+    assert 'only when it was run again' in verdict.notes['luck']
 
 
 def test_a_zero_that_is_never_there_fails():
-    assert look_at(*LOOKS * [run_of(2.0, has_zero=False, status=0)]).rule == 'ceased'
+    assert attempt(*ATTEMPTS * [run_of(2.0, has_zero=False, status=0)]).rule == 'ceased'
 
 
-def test_a_node_that_lockstep_does_not_wait_for_is_looked_at_again():
+def test_a_node_that_lockstep_does_not_wait_for_runs_again():
     paced = {'unawaited': 'acts by wall time', 'pace': Pace(False, 5.0)}
-    verdict = look_at(run_of(2.5, **paced), run_of(2.0, **paced))
+    verdict = attempt(run_of(2.5, **paced), run_of(2.0, **paced))
     assert verdict.has_passed
     assert [*verdict.notes] == ['wall_time']
 
@@ -46,4 +46,4 @@ def test_a_node_that_lockstep_does_not_wait_for_is_looked_at_again():
 @pytest.mark.parametrize('distances, rule', [((1.0, 1.01), 'early'), ((1.0, 1.6), 'wall_clock')])
 def test_two_runs_that_differ_are_no_measure(distances, rule):
     """A tick more or less is the turn of a thread."""
-    assert look_at(*map(run_of, distances)).rule == rule
+    assert attempt(*map(run_of, distances)).rule == rule
