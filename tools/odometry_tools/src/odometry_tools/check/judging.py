@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from odometry_tools.check import rules
-from odometry_tools.check.hints import HINTS, UNKNOWN
+from odometry_tools.check.hints import UNKNOWN, hint_for
 from odometry_tools.check.measures import measure
 from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
@@ -53,11 +53,11 @@ def verdicts_on(runs, exercise):
 
 def _compare(all_measures):
     """Add to the measures of each scenario what a comparison of all shows."""
-    fits = [m.fits for m in all_measures if m.exercise.route and hasattr(m, 'fits')]
+    fits = [m.fits for m in all_measures if m.exercise.route and m.fits is not None]
     has_slow_odometry = any(m.rate < 20 for m in all_measures)
     common_fits = set.intersection(*fits) if fits and has_slow_odometry else set()
     whole = [m for m in all_measures if m.run.interrupted is None]
-    nets = [m.net for m in whole if hasattr(m, 'net') and m.rate >= 20]
+    nets = [m.net for m in whole if m.net is not None and m.rate >= 20]
     for m in all_measures:
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)
@@ -68,15 +68,15 @@ def _compare(all_measures):
 
 
 def _verdict_on(m, held):
+    hint = None if m.passed or held.explains else hint_for(m)
+    m.hint = hint.name if hint else ''
     notes = {rule.name: plain(rule.say(m)) for rule in rules.NOTES if rule.test(m)}
-    if held is PASSED:
+    if m.passed:
         kind = ('interrupt' if m.run.interrupted is not None
                 else 'paced' if m.run.unawaited else m.exercise.name)
-        praise = rules.PRAISE[kind].format(**vars(m))
-        return Verdict(m.scenario.name, held.name, '', praise, notes)
-    if held.explains:
-        return Verdict(m.scenario.name, held.name, '', plain(held.say(m)), notes)
-    hint = first(HINTS[m.exercise.name], m)
-    cause = hint.say(m) if hint else UNKNOWN.format(**vars(m))
-    sentence = plain(f'{held.say(m)}. {cause}')
-    return Verdict(m.scenario.name, held.name, hint.name if hint else '', sentence, notes)
+        sentence = rules.PRAISE[kind].format(**vars(m))
+    else:
+        sentence = held.say(m)
+        if not held.explains:
+            sentence += f'. {hint.say(m) if hint else UNKNOWN.format(**vars(m))}'
+    return Verdict(m.scenario.name, held.name, m.hint, plain(sentence), notes)

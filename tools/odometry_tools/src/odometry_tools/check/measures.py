@@ -24,16 +24,14 @@ INPUTS = {
 
 def measure(run, exercise):
     """Return the measures of a Run of an Exercise, as a namespace."""
-    m = SimpleNamespace(run=run, scenario=run.scenario, exercise=exercise)
-    m.topic = exercise.topic
-    m.type = exercise.type
-    m.target = exercise.target
-    m.quantity = 'distance' if exercise.target is None else 'heading'
-    m.unit = 'm' if exercise.target is None else 'degrees'
-    m.commands = run.commands
-    m.rate = run.scenario.odom_rate
-    m.passed = False
-    m.at = ''
+    m = SimpleNamespace(
+        run=run, scenario=run.scenario, exercise=exercise, topic=exercise.topic, type=exercise.type,
+        target=exercise.target, commands=run.commands, rate=run.scenario.odom_rate,
+        quantity='distance' if exercise.target is None else 'heading',
+        unit='m' if exercise.target is None else 'degrees')
+    # What a run without odometry, or without commands, does not show.
+    m.passed, m.at, m.mux, m.follows = False, '', '', ''
+    m.is_short, m.share, m.own_period, m.fits, m.net = True, 0.0, 0.0, None, None
     _read_output(m, quoting.plain(run.output))
     _measure_messages(m)
     _read_graph(m, run.publishes, run.subscribes)

@@ -9,27 +9,9 @@ from odometry_tools.check.rule import Rule
 BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 
 
-def is_cause(m):
-    """Return whether an error in the output is the cause of the failure.
-
-    A failing callback is the cause if it fails for most messages and is the node's only input.
-    """
-    if not m.error:
-        return False
-    if m.rule in ('no_node', 'crash'):  # Python exits with 1 after an error
-        return m.status == 1 or m.ends_with_error
-    if m.rule == 'ceased':  # the errors must begin at the last command, and go on
-        messages = m.rate * (m.run.now - m.commands[-1].time)
-        return m.has_late_dead_thread or m.failures == m.late_failures > messages / 2
-    fails = len(m.inputs_of_robot) == 1 and m.failures > m.rate * m.run.now / 2
-    if m.rule == 'silent':
-        return fails or m.has_dead_thread or m.status == 0 and m.ends_with_error
-    return m.rule == 'all_zero' and fails
-
-
 def _exits_at_goal(m):
     """Return whether a node reached its goal and then exited with a status of its choice."""
-    return m.status > 0 and not m.error and not getattr(m, 'is_short', True)
+    return m.status > 0 and not m.error and not m.is_short
 
 
 def _rests_elsewhere(m):
@@ -129,7 +111,7 @@ NOTES = (
          'your node {run.unawaited}. '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
-                             and not is_cause(m)),
+                             and m.hint != 'error'),
          'your node printed an error, and went on: {error}'),
     Rule('exit_status', lambda m: (m.status and m.run.interrupted is None
                                    and m.rule not in ('no_node', 'crash')),
@@ -146,5 +128,5 @@ NOTES = (
          'your detector commands the robot, too, which the check drives'),
     Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
          'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),
-    Rule('mux', lambda m: getattr(m, 'mux', ''),
+    Rule('mux', lambda m: m.mux,
          'your commands go to {mux}; the exercise names cmd_vel. This robot obeys both'))
