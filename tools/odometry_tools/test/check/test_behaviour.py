@@ -63,6 +63,7 @@ CASES = {
         'degrees': (turning(lambda yaw: 90 - yaw), 'long_way degrees'),
         'orientation.z': (turning(lambda yaw: RIGHT_ANGLE - math.sin(yaw / 2)), 'long_way quaternion'),
         'asin': (turning(lambda yaw: RIGHT_ANGLE - math.asin(math.sin(yaw))), {'moved_start': 'long_way half_circle'}),
+        'roll': (turning(lambda yaw: RIGHT_ANGLE), 'long_way constant'),
         'half the angle': (turning(lambda yaw: error_of(yaw / 2)), 'elsewhere'),
         'gain of 9': (turning(error_of, 9.0), {'odom_5hz': 'long_way gain_high'}),
         'wrong derivative': (wrong_derivative, dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
@@ -107,8 +108,7 @@ def test_a_fit_needs_a_second_rate():
 
 
 @pytest.mark.parametrize('exercise, node, words', [
-    ('heading', lambda: lambda pose: (0.0, 0.5),
-     'We do not know why: print the heading in your loop, and look at the picture'),
+    ('heading', lambda: lambda pose: (0.0, 0.5), 'You turned at 0.5 rad/s throughout, whatever the heading'),
     ('two_meters', without_zero, "came at 1.99 m, and only the base's watchdog stopped the robot, at 2.11 m"),
     ('two_meters', spins_at_the_goal, 'after 6.7 s'),
     ('moved_distance', CASES['moved_distance']['thousandths'][0], 'times a fixed 0.001 s')])

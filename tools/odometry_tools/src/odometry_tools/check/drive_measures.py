@@ -160,5 +160,6 @@ def _measure_swings(m, run):
     m.flips = len(flips)
     late_flips = [time for time in flips if time > run.now - RINGING]
     m.rings = len(late_flips) > FLIPS
+    m.turn_speeds = {command.angular for command in m.moves}
     speeds = [abs(command.angular) for command in m.moves]
     m.step = math.degrees(statistics.median(speeds or [0.0])) / m.rate

@@ -1,0 +1,103 @@
+"""Hints that a motion or a count proves: it fits one mistake and no other, or compares two runs."""
+
+import math
+
+from odometry_tools.check.rule import Rule
+from odometry_tools.check.scenarios import SLOW, TARGET
+
+YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
+SAME_ANGLE = 5.0  # degrees
+# Degrees, if the target or the yaw has the wrong unit.
+DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578
+
+
+def _fits(*names):
+    """Return a test: whether these are the only fit of a detector that holds in all scenarios."""
+    return lambda m: len(m.common_fits) == 1 and {name for name, _ in m.common_fits} <= {*names}
+
+
+def _is_nearest(name):
+    """Return a test: whether a place fits one mistake only, and `plain` passes."""
+    return lambda m: _is_only_here(m) and m.scenario.name == 'moved_start' and m.fits == {name}
+
+
+def _has_wrong_sign(m):
+    return m.follows in MINUS and abs(m.zero + TARGET) < SAME_ANGLE
+
+
+def _is_only_here(m):
+    """Return whether this scenario fails and the first one passes."""
+    return m.plain is not None and m.plain.passed and not m.passed
+
+
+PLACES = (
+    Rule('one_axis', _is_nearest('one_axis'),
+         '{moved_x:.2f} m are along x and {moved_y:.2f} along y: one axis alone counts. '
+         'Take math.hypot(dx, dy)'),
+    Rule('sum_of_axes', _is_nearest('sum_of_axes'),
+         '{moved_x:.2f} m are along x and {moved_y:.2f} along y, 2 in sum: '
+         'take math.hypot(dx, dy)'),
+    Rule('place', _is_nearest('place'),
+         'That is at the point (2, 0) of odometry: store where you start, and count from there'))
+ANGLES = (
+    Rule('degrees', lambda m: m.follows == 'yaw' and abs(m.zero - DEGREES) < TARGET,
+         'Your commands are 90 minus the yaw in radians: take math.radians(90)'),
+    Rule('radians', lambda m: m.follows == 'yaw' and abs(m.zero - RADIANS) < 0.5,
+         'Your commands are zero at {zero:.1f} degrees, as if 90 degrees in radians were degrees: '
+         'convert once, and compare like with like'),
+    Rule('sign', lambda m: _has_wrong_sign(m) or m.plain and _has_wrong_sign(m.plain),
+         'Your commands follow yaw - target, and turn away from it: '
+         'ROS turns left for positive, so error = target - yaw'),
+    Rule('quaternion', lambda m: m.follows == 'quaternion',
+         'Your commands follow orientation.z, which is sin(yaw / 2) and no angle: '
+         'use euler_from_quaternion'),
+    Rule('half_circle', lambda m: m.follows == 'half_circle',
+         'Your commands follow the error without its sign, as from asin() or abs(): '
+         'use euler_from_quaternion, and keep the sign'),
+    Rule('not_wrapped', lambda m: (m.rule == 'long_way' and m.follows in YAW and m.is_unwrapped
+                                  and abs(m.zero - TARGET) < SAME_ANGLE),
+         'Your commands follow target - yaw, which has to be wrapped, '
+         'for example by atan2(sin(e), cos(e))'),
+    Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
+         'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),
+    Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and m.follows in YAW and m.gain > 2,
+         'Your gain is {gain:.1f}: lower it towards 0.5'),
+    Rule('turns_by', lambda m: m.turns_by,
+         'You turn by 90 degrees wherever you start; '
+         'the exercise asks for heading 90 in the odom frame'))
+FITS = (
+    Rule('from_origin', _fits('origin', 'first_step'),
+         'Before the robot moved you published {offset:.2f} m: '
+         'take the first message as the start'),
+    Rule('one_axis', _fits('x_only', 'y_only', 'signed_x'),
+         'That is the way along one axis: take math.hypot(dx, dy)'),
+    Rule('sum_of_axes', _fits('axes', 'signed_axes'),
+         'That is the sum of dx and dy: take math.hypot(dx, dy)'),
+    Rule('rounded', _fits('rounded_1', 'rounded_2'),
+         'That is the way between rounded positions: round when you print, not before you add'),
+    Rule('squares', _fits('squares'), 'That is the sum of squares: take the square root'),
+    Rule('fixed_dt', _fits('signed_speed', 'speed'),
+         'That is speed times a fixed {factor:g} s for each message: '
+         'take the time from the stamps, or positions; driving back use abs()'),
+    Rule('backwards', _fits('backwards'),
+         'Speed has a sign, distance has not: use abs(), or positions'),
+    Rule('times', _fits('times'),
+         'That is {factor:g} times the way, on each leg and at each rate'),
+    Rule('last_step', lambda m: (m.rule == 'miscounted'
+                                 and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
+         'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'))
+COMPARED = (
+    Rule('open_loop', lambda m: (_is_only_here(m) and m.scenario.name == 'slow_base'
+                                 and abs(m.share - SLOW) < 0.03),
+         'This base reaches 70 % of your speed, and so does your result: '
+         'count odometry, not time or commands'),
+    Rule('slow_odometry', lambda m: (m.fails_alone and m.rate < 20
+                                     and m.rule in ('passed_by', 'rings', 'long_way')),
+         'With odometry 20 times a second it is right; here one message is a step of '
+         '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
+         'or a fixed time for each message'),
+    Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
+         'In {plain.scenario.name} it is right: the result depends on where the robot starts'),
+    Rule('constant', lambda m: m.rule == 'long_way' and len(m.turn_speeds) == 1,
+         'You turned at {moves[0].angular:.2g} rad/s throughout, whatever the heading: '
+         'print the heading in your loop'))
