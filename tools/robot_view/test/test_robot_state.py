@@ -29,7 +29,7 @@ def straight(metres):
 
 def test_samples_cover_the_whole_run_evenly_within_their_limit():
     """However long it is, from the first to almost the last place."""
-    samples = Samples(1, 1, limit=50)
+    samples = Samples(1, limit=50)
     for place in range(1000):
         samples.add(place, [place])
     kept = samples.array()[:, 0]
@@ -66,7 +66,7 @@ def test_a_heading_goes_on_beyond_half_a_turn():
     trace = PathTrace()
     turns = [math.radians(degrees) for degrees in range(0, 721, 10)]
     follow(trace, [PlanarPose(0.0, 0.0, math.remainder(yaw, 2 * math.pi)) for yaw in turns])
-    trace.add_history(1.0, None, 90.0)
+    trace.add_history(None, 90.0)
     _, moved, true, heading, target = trace.history.array()[-1]
     assert heading == pytest.approx(720)
     assert target == pytest.approx(810)

@@ -14,7 +14,7 @@ from robot_view.navigation import NavigationModel
 from robot_view.pad import Pad, add_pad
 from robot_view.panel import Readings, SimulationButtons, add_placing
 from robot_view.plots import Plots
-from robot_view.scene import WORLD, RobotModel, add_world
+from robot_view.scene import RobotModel, add_world
 from robot_view.server import start_server
 from robot_view.world_model import WorldModel
 
@@ -36,8 +36,8 @@ class BrowserPage:
         self._server = start_server(address)
         scene = self._server.scene
         add_world(scene)
-        WorldModel(scene, WORLD)
-        NavigationModel(scene, WORLD)
+        WorldModel(scene)
+        NavigationModel(scene)
         self._build()
         self._server.on_client_connect(self._on_connect)
         self._server.on_client_disconnect(self._on_disconnect)
@@ -90,7 +90,7 @@ class BrowserPage:
             for robot, model in self._known():
                 with robot.lock:
                     model.move()
-                    x, y, _ = robot.pose[0]
+                    x, y, _ = robot.state.planar
                 for view in list(self._views.values()) if robot is self._chosen else ():
                     view.follow(x, y)
 
@@ -122,7 +122,7 @@ class BrowserPage:
 
     def _known(self):
         """Return the robots with odometry, each with its model."""
-        return [(robot, model) for robot, model in self._models.items() if robot.is_known]
+        return [(robot, model) for robot, model in self._models.items() if robot.odometry]
 
     def _put(self, *pose):
         if self._chosen:
@@ -136,11 +136,10 @@ class BrowserPage:
 
         They are in the chosen robot's world.
         """
-        places = []
-        for robot in self._robots.monitors.values():
+        places, chosen = [], self._chosen
+        for robot in sorted(self._robots.monitors.values(), key=lambda one: one is not chosen):
             with robot.lock:
-                found = robot.places() if robot.is_known else []
-            places = [*found, *places] if robot is self._chosen else [*places, *found]
+                places += robot.places() if robot.odometry else []
         return places
 
     def _on_connect(self, client):

@@ -4,16 +4,15 @@ import math
 import threading
 import time
 from collections import deque
+from typing import NamedTuple
 
 import numpy
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from nav_msgs.msg import Odometry
-from odometry_common.angles import wrap_to_pi
-from odometry_common.orientation import yaw_from_orientation
 from sensor_msgs.msg import JointState, LaserScan
 from sim_turtlebot.frames import read_pose
-from sim_turtlebot.geometry import PlanarPose, about_z
+from sim_turtlebot.geometry import PlanarPose, about_z, yaw_of
 from sim_turtlebot.kobuki import DEPTH_CAMERA, DEPTH_CAMERA_FRAME
 from std_msgs.msg import Empty, Float64
 
@@ -24,14 +23,20 @@ EPOCH = 1e9  # s; stamps beyond this are wall time
 RATE_SAMPLES = 10  # readings per measurement of the real-time factor
 
 
+class State(NamedTuple):
+    """What an Odometry message says."""
+
+    stamp: float  # s
+    pose: tuple  # x, y, z (m) and a quaternion x, y, z, w of length 1
+    planar: PlanarPose
+    speed: float  # m/s, forwards
+
+
 class RobotMonitor:
-    """The latest state of one robot. Once it `is_known`, hold its `lock` to read it.
+    """The latest state of one robot: once there is an `odometry`, hold the `lock` to read it.
 
     Its distance_target (m, ahead of the odometry's origin) and heading_target (degrees) are None if
-    unknown.
-
-    A pose is a pair: x, y, z (m) and a quaternion x, y, z, w of length 1. The namespace is '' or
-    ends in a slash.
+    unknown. The namespace is '' or ends in a slash.
     """
 
     def __init__(self, namespace, distance_target=None, heading_target=None):
@@ -39,10 +44,10 @@ class RobotMonitor:
         self.lock = threading.Lock()
         self.trace = PathTrace()
         self.wheels = {}  # angles (rad) by joint
-        self.scan = None  # pose of the robot, and points in its frame: rows of x, y, z (m)
+        self.scan = None  # State of the robot, and points in its frame: rows of x, y, z (m)
         self.distance_target, self.heading_target = distance_target, heading_target
-        self._odometry = self._ground_truth = self._moved = None
-        self._first_stamp = None
+        self.odometry = None  # State
+        self._ground_truth = self._moved = None
         self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
         self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
         self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
@@ -73,72 +78,53 @@ class RobotMonitor:
         self._poses.publish(message)
 
     @property
-    def is_known(self):
-        """Whether odometry has arrived."""
-        return self._odometry is not None
-
-    @property
-    def pose(self):
-        """The true pose if the robot is simulated, else the odometry's."""
-        return _pose_3d(self._ground_truth or self._odometry)
-
-    @property
-    def odometry_pose(self):
-        """The pose in the frame of the odometry."""
-        return _pose_3d(self._odometry)
-
-    @property
-    def stamp(self):
-        """The time of the odometry (s)."""
-        return self._odometry.header.stamp.to_sec()
+    def state(self):
+        """The true State if the robot is simulated, else the odometry's."""
+        return self._ground_truth or self.odometry
 
     def places(self):
         """Return x, y (m) of the robot, of its start, along the path, and of the goal if any."""
         start = self.trace.origin
-        places = [self.pose[0][:2], start[:2], *self.trace.trail.array()]
+        places = [self.state.planar[:2], start[:2], *self.trace.trail.array()]
         if self.distance_target is not None:
             places.append(start.then(PlanarPose(self.distance_target, 0.0, 0.0))[:2])
         return places
 
     def readings(self):
         """Return the current values for panel.Readings by name; None if unknown."""
-        heading = self.trace.heading
+        stamp = self.odometry.stamp
         return {
             'moved_distance': self._moved,
             'true_distance': self.trace.true_distance,
             'true_from_start': self.trace.true_from_start,
             'true_since': self.trace.since,
-            'speed': self._odometry.twist.twist.linear.x,
-            'heading': None if heading is None else math.degrees(wrap_to_pi(heading)),
-            'simulated_time': self.stamp if self.stamp < EPOCH else None,
+            'speed': self.odometry.speed,
+            'heading': math.degrees(self.odometry.planar.yaw),
+            'simulated_time': stamp if stamp < EPOCH else None,
             'real_time_factor': self._real_time_factor()}
 
     def _real_time_factor(self):
         """Return the robot's seconds per second; None if unknown, as after a reset."""
-        self._clocks.append((time.monotonic(), self.stamp))
+        self._clocks.append((time.monotonic(), self.odometry.stamp))
         (start, first), (end, last) = self._clocks[0], self._clocks[-1]
         is_full = len(self._clocks) == RATE_SAMPLES
         return (last - first) / (end - start) if is_full and last >= first else None
 
     def _on_odometry(self, message):
-        pose = _planar_pose(message)
-        if pose is None:
-            return
         with self.lock:
-            self._odometry = message
-            if self._first_stamp is None:
-                self._first_stamp = self.stamp if self.stamp > EPOCH else 0.0
-            self.trace.add_odometry(self.stamp, pose)
-            self.trace.add_history(self.stamp - self._first_stamp, self._moved,
-                                   self.heading_target)
+            state = _state_in(message)
+            if state is None:
+                return
+            self.odometry = state
+            self.trace.add_odometry(state.stamp, state.planar)
+            self.trace.add_history(self._moved, self.heading_target)
 
     def _on_ground_truth(self, message):
-        pose = _planar_pose(message)
-        if pose is None:
-            return
         with self.lock:
-            self._ground_truth = message
-            self.trace.add_ground_truth(message.header.stamp.to_sec(), pose)
+            state = _state_in(message)
+            if state is not None:
+                self._ground_truth = state
+                self.trace.add_ground_truth(state.stamp, state.planar)
 
     def _on_joints(self, message):
         with self.lock:
@@ -147,8 +133,8 @@ class RobotMonitor:
     def _on_scan(self, message):
         points = scan_points(message)
         with self.lock:
-            if self._odometry is not None:
-                self.scan = self.pose, points
+            if self.odometry:
+                self.scan = self.state, points
 
     def _on_moved(self, message):
         self._moved = message.data if math.isfinite(message.data) else None
@@ -158,20 +144,16 @@ class RobotMonitor:
             self.heading_target = message.data
 
 
-def _pose_3d(message):
+def _state_in(message):
+    """Return the State in an Odometry; None if it cannot be drawn."""
     position, rotation = read_pose(message.pose.pose)
-    return position, rotation / numpy.linalg.norm(rotation)
-
-
-def _planar_pose(message):
-    """Return the PlanarPose of an Odometry; None if it cannot be drawn."""
-    position = message.pose.pose.position
-    numbers = position.x, position.y, position.z, message.twist.twist.linear.x
-    try:
-        yaw = yaw_from_orientation(message.pose.pose.orientation)
-    except ValueError:  # the quaternion is no rotation
+    speed = message.twist.twist.linear.x
+    length = numpy.linalg.norm(rotation)
+    if not length or not numpy.isfinite([*position, length, speed]).all():
         return None
-    return PlanarPose(position.x, position.y, yaw) if all(map(math.isfinite, numbers)) else None
+    rotation = rotation / length
+    planar = PlanarPose(*position[:2], yaw_of(rotation))
+    return State(message.header.stamp.to_sec(), (position, rotation), planar, speed)
 
 
 def scan_points(message):

@@ -7,6 +7,7 @@ from nav_msgs.msg import OccupancyGrid, Path
 from sim_turtlebot.frames import read_pose
 
 from robot_view.looks import wxyz
+from robot_view.scene import WORLD
 
 OCCUPIED = 65  # per cent, from which map_server counts a cell as occupied
 CELL_SIZE = 0.05  # m, gmapping's default
@@ -18,9 +19,8 @@ AXES_LENGTH, AXES_RADIUS = 0.4, 0.015  # m, of amcl's pose
 class NavigationModel:
     """Draws the latest messages; the frame map must be that of the world."""
 
-    def __init__(self, scene, root):
-        """Draw below the scene node `root`, the frame `world`."""
-        self._scene, self._root = scene, root
+    def __init__(self, scene):
+        self._scene = scene
         rospy.Subscriber('map', OccupancyGrid, self._draw_map)
         rospy.Subscriber('move_base/NavfnROS/plan', Path, self._draw_plan)
         rospy.Subscriber('amcl_pose', PoseWithCovarianceStamped, self._draw_pose)
@@ -28,7 +28,7 @@ class NavigationModel:
     def _draw_map(self, message):
         cells = occupied_cells(message)
         if numpy.isfinite(cells).all():
-            self._scene.add_point_cloud(f'{self._root}/map', cells, MAP_COLOUR, CELL_SIZE,
+            self._scene.add_point_cloud(f'{WORLD}/map', cells, MAP_COLOUR, CELL_SIZE,
                                         point_shape='square', precision='float32',
                                         point_shading='flat')
 
@@ -36,14 +36,14 @@ class NavigationModel:
         points = numpy.array([_on_floor(pose.pose) for pose in message.poses]).reshape(-1, 3)
         segments = numpy.stack([points[:-1], points[1:]], axis=1)
         if numpy.isfinite(segments).all():
-            self._scene.add_line_segments(f'{self._root}/plan', segments, PLAN_COLOUR,
+            self._scene.add_line_segments(f'{WORLD}/plan', segments, PLAN_COLOUR,
                                           thickness=3.0, thickness_units='screen')
 
     def _draw_pose(self, message):
         pose = message.pose.pose
         position, rotation = _on_floor(pose), wxyz(read_pose(pose)[1])
         if numpy.isfinite([*position, *rotation]).all():
-            self._scene.add_frame(f'{self._root}/amcl', axes_length=AXES_LENGTH,
+            self._scene.add_frame(f'{WORLD}/amcl', axes_length=AXES_LENGTH,
                                   axes_radius=AXES_RADIUS, position=position, wxyz=rotation)
 
 

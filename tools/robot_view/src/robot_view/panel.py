@@ -29,7 +29,8 @@ class Readings:
         rows = []
         for name, label, decimals, unit in ROWS:
             if values.get(name) is not None:
-                value = _format(values[name], decimals, unit)
+                # Adding zero turns -0.0 into 0.0.
+                value = f'{round(values[name], decimals) + 0.0:.{decimals}f}{unit}'
                 rows.append(f'<tr><td>{label}{notes.get(name, "")}</td>'
                             f'<td id="{name}">{value}</td></tr>')
         self._html.content = f'<table id="readings">{"".join(rows)}</table>'
@@ -76,8 +77,3 @@ def add_placing(gui, put):
         pose = gui.add_vector3('x, y (m), heading (degrees)', (0.0, 0.0, 0.0))
         gui.add_button('put here').on_click(lambda _: put(*pose.value))
     return folder
-
-
-def _format(value, decimals, unit):
-    # Adding zero turns -0.0 into 0.0.
-    return f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'

@@ -15,11 +15,10 @@ ORIGIN = PlanarPose(0.0, 0.0, 0.0)
 
 
 class Samples:
-    """At most `limit` rows of `width` numbers, evenly spaced along a run of any length."""
+    """At most `limit` rows of numbers, evenly spaced along a run of any length."""
 
-    def __init__(self, spacing, width, limit=1000):
+    def __init__(self, spacing, limit=1000):
         self._spacing = spacing
-        self._width = width
         self._limit = limit
         self._last = -math.inf
         self._rows = []
@@ -36,7 +35,7 @@ class Samples:
 
     def array(self):
         """Return all rows; NaN for None."""
-        return numpy.array(self._rows, dtype=float).reshape(-1, self._width)
+        return numpy.array(self._rows, dtype=float)
 
 
 class PathTrace:
@@ -51,11 +50,11 @@ class PathTrace:
         self._true_start = None  # true pose from which that counts
         self.since = None  # the time (s) from which it counts, if that is not the odometry's start
         self.drift = ORIGIN  # from the odometry's pose to the true one
-        self.heading = None  # rad, of the odometry, continuous
-        self.trail = Samples(TRAIL_SPACING, 2)  # x, y (m)
-        self.history = Samples(HISTORY_SPACING, 5)  # as add_history() adds them
+        self.trail = Samples(TRAIL_SPACING)  # x, y (m)
+        self.history = Samples(HISTORY_SPACING)  # as add_history() adds them
+        self._heading = 0.0  # rad, of the odometry, continuous
         self._travelled = 0.0
-        self._odometry = self._ground_truth = None  # stamp and pose
+        self._first_stamp = self._odometry = self._ground_truth = None  # the last two with a pose
 
     @property
     def true_from_start(self):
@@ -66,9 +65,9 @@ class PathTrace:
         """Add the odometry's PlanarPose at `stamp` (s)."""
         if _is_reset(self._odometry, stamp, pose):
             self._restart()
-        if self.heading is None:
-            self.heading = pose.yaw
-        self.heading += wrap_to_pi(pose.yaw - self.heading)
+        if self._odometry is None:
+            self._first_stamp = stamp
+        self._heading += wrap_to_pi(pose.yaw - self._heading)
         if self._ground_truth is None:
             self._trace(self._odometry, pose)
         self._odometry = stamp, pose
@@ -79,20 +78,20 @@ class PathTrace:
         if _is_reset(self._ground_truth, stamp, pose):
             self._restart()
         if self._ground_truth is None:
-            self.trail = Samples(TRAIL_SPACING, 2)
+            self.trail = Samples(TRAIL_SPACING)
         elif self.true_distance is not None:
             self.true_distance += _distance(self._ground_truth[1], pose)
         self._trace(self._ground_truth, pose)
         self._ground_truth = stamp, pose
         self._compare()
 
-    def add_history(self, time, moved, target):
-        """Add a row to the history: time (s), moved and true distance (m), heading, target (deg).
+    def add_history(self, moved, target):
+        """Add time (s), moved and true distance (m), heading and target (degrees) to the history.
 
         :param target: heading to turn to (degrees) or None; whole turns are added to bring it
             nearest to the heading
         """
-        heading = math.degrees(self.heading)
+        time, heading = self._odometry[0] - self._first_stamp, math.degrees(self._heading)
         if target is not None:
             target = heading + math.remainder(target - heading, 360)
         self.history.add(time, [time, moved, self.true_distance, heading, target])

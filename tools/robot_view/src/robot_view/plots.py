@@ -37,10 +37,8 @@ class _Plot:
 
     def __init__(self, gui, place, title, least_range, series, order):
         self._gui, self._place, self._series = gui, place, series
-        lowest, highest = least_range
-        y_range = {
-            'min': {'pad': MARGIN, 'soft': lowest, 'mode': 1},
-            'max': {'pad': MARGIN, 'soft': highest, 'mode': 1}}
+        y_range = {end: {'pad': MARGIN, 'soft': value, 'mode': 1}
+                   for end, value in zip(('min', 'max'), least_range)}
         self._options = {
             'order': order,
             'title': title,

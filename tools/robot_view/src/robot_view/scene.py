@@ -77,13 +77,13 @@ class RobotModel:
     def move(self):
         """Draw the robot at its pose, and its marks."""
         robot = self._robot
-        _place(self._body, *robot.pose)
-        _place(self._odometry, *_on_floor(robot.trace.origin))
-        drift = robot.trace.drift
+        origin, drift = robot.trace.origin, robot.trace.drift
+        _place(self._body, *robot.state.pose)
+        _place(self._odometry, (origin.x, origin.y, 0.0), about_z(origin.yaw))
         self._ghost.visible = (numpy.hypot(drift.x, drift.y) > GHOST_DISTANCE
                                or abs(drift.yaw) > GHOST_ANGLE)
         if self._ghost.visible:
-            _place(self._ghost, *robot.odometry_pose)
+            _place(self._ghost, *robot.odometry.pose)
         for frame, joint in self._wheels:
             if joint.name in robot.wheels:
                 frame.wxyz = wxyz(joint.rotation_at(robot.wheels[joint.name]))
@@ -98,8 +98,8 @@ class RobotModel:
         self._trail.points = numpy.stack([line[:-1], line[1:]], axis=1)
         if robot.scan is not self._drawn_scan:
             self._drawn_scan = robot.scan
-            pose, points = robot.scan
-            _place(self._scan, *pose)
+            state, points = robot.scan
+            _place(self._scan, *state.pose)
             self._scan.points = points
             self._scan.visible = len(points) > 0
 
@@ -117,8 +117,3 @@ class RobotModel:
 
 def _place(node, position, rotation):
     node.position, node.wxyz = position, wxyz(rotation)
-
-
-def _on_floor(pose):
-    """Return the position and the quaternion of a PlanarPose."""
-    return (pose.x, pose.y, 0.0), about_z(pose.yaw)

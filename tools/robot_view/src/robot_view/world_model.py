@@ -8,6 +8,7 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from robot_view.looks import wxyz
 from robot_view.robots import SIMULATOR
+from robot_view.scene import WORLD
 
 OPACITY = 0.6  # of the opaque ones, so that a wall does not hide a robot
 
@@ -15,9 +16,7 @@ OPACITY = 0.6  # of the opaque ones, so that a wall does not hide a robot
 class WorldModel:
     """Draws boxes, cylinders and spheres of the latest MarkerArray in viser's scene; no meshes."""
 
-    def __init__(self, scene, root):
-        """Draw below the scene node `root`, the frame `world`."""
-        self._root = root
+    def __init__(self, scene):
         self._adders = {
             Marker.CUBE: scene.add_box,
             Marker.SPHERE: partial(scene.add_icosphere, radius=0.5),
@@ -30,7 +29,7 @@ class WorldModel:
             self._handles.pop().remove()
         for number, marker in enumerate(message.markers):
             if marker.type in self._adders:
-                self._add(f'{self._root}/shapes/{number}', marker)
+                self._add(f'{WORLD}/shapes/{number}', marker)
 
     def _add(self, name, marker):
         position, rotation = read_pose(marker.pose)
