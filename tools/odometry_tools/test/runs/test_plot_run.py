@@ -124,13 +124,13 @@ def test_a_drive_with_truth_shows_both_distances_and_how_far_they_are_apart(tmp_
     assert all(above.y0 >= below.y1 for above, below in zip(boxes, boxes[1:])), boxes
 
 
-def test_a_turn_shows_heading_error_and_turn_rate_up_to_the_target(tmp_path):
+def test_a_turn_shows_heading_and_turn_rate_up_to_the_target(tmp_path):
     """A robot that turned right by 90 degrees was told to turn to 270: its panels hold no path."""
     messages = [odometry(x=1e-4 * (step % 2), yaw=-step * math.pi / 200, stamp=START + PERIOD * step)
                 for step in range(101)]
     figure = make_figure(read_run(record(tmp_path / 'turn.bag', messages)), heading_target=270.0)
     assert figure.get_suptitle() == 'turned -90.0 degrees in 10.0 s, target 270 degrees'
     labels = [axes.get_ylabel() for axes in figure.axes]
-    assert labels == ['heading (degrees)', 'error (degrees)', 'turn rate (rad/s)']
+    assert labels == ['heading (degrees)', 'turn rate (rad/s)']
     drawn, target = figure.axes[0].lines
     assert target.get_ydata()[0] == pytest.approx(drawn.get_ydata()[-1]) == -90

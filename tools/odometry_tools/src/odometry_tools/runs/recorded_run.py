@@ -35,25 +35,35 @@ class Run(NamedTuple):
     commands: numpy.ndarray  # rows of time (s), linear (m/s), angular (rad/s)
     differing: list  # topics left out: their messages are defined differently from the installed
 
+    @property
+    def tracks(self):
+        """The odometry and, if it is known, the ground truth."""
+        return [track for track in (self.odometry, self.ground_truth) if track]
+
     def summary(self):
         """Return distance, duration, speeds, the error, and what was left out, as text."""
         track = self.odometry
         duration = track.time[-1] - track.time[0]
         mean = track.distance[-1] / duration if duration else 0.0
         top = numpy.abs(track.speed).max()
+        unknown = 'unknown: twist.linear.x is always 0'
+        lines = [f'odometry    {self.topic}',
+                 f'distance    {track.distance[-1]:.3f} m',
+                 f'duration    {duration:.1f} s',
+                 f'mean speed  {mean:.3f} m/s',
+                 f'top speed   {unknown if math.isnan(top) else f"{top:.3f} m/s"}']
+        if self.ground_truth:
+            x, y, yaw = self.error
+            lines.append(f'off truth   {math.hypot(x, y):.3f} m, '
+                         f'{abs(math.degrees(wrap_to_pi(yaw))):.2f} degrees at the end')
         counts = (len(track.jumps), 'jump', 'not counted'), (track.ignored, 'message', 'ignored')
         left_out = [f'{number} {thing}{"s" * (number > 1)} {how}'
                     for number, thing, how in counts if number]
         left_out += [f'{name}, defined differently from the installed message'
                      for name in self.differing]
-        return '\n'.join([f'odometry    {self.topic}',
-                          f'distance    {track.distance[-1]:.3f} m',
-                          f'duration    {duration:.1f} s',
-                          f'mean speed  {mean:.3f} m/s',
-                          'top speed   ' + ('unknown: twist.linear.x is always 0'
-                                            if math.isnan(top) else f'{top:.3f} m/s'),
-                          *(self._error() if self.ground_truth else []),
-                          *([f'left out    {", ".join(left_out)}'] if left_out else [])])
+        if left_out:
+            lines.append(f'left out    {", ".join(left_out)}')
+        return '\n'.join(lines)
 
     def truth(self, column):
         """Return the ground truth (x, y, yaw or distance) at the time of each odometry message."""
@@ -70,10 +80,6 @@ class Run(NamedTuple):
         """The PlanarPose of the odometry, relative to the true one, at the end."""
         end = min(self.odometry.time[-1], self.ground_truth.time[-1])
         return self.ground_truth.at(end).inverse().then(self.odometry.at(end))
-
-    def _error(self):
-        yield (f'off truth   {math.hypot(self.error.x, self.error.y):.3f} m, '
-               f'{abs(math.degrees(wrap_to_pi(self.error.yaw))):.2f} degrees at the end')
 
 
 def read_run(path, topic=None, end=math.inf):
