@@ -39,12 +39,6 @@ def test_the_picture_has_a_diagram_for_each_metric_and_a_line_for_each_combinati
     assert [*runs] == [0.25, 0.25, 0.1, 0.2, 0.3] and [*medians] == [0.25, 0.2]
 
 
-def test_the_picture_of_one_combination_is_a_histogram():
-    figure = make_figure(Tutorial('move'), [Combination('all runs', rows([0.1, 0.1, 0.1, 0.2]))])
-    heights = [bar.get_height() for bar in figure.axes[0].containers[0]]
-    assert (heights[0], heights[-1], sum(heights)) == (3, 1, 4)
-
-
 def test_a_full_disk_is_named_by_the_file_that_is_on_it(tmp_path):
     (tmp_path / 'runs.csv').symlink_to('/dev/full')
     with pytest.raises(OSError, match=f'No space left on device: .{tmp_path}/runs.csv'):
