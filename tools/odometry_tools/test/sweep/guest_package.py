@@ -138,7 +138,7 @@ FILES = {
     'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
     'elsewhere.launch': ONE_NODE.format('node', '<env name="ROS_MASTER_URI" value="http://localhost:1"/>'),
     'none.launch': '<launch/>'}
-# Follows a launch file until one of the nodes that are named has ended.
+# Follows a launch file; with a second argument, until a node has ended.
 FOLLOW = '''
 import sys
 import threading
@@ -146,7 +146,7 @@ from odometry_tools.runs.launch import Launch
 from odometry_tools.runs.output import run_command
 
 def follow():
-    with Launch('guest', sys.argv[1], {}, watched=sys.argv[2:]) as launch:
+    with Launch('guest', sys.argv[1], {}, is_watched=bool(sys.argv[2:])) as launch:
         launch.wait_for(threading.Event().is_set, 'nothing happens')
 
 run_command('follow', follow, ())

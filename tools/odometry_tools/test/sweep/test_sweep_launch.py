@@ -100,7 +100,7 @@ def test_what_a_node_prints_before_it_is_there_is_shown():
 
 
 def test_a_node_that_cannot_be_started_is_not_waited_for():
-    followed = run(sys.executable, '-c', FOLLOW, 'plain.launch', 'plain', status=1)
+    followed = run(sys.executable, '-c', FOLLOW, 'plain.launch', 'watched', status=1)
     assert followed.stderr == 'follow: plain has ended before it started'
 
 

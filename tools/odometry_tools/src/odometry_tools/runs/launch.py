@@ -36,19 +36,19 @@ RUN_ID = str(uuid.uuid1())  # roslaunch compares it with the master's
 class Launch(ProcessListener):
     """A context in which the nodes of a launch file run."""
 
-    def __init__(self, package, launch_file, arguments, may_end=(), watched=None, beside=None,
-                 is_private=False):
+    def __init__(self, package, launch_file, arguments, may_end=(), is_watched=True,
+                 beside=None, is_private=False):
         """Start with __enter__().
 
         :param arguments: dictionary of its arguments
         :param may_end: names of nodes that may exit, with status 0
-        :param watched: names of the nodes whose end is an error; None: of all
+        :param is_watched: whether the end of any other node is an error
         :param beside: the Launch whose master these nodes use; None: they have their own
         :param is_private: whether that takes any port, where nodes of a terminal do not look
         """
         self._file = (path_of(package, launch_file),
                       [f'{name}:={value}' for name, value in arguments.items()])
-        self._may_end, self._watched, self._beside = may_end, watched, beside
+        self._may_end, self._is_watched, self._beside = may_end, is_watched, beside
         self._is_private = is_private
         self.names = set()  # of all nodes
         self._ended = {}  # exit codes of nodes by name
@@ -129,8 +129,7 @@ class Launch(ProcessListener):
         if self._is_stopped:
             raise KeyboardInterrupt
         for name, status in list(self._ended.items()):
-            is_watched = self._watched is None or name in self._watched
-            if is_watched and (status or name not in self._may_end):
+            if self._is_watched and (status or name not in self._may_end):
                 raise RunError(self.end_of(name))
 
     def end_of(self, name):

@@ -16,23 +16,15 @@ from std_msgs.msg import Float64
 
 from odometry_tools.runs.bags import read_messages
 from odometry_tools.runs.folders import use_writable_logs
-from odometry_tools.runs.output import RunError, complain
+from odometry_tools.runs.output import RunError
 from odometry_tools.runs.recorded_run import read_run
 from odometry_tools.runs.recording import leave_picture
 from odometry_tools.runs.session import Session
-from odometry_tools.runs.tutorials import (
-    ARRIVED,
-    LATE,
-    TUTORIALS,
-    degrees,
-    follow,
-    motion_in,
-)
+from odometry_tools.runs.tutorials import TUTORIALS, degrees, follow, motion_in
 from odometry_tools.sweep.campaign import read_campaign
-from odometry_tools.sweep.results import CAMPAIGN_FILE, FILE, METRICS, UNTIL
+from odometry_tools.sweep.node_run import record
+from odometry_tools.sweep.results import CAMPAIGN_FILE, FILE, METRICS
 from odometry_tools.sweep.subjects import LAUNCH, ROBOT
-
-CRASHED, NOT_AWAITED = 'crashed', 'not awaited'
 
 
 def replay(folder, number):
@@ -65,31 +57,23 @@ def replay(folder, number):
     print('the same, to the last bit', flush=True)
 
 
-def _robot_of(subject, parameters):
-    """Return the simulator's parameters by name, without the seed, for a run with these."""
-    robot = {name: value for name, value in parameters.items() if name in ROBOT and name != 'seed'}
-    if subject.kind != LAUNCH:
-        robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
-    return robot
-
-
 def run_nodes(session, subject, parameters, folder=None):
     """Record nodes in a Session, in a folder (a Path) or in a new one.
 
     :return: the metrics by name, the path of the bag, and targets as for leave_picture()
     :raises RunError: if the recording contradicts itself
     """
-    session.simulate(_robot_of(subject, parameters))
-    seed = parameters['seed']
+    robot = {name: value for name, value in parameters.items() if name in ROBOT}
+    seed = robot.pop('seed')
     if subject.kind == LAUNCH:
-        recorded = session.run(subject.nodes(parameters), seed, subject.until, folder,
-                               are_watched=False)
-        for crash in recorded.crashes:
-            complain(crash, 'sweep')
-        return _launch_metrics(recorded), recorded.bag, {}
+        session.simulate(robot)
+        bag, ended = record(session, subject.nodes(parameters), seed, subject.until, folder)
+        return {**_launch_metrics(bag), 'ended': ended}, bag, {}
+    robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
+    session.simulate(robot)
     line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
     nodes = 'odometry_tools', 'replay.launch', {'tutorial': subject.kind, 'params': line}
-    bag = session.run(nodes, seed, subject.run(parameters)['time'], folder).bag
+    bag, _ = record(session, nodes, seed, subject.run(parameters)['time'], folder)
     targets = TUTORIALS[subject.kind](parameters).targets
     return tutorial_metrics(subject.kind, parameters, bag), bag, targets
 
@@ -112,8 +96,8 @@ def tutorial_metrics(kind, parameters, path):
     return metrics
 
 
-def _launch_metrics(recorded):
-    run = read_run(recorded.bag)
+def _launch_metrics(bag):
+    run = read_run(bag)
     truth, error = run.ground_truth, run.error
     travel = truth.at(truth.time[0]).inverse().then(truth.at(truth.time[-1]))
     # An earlier command is ignored, and lost unless its connection has been made by then.
@@ -127,16 +111,4 @@ def _launch_metrics(recorded):
         'heading_error': degrees(error.yaw),
         'odometry_error': math.hypot(error.x, error.y),
         'time': truth.time[is_moving].max(initial=0.0),
-        'commands': commands,
-        'ended': _ended(recorded)}
-
-
-def _ended(recorded):
-    """Return why a run ended: one of ARRIVED, LATE, UNTIL, CRASHED, NOT_AWAITED."""
-    if recorded.crashes:
-        return CRASHED
-    if recorded.unawaited:
-        return NOT_AWAITED
-    if not recorded.required:
-        return UNTIL
-    return ARRIVED if recorded.required <= recorded.ended else LATE
+        'commands': commands}
