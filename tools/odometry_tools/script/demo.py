@@ -32,7 +32,7 @@ def _run(options):
         from odometry_tools.runs.figure import new_figure
         threading.Thread(target=new_figure, args=[1, 1], daemon=True).start()
         from odometry_tools.runs.following import follow_robot
-        return int(follow_robot(options, launch, page_port) is not None)
+        return int(not follow_robot(options, launch, page_port))
 
 
 if __name__ == '__main__':

@@ -18,7 +18,8 @@ from odometry_tools.runs.folders import new_folder, path_in_errors
 from odometry_tools.runs.output import complain
 from odometry_tools.runs.recorded_run import COMMANDS, BagError, read_run
 
-TOPICS = {'odom': Odometry, 'base_pose_ground_truth': Odometry, 'moved_distance': Float64,
+ROBOT_TOPICS = 'odom', 'base_pose_ground_truth'
+TOPICS = {**dict.fromkeys(ROBOT_TOPICS, Odometry), 'moved_distance': Float64,
           **dict.fromkeys(COMMANDS, Twist)}
 
 
