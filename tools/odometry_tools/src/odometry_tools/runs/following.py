@@ -34,7 +34,8 @@ def follow_robot(options, launch, page_port):
     recording, ticks = Recording(), Ticks()
     launch.wait_for(lambda: recording.is_connected(*ROBOT_TOPICS, 'cmd_vel'),
                     'the nodes do not answer')
-    launch.wait_for(unpause, 'the robot stays paused')
+    unpause = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
+    launch.wait_for(lambda: is_answered(unpause), 'the robot stays paused')
     wall_start = time.monotonic()
     if page_port:
         launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
@@ -104,11 +105,6 @@ def _with_progress(loop, ticks, line, launch):
 def _progress(loop, time):
     share, state = loop.progress()
     return f'{bar(share)} {state}, {time:.1f} s'
-
-
-def unpause():
-    """Start simulated time; return whether the simulator answers."""
-    return is_answered(rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty))
 
 
 def _listens(port):

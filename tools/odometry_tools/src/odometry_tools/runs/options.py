@@ -38,14 +38,12 @@ def make_parser():
         'A recording and a picture of the run are saved in the folder runs.')
     parser.add_argument('tutorial', nargs='?', metavar='|'.join(MODES), default=MODES[0],
                         help='drive two metres, or turn to a heading (default: %(default)s)')
-    parser.add_argument('--distance', type=_value_of('distance'), metavar='M',
-                        help=f'move: where to stop (m; default: {PARAMETERS["distance"].default})')
-    parser.add_argument('--speed', type=_value_of('speed'), metavar='M/S',
-                        help='move: how fast (m/s; negative drives backwards; '
-                             f'default: {PARAMETERS["speed"].default})')
-    parser.add_argument('--target', type=_value_of('target'), metavar='DEGREES',
-                        help='rotate: heading to turn to '
-                             f'(default: {PARAMETERS["target"].default})')
+    for name, metavar, meaning in (
+            ('distance', 'M', 'move: where to stop (m'),
+            ('speed', 'M/S', 'move: how fast (m/s; negative drives backwards'),
+            ('target', 'DEGREES', 'rotate: heading to turn to (degrees')):
+        parser.add_argument(f'--{name}', type=_value_of(name), metavar=metavar,
+                            help=f'{meaning}; default: {PARAMETERS[name].default})')
     parser.add_argument('--real-time-factor', type=_value_of('real_time_factor'), default=1.0,
                         metavar='N',
                         help='simulated seconds per second; 0: as fast as possible; other than 1, '
@@ -65,22 +63,18 @@ def nodes_that_end(options):
 
 def launch_arguments(options, page_port=None):
     """Return the launch file and a dictionary of its arguments for these options."""
-    arguments = {'gui': _flag(options.gui), 'view': _flag(options.view),
-                 'real_time_factor': options.real_time_factor, 'paused': 'true',
+    arguments = {'gui': options.gui, 'view': options.view,
+                 'real_time_factor': options.real_time_factor, 'paused': True,
                  # At any pace but real time the robot waits for its controller.
-                 'lockstep': _flag(options.real_time_factor != 1)}
+                 'lockstep': options.real_time_factor != 1}
     if page_port:
         arguments['view_port'] = page_port
     if options.tutorial == 'move':
         arguments.update(distance=options.distance, speed=options.speed,
-                         exit_when_done=_flag(options.view))
+                         exit_when_done=options.view)
         return 'move_two_meters.launch', arguments
     arguments.update(target=options.target, tolerance=VIEW_TOLERANCE if options.view else 0.0)
     return 'rotate.launch', arguments
-
-
-def _flag(value):
-    return str(value).lower()
 
 
 def _value_of(parameter):

@@ -12,7 +12,7 @@ from odometry_tools.runs import junit
 from odometry_tools.runs.folders import new_folder, path_in_errors
 from odometry_tools.runs.output import Line, RunError, bar, complain, run_command
 from odometry_tools.sweep.options import parse
-from odometry_tools.sweep.results import ENDS, FILE, NOT_ARRIVED, Combination, table, write_results
+from odometry_tools.sweep.results import FILE, NOT_ARRIVED, Combination, table, write_results
 from odometry_tools.sweep.running import on_cluster, on_this_machine, run_all
 from odometry_tools.sweep.subjects import LAUNCH
 
@@ -69,23 +69,18 @@ def _sweep(campaign, runs, report):
 
 def with_progress(runs, total):
     """Yield each run but None, and print how many are done and how long the others will take."""
-    done, start = 0, time.monotonic()
-    line, pace, end = Line(LINE_PERIOD, start + LINE_PERIOD), '', start
+    done, start, line = 0, time.monotonic(), Line(LINE_PERIOD, first=LINE_PERIOD)
     for run in runs:
-        now = max(time.monotonic(), start + 1e-3)
         if run is not None:
             done += 1
             yield run
-            pace, end = _pace(done / (now - start)), now + (total - done) * (now - start) / done
+        passed = max(time.monotonic() - start, 1e-3)
         text = f'{bar(done / total)} {done} of {total} runs'
         if done:
-            text += f', {pace}, {timedelta(seconds=max(0, round(end - now)))} left'
-        line.show(text, now) if done < total else line.finish(text)
-
-
-def _pace(rate):
-    """Return words for a number of runs per second."""
-    return f'{rate:.1f} a second' if rate >= 1 else f'{1 / rate:.1f} s each'
+            rate = done / passed
+            pace = f'{rate:.1f} a second' if rate >= 1 else f'{1 / rate:.1f} s each'
+            text += f', {pace}, {timedelta(seconds=round((total - done) / rate))} left'
+        line.show(text, passed) if done < total else line.finish(text)
 
 
 def _report(campaign, combinations, folder):
@@ -99,10 +94,6 @@ def _report(campaign, combinations, folder):
         if campaign.subject.kind == LAUNCH and not any(row['commands'] for row in rows):
             print(f'no commands     reached the robot, with {name}: '
                   'see rostopic info /cmd_vel while the nodes run')
-    if any(len(rows) > 1 and rows[0]['ended'] in ENDS and all(row == rows[0] for row in rows)
-           for _, rows in combinations):
-        print('Runs with different seeds are equal: for noise, set odometry_source=encoder and '
-              'wheel_noise or gyro_noise.')
     # matplotlib takes half a second to import.
     from odometry_tools.sweep import picture
     path = folder / picture.FILE

@@ -6,7 +6,7 @@ import yaml
 
 from odometry_tools.runs.tutorials import TUTORIALS
 from odometry_tools.sweep.campaign import SEEDS, Campaign, absolute_worlds, read_campaign
-from odometry_tools.sweep.subjects import LAUNCH_ARGUMENT, Launched, Tutorial
+from odometry_tools.sweep.subjects import Launched, Tutorial
 
 
 def parse(arguments):
@@ -70,7 +70,7 @@ def make_parser():
 
 def _values(text):
     name, separator, values = text.partition('=')
-    if not separator or not name.replace(LAUNCH_ARGUMENT, '', 1).replace('-', '_').isidentifier():
+    if not separator:
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
         return name, yaml.safe_load(f'[{values}]')

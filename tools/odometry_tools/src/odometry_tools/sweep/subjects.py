@@ -73,13 +73,20 @@ class Launched(NamedTuple):
 
     def _check_nodes(self, path, parameters):
         """Raise StartError if a node of the launch file cannot run beside the robot."""
-        from odometry_tools.runs.launch_files import nodes_beside_robot
+        from roslaunch.node_args import create_local_process_args
+
+        from odometry_tools.runs.launch_files import nodes_beside_robot, refused
         *_, arguments = self.nodes(parameters)
         nodes = nodes_beside_robot(path, [f'{name}:={value}' for name, value in arguments.items()])
         if not nodes:
             raise StartError(f'{self.name} starts no node')
         for node in nodes:
-            _check_node(self.name, node)
+            program = f'{self.name}: node {node.name}, {node.package}/{node.type}'
+            with refused(program):
+                create_local_process_args(node, None)
+            if node.machine_name or 'ROS_MASTER_URI' in dict(node.env_args):
+                raise StartError(f'{program}, has a machine or a ROS_MASTER_URI of its own, '
+                                 'where the robot is not')
 
     def run(self, parameters):
         """Run beside a robot in lockstep; return the metrics by name."""
@@ -91,24 +98,6 @@ class Launched(NamedTuple):
         return (*self.launch, {name.replace(LAUNCH_ARGUMENT, '', 1):
                                str(value).lower() if isinstance(value, bool) else value
                                for name, value in parameters.items() if name not in ROBOT})
-
-
-def _check_node(file, node):
-    """Raise StartError if roslaunch cannot start a node, or the node would not find the robot."""
-    from roslib.packages import find_node
-    from rospkg import ResourceNotFound
-    program = f'{file}: node {node.name}, {node.package}/{node.type}'
-    try:
-        found = find_node(node.package, node.type)
-    except (LookupError, ResourceNotFound):
-        found = []
-    if not found:
-        raise StartError(f'{program}, is not there, or not executable (chmod +x)')
-    if node.machine_name:
-        raise StartError(
-            f'{program}, is for the machine {node.machine_name}, where the robot is not')
-    if 'ROS_MASTER_URI' in dict(node.env_args):
-        raise StartError(f'{program}, has a ROS_MASTER_URI of its own, where the robot is not')
 
 
 def _check_values(subject, values, known, left_out=frozenset()):
