@@ -20,7 +20,7 @@ from robot_view.world_model import WorldModel
 
 PANEL_WIDTH = 316  # pixels; viser adds four
 FRAME_PERIOD = 0.05  # s of wall time between two pictures
-DRAWING_PERIOD = 0.2  # s between two updates of trails, readings and plots
+FRAMES = 4  # between two updates of trails, readings and plots
 IDLE_PERIOD = 0.5  # s between two checks for a browser
 STYLE = Path(__file__).with_name('page.css')
 
@@ -66,16 +66,14 @@ class BrowserPage:
     def run(self):
         """Draw while a browser shows the page, until shutdown."""
         pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
-        drawn = 0.0
         while not rospy.core.is_shutdown_requested():
             if not self._server.get_clients():
                 pause.wait(IDLE_PERIOD)
                 continue
-            if time.monotonic() - drawn >= DRAWING_PERIOD:
-                drawn = time.monotonic()
-                self._draw()
-            self._move()
-            time.sleep(FRAME_PERIOD)
+            self._draw()
+            for _ in range(FRAMES):
+                self._move()
+                time.sleep(FRAME_PERIOD)
 
     @property
     def _chosen(self):

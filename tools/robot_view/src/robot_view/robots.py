@@ -1,5 +1,6 @@
 """The robots on the master, recorded from the moment at which they appear."""
 
+import functools
 import re
 import threading
 
@@ -20,7 +21,9 @@ class Robots:
 
     def __init__(self, **targets):
         """Search; targets are those of a RobotMonitor."""
-        self._targets = targets
+        # A robot that comes back goes on where it was.
+        self._monitor_of = functools.lru_cache(maxsize=None)(
+            functools.partial(RobotMonitor, **targets))
         self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
         self.is_simulated = False
         self.complaint = ''  # for the status line
@@ -53,12 +56,8 @@ class Robots:
             self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
             return
         self.complaint = self._warning if self._warnings.get_num_connections() else ''
-        before = self.monitors
-        self.monitors = {robot: before.get(robot) or RobotMonitor(robot, **self._targets)
-                         for robot in found}
+        self.monitors = {robot: self._monitor_of(robot) for robot in found}
         self.found.set()
-        for robot in before.keys() - self.monitors.keys():
-            before[robot].close()
 
     def _on_warning(self, message):
         self._warning = message.data

@@ -41,17 +41,11 @@ class Run(NamedTuple):
         return [track for track in (self.odometry, self.ground_truth) if track]
 
     def summary(self):
-        """Return distance, duration, speeds, the error, and what was left out, as text."""
+        """Return distance, duration, the error, and what was left out, as text."""
         track = self.odometry
-        duration = track.time[-1] - track.time[0]
-        mean = track.distance[-1] / duration if duration else 0.0
-        top = numpy.abs(track.speed).max()
-        unknown = 'unknown: twist.linear.x is always 0'
         lines = [f'odometry    {self.topic}',
                  f'distance    {track.distance[-1]:.3f} m',
-                 f'duration    {duration:.1f} s',
-                 f'mean speed  {mean:.3f} m/s',
-                 f'top speed   {unknown if math.isnan(top) else f"{top:.3f} m/s"}']
+                 f'duration    {track.time[-1] - track.time[0]:.1f} s']
         if self.ground_truth:
             x, y, yaw = self.error
             lines.append(f'off truth   {math.hypot(x, y):.3f} m, '

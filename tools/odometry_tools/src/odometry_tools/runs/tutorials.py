@@ -83,7 +83,7 @@ class Rotate:
         self.targets = {'heading_target': parameters.target}
         self._loop = Rate(parameters.rate)
         self._overshoot = 0.0
-        self._direction = None
+        self._first_error = None
         # The robot turns at full speed, then slows down exponentially near the target.
         angle = abs(self._turn.error_at(0.0))
         turning = angle / min(self._turn.max_angular_speed, MAX_ANGULAR_SPEED)
@@ -94,10 +94,9 @@ class Rotate:
         """Return what Move.answer() returns; the command is None if none is due."""
         self._yaw = _yaw(odometry)
         self._error = self._turn.error_at(self._yaw)
-        if self._direction is None:
-            self._first_error = abs(self._error)
-            self._direction = math.copysign(1.0, self._error)
-        beyond = -self._direction * self._error
+        if self._first_error is None:
+            self._first_error = self._error
+        beyond = -math.copysign(1.0, self._first_error) * self._error
         if beyond < math.pi / 2:  # farther off, the error changes sign behind the robot
             self._overshoot = max(self._overshoot, beyond)
         is_due = self._loop.is_due(round(stamp * 1e9))
@@ -109,7 +108,7 @@ class Rotate:
     def progress(self):
         """Return what Move.progress() returns."""
         error = abs(self._error)
-        share = 1 - error / self._first_error if self._first_error else 1.0
+        share = 1 - error / abs(self._first_error) if self._first_error else 1.0
         return share, f'{degrees(self._yaw):.1f} degrees, {math.degrees(error):.1f} to go'
 
     def metrics(self, start, end):
