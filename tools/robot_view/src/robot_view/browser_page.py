@@ -101,7 +101,7 @@ class BrowserPage:
             with robot.lock:
                 model.draw_path()
                 if robot is self._chosen:
-                    self._readings.show(robot.readings())
+                    self._readings.show(robot)
                     self._plots.draw(robot.trace.history.array(), robot.distance_target)
 
     def _find_models(self):

@@ -47,7 +47,8 @@ class RobotMonitor:
         self.scan = None  # State of the robot, and points in its frame: rows of x, y, z (m)
         self.distance_target, self.heading_target = distance_target, heading_target
         self.odometry = None  # State
-        self._ground_truth = self._moved = None
+        self.moved = None  # m, as the detector counts it
+        self._ground_truth = None
         self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
         self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
         self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
@@ -67,9 +68,7 @@ class RobotMonitor:
     def put(self, x, y, heading):
         """Place a simulated robot in the world, at x, y (m) and a heading (degrees), at rest."""
         orientation = Quaternion(*about_z(math.radians(heading)))
-        message = PoseStamped(pose=Pose(Point(x, y, 0.0), orientation))
-        message.header.frame_id = 'world'
-        self._poses.publish(message)
+        self._poses.publish(pose=Pose(Point(x, y, 0.0), orientation))
 
     @property
     def state(self):
@@ -84,20 +83,12 @@ class RobotMonitor:
             places.append(start.then(PlanarPose(self.distance_target, 0.0, 0.0))[:2])
         return places
 
-    def readings(self):
-        """Return the current values for panel.Readings by name; None if unknown."""
-        stamp = self.odometry.stamp
-        return {
-            'moved_distance': self._moved,
-            'true_distance': self.trace.true_distance,
-            'true_from_start': self.trace.true_from_start,
-            'true_since': self.trace.since,
-            'speed': self.odometry.speed,
-            'heading': math.degrees(self.odometry.planar.yaw),
-            'simulated_time': stamp if stamp < EPOCH else None,
-            'real_time_factor': self._real_time_factor()}
+    @property
+    def simulated_time(self):
+        """The time of the odometry (s); None if that is wall time."""
+        return self.odometry.stamp if self.odometry.stamp < EPOCH else None
 
-    def _real_time_factor(self):
+    def real_time_factor(self):
         """Return the robot's seconds per second; None if unknown, as after a reset."""
         self._clocks.append((time.monotonic(), self.odometry.stamp))
         (start, first), (end, last) = self._clocks[0], self._clocks[-1]
@@ -111,7 +102,7 @@ class RobotMonitor:
                 return
             self.odometry = state
             self.trace.add_odometry(state.stamp, state.planar)
-            self.trace.add_history(self._moved, self.heading_target)
+            self.trace.add_history(self.moved, self.heading_target)
 
     def _on_ground_truth(self, message):
         with self.lock:
@@ -131,7 +122,7 @@ class RobotMonitor:
                 self.scan = self.state, points
 
     def _on_moved(self, message):
-        self._moved = message.data if math.isfinite(message.data) else None
+        self.moved = message.data if math.isfinite(message.data) else None
 
     def _on_target(self, message):
         if math.isfinite(message.data):

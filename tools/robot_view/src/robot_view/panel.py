@@ -1,6 +1,7 @@
 """The panel: the robot's state in numbers, and the buttons for the simulation."""
 
 import html
+import math
 
 import rospy
 from std_srvs.srv import Empty
@@ -8,32 +9,33 @@ from std_srvs.srv import Empty
 from robot_view.robots import SERVICES
 
 NOTICE_SECONDS = 10
-ROWS = [  # name, label, decimals, unit
-    ('moved_distance', 'moved distance', 3, ' m'), ('true_distance', 'true path', 3, ' m'),
-    ('true_from_start', 'true distance from the start', 3, ' m'),
-    ('speed', 'speed', 2, ' m/s'), ('heading', 'heading', 1, '°'),
-    ('simulated_time', 'simulated time', 1, ' s'), ('real_time_factor', 'real-time factor', 2, '')]
+TABLE = '<table id="readings">{}</table>'
 
 
 class Readings:
     """A table of measured values."""
 
     def __init__(self, gui):
-        self._html = gui.add_html('')
-        self.show({})
+        self._html = gui.add_html(TABLE.format(''))
 
-    def show(self, values):
-        """Show the known values, by their names in ROWS; `true_since` (s) goes beside the label."""
-        since = values.get('true_since')
-        notes = {'true_distance': '' if since is None else f' since {since:.1f} s'}
+    def show(self, robot):
+        """Show what is known of a RobotMonitor."""
+        state, trace = robot.odometry, robot.trace
+        since = '' if trace.since is None else f' since {trace.since:.1f} s'
         rows = []
-        for name, label, decimals, unit in ROWS:
-            if values.get(name) is not None:
+        for name, label, value, decimals, unit in (
+                ('moved_distance', 'moved distance', robot.moved, 3, ' m'),
+                ('true_distance', f'true path{since}', trace.true_distance, 3, ' m'),
+                ('true_from_start', 'true distance from the start', trace.true_from_start, 3, ' m'),
+                ('speed', 'speed', state.speed, 2, ' m/s'),
+                ('heading', 'heading', math.degrees(state.planar.yaw), 1, '°'),
+                ('simulated_time', 'simulated time', robot.simulated_time, 1, ' s'),
+                ('real_time_factor', 'real-time factor', robot.real_time_factor(), 2, '')):
+            if value is not None:
                 # Adding zero turns -0.0 into 0.0.
-                value = f'{round(values[name], decimals) + 0.0:.{decimals}f}{unit}'
-                rows.append(f'<tr><td>{label}{notes.get(name, "")}</td>'
-                            f'<td id="{name}">{value}</td></tr>')
-        self._html.content = f'<table id="readings">{"".join(rows)}</table>'
+                text = f'{round(value, decimals) + 0.0:.{decimals}f}{unit}'
+                rows.append(f'<tr><td>{label}</td><td id="{name}">{text}</td></tr>')
+        self._html.content = TABLE.format(''.join(rows))
 
 
 class SimulationButtons:

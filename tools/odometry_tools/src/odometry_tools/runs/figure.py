@@ -13,7 +13,12 @@ import numpy
 os.environ['MPLBACKEND'] = 'agg'
 WIDTH, HEIGHT, PANEL_HEIGHT = 10, 6, 1.6  # inches; a tall picture has many panels
 RESOLUTION = 100  # dots per inch
-MARGINS = {'left': 0.07, 'right': 0.98, 'bottom': 0.09, 'top': 0.86, 'wspace': 0.2, 'hspace': 0.12}
+LOOK = {
+    'axes.spines.top': False,
+    'axes.spines.right': False,
+    'axes.grid': True,
+    'grid.color': '#e4e4e4',
+    'text.parse_math': False}  # a name with two dollar signs is no formula
 # Of Okabe and Ito: distinct to the colour-blind, and in grey.
 BLUE, ORANGE, GREEN = '#0072b2', '#d55e00', '#009e73'
 PALE, DARK = '#b8b8b8', '#303030'
@@ -24,7 +29,6 @@ TARGET = {'color': DARK, 'linestyle': ':', 'label': 'target'}
 MIN_DISTANCE, MIN_TURN = 0.1, 10.0  # m, degrees; less is no drive, or no turn
 PATH_SPAN = 0.6  # m
 MISSING_GLYPHS = 'Glyph .* missing from', 'Matplotlib currently does not support'  # in the font
-LONGEST_NAME = 55  # characters, beside the legend
 
 
 class Panel(NamedTuple):
@@ -41,7 +45,7 @@ def new_figure(width, height, **options):
     """Return an empty matplotlib Figure of this size (inches), for a file."""
     from matplotlib import rcParams  # takes long to import
     from matplotlib.figure import Figure
-    rcParams['text.parse_math'] = False  # a name with two dollar signs is no formula
+    rcParams.update(LOOK)
     for message in MISSING_GLYPHS:
         warnings.filterwarnings('ignore', message)
     return Figure((width, height), dpi=RESOLUTION, **options)
@@ -58,13 +62,12 @@ def make_figure(run, distance_target=None, heading_target=None):
     panels = _drive_panels(run, distance_target) if drives else []
     if has_turned or heading_target is not None:
         panels += _turn_panels(run, heading_target)
-    figure = new_figure(WIDTH, max(HEIGHT, PANEL_HEIGHT * len(panels)))
-    grid = figure.add_gridspec(len(panels), 1 + drives, **MARGINS)
+    figure = new_figure(WIDTH, max(HEIGHT, PANEL_HEIGHT * len(panels)), layout='constrained')
+    grid = figure.add_gridspec(len(panels), 1 + drives)
     if drives:
         _draw_path(figure.add_subplot(grid[:, 0]), run)
     for row, panel in enumerate(panels):
         _draw_panel(figure.add_subplot(grid[row, -1]), run, panel)
-    tidy(*figure.axes)
     for axes in figure.axes[drives:-1]:
         axes.tick_params(labelbottom=False)
     figure.axes[-1].set_xlabel('time (s)')
@@ -96,30 +99,24 @@ def _turn_panels(run, target):
 
 
 def _add_legend(figure):
-    """Name each kind of line once, above all panels."""
+    """Name each kind of line once, below all panels."""
     handles = {}
     for axes in figure.axes:
-        for handle, label in zip(*axes.get_legend_handles_labels()):
-            handles[label] = handle
-    figure.legend(handles.values(), handles, loc='upper right', ncols=len(handles), frameon=False,
-                  bbox_to_anchor=(0.99, 0.93))
-
-
-def tidy(*all_axes):
-    """Leave only what helps to read values."""
-    for axes in all_axes:
-        axes.spines[['top', 'right']].set_visible(False)
-        axes.grid(True, color='#e4e4e4')
-        axes.set_axisbelow(True)
+        drawn, labels = axes.get_legend_handles_labels()
+        handles.update(zip(labels, drawn))
+    figure.legend(handles.values(), handles, loc='outside lower center', ncols=len(handles),
+                  frameon=False)
 
 
 def _write_title(figure, run, distance_target, heading_target):
-    """Write the result in words, and below it, small, where it comes from."""
+    """Write the result in words, and below it the name of the bag."""
     if heading_target is None:
         target, unit, column, factor, form = distance_target, 'm', 'distance', 1.0, '.3f'
     else:
         target, unit, column, factor, form = heading_target, 'degrees', 'yaw', 180 / numpy.pi, '.1f'
-    columns = [getattr(run.odometry, column), *([run.truth(column)] if run.ground_truth else [])]
+    columns = [getattr(run.odometry, column)]
+    if run.ground_truth:
+        columns.append(run.truth(column))
     figures = [f'{factor * (values[-1] - values[0]):{form}} {unit}' for values in columns]
     if heading_target is not None:
         figures[0] = f'turned {figures[0]}'
@@ -128,17 +125,15 @@ def _write_title(figure, run, distance_target, heading_target):
     title = f'{result} in {time[-1] - time[0]:.1f} s'
     if target is not None:
         title += f', target {target:g} {unit}'
-    figure.suptitle(title, x=0.07, ha='left', fontsize=14, color=DARK)
-    name = run.name if len(run.name) <= LONGEST_NAME else f'...{run.name[3 - LONGEST_NAME:]}'
-    figure.text(0.07, 0.9, name, fontsize=8, color='grey')
+    figure.suptitle(f'{title}\n{run.name}', x=0.01, ha='left', color=DARK)
 
 
 def _draw_path(axes, run):
     track = run.odometry
     for points, style in zip(run.tracks, STYLES):
         # Leave a gap at jumps; the path between is unknown.
-        axes.plot(*(numpy.insert(values, points.jumps, numpy.nan)
-                    for values in (points.x, points.y)), **style)
+        x, y = (numpy.insert(values, points.jumps, numpy.nan) for values in (points.x, points.y))
+        axes.plot(x, y, **style)
     axes.plot(track.x[0], track.y[0], 'o', color=GREEN, markersize=9, label='start')
     axes.plot(track.x[-1], track.y[-1], 's', color=DARK, markersize=7, label='end')
     _show_at_least(PATH_SPAN, axes)
@@ -149,7 +144,8 @@ def _draw_path(axes, run):
 def _draw_panel(axes, run, panel):
     axes.set_ylabel(panel.label)
     if panel.commanded and len(run.commands):
-        axes.step(run.commands[:, 0], run.commands[:, panel.commanded], **COMMANDED)
+        commands = run.commands.T
+        axes.step(commands[0], commands[panel.commanded], **COMMANDED)
     for track, values, style in zip(run.tracks, panel.series, STYLES):
         axes.plot(track.time, values, **style)
     if panel.target is not None:

@@ -2,7 +2,7 @@
 
 import numpy
 
-from odometry_tools.runs.figure import BLUE, DARK, ORANGE, new_figure, tidy
+from odometry_tools.runs.figure import BLUE, DARK, ORANGE, new_figure
 from odometry_tools.sweep.results import METRICS, SHOWN, statistics
 
 FILE = 'distributions.png'
@@ -32,7 +32,6 @@ def make_figure(subject, combinations):
         axes.ticklabel_format(axis='x', useOffset=False, style='plain')
         axes.locator_params(axis='x', nbins=3)
         axes.set_title(f'{metric.replace("_", " ")} ({units[metric]})')
-    tidy(*diagrams)
     names = [combination.name for combination in combinations]
     axes.set_yticks(range(len(names)), names)
     axes.set_ylim(len(names) - 0.5, -0.5)  # the first is at the top
