@@ -77,7 +77,7 @@ class BrowserPage:
 
     @property
     def _chosen(self):
-        """The RobotMonitor that readings, camera and pad are about; None without robots."""
+        """The RobotMonitor chosen in the panel, by default the first; None without robots."""
         monitors, name = self._robots.monitors, self._choice.value
         # viser also accepts a value that is not an option.
         return monitors.get(name and f'{name}/', next(iter(monitors.values()), None))
@@ -93,7 +93,7 @@ class BrowserPage:
                     view.follow(x, y)
 
     def _draw(self):
-        """Draw the parts that change more slowly: which robots, paths, scans, readings, plots."""
+        """Draw what changes more slowly: the list of robots, paths, scans, readings, plots."""
         self._find_models()
         self._simulation.update()
         self._placing.visible = self._robots.is_simulated
@@ -130,10 +130,7 @@ class BrowserPage:
         return _clamped(self._linear), math.radians(_clamped(self._angular))
 
     def _find_places(self):
-        """Return x, y (m) of the chosen robot, of its start, and of what else robots have shown.
-
-        They are in the chosen robot's world.
-        """
+        """Return x, y (m) in the world of the chosen robot, its start, and all paths and goals."""
         places, chosen = [], self._chosen
         for robot in sorted(self._robots.monitors.values(), key=lambda one: one is not chosen):
             with robot.lock:

@@ -11,7 +11,7 @@ class ClientView:
         """Follow the chosen robot, or show all if its start would be out of the picture.
 
         :param client: viser.ClientHandle
-        :param order: of what is above the checkbox and the button in the panel
+        :param order: position in the panel; the checkbox and the button come after it
         :param find_places: function that returns x, y (m) in the world of the chosen robot, of its
             start, and of all that there is to show
         """
@@ -28,9 +28,9 @@ class ClientView:
             self.show_all()
 
     def follow(self, x, y):
-        """Follow the robot at x, y (m), or show all again if the picture has changed its shape.
+        """Follow the robot at x, y (m), or show all again if the picture's aspect has changed.
 
-        That of a new page changes once its panel is laid out, that of a phone when you fold this.
+        It changes once the panel of a new page is laid out, and when you fold a phone's panel.
         """
         if self._follows.value:
             self._world.position = (-x, -y, 0.0)

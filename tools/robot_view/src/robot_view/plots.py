@@ -73,4 +73,9 @@ def _fill(time, values):
 
 
 def _series(label, colour, dash=()):
-    return {'label': label, 'stroke': colour, 'width': 2, 'points': {'show': False}, 'dash': dash}
+    return {
+        'label': label,
+        'stroke': colour,
+        'width': 2,
+        'points': {'show': False},
+        'dash': dash}

@@ -17,7 +17,7 @@ SEARCH_PERIOD = 1.0  # s
 
 
 class Robots:
-    """Finds robots and their nodes on a thread of its own; records them even without a browser."""
+    """Searches for robots on a thread, and records them even without a browser."""
 
     def __init__(self, **targets):
         """Search; targets are those of a RobotMonitor."""

@@ -28,7 +28,7 @@ DUSK_COLOUR = (110, 110, 120)  # of the light from below
 def add_world(scene):
     """Add lights and a world, a floor with a line at each metre, to an empty viser scene."""
     scene.set_up_direction('+z')
-    # With reflections and shadows, a computer without a graphics card draws one frame a second.
+    # With reflections and shadows, a computer without a graphics card draws one frame per second.
     scene.configure_environment_map(None)
     scene.configure_default_lights(cast_shadow=False)
     scene.add_light_hemisphere('/daylight', ground_color=DUSK_COLOUR, intensity=DAYLIGHT)

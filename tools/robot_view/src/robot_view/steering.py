@@ -8,7 +8,11 @@ STOP_TIMEOUT = 10.0  # s; a robot that takes longer to connect gets no zero
 FORWARD, BACK, LEFT, RIGHT, STOP = 'forward', 'back', 'left', 'right', 'stop'
 # Shares of the maximum speed, forwards and to the left.
 STANDSTILL = 0, 0
-DIRECTIONS = {FORWARD: (1, 0), BACK: (-1, 0), LEFT: (0, 1), RIGHT: (0, -1)}
+DIRECTIONS = {
+    FORWARD: (1, 0),
+    BACK: (-1, 0),
+    LEFT: (0, 1),
+    RIGHT: (0, -1)}
 
 
 class Steering:

@@ -16,9 +16,9 @@ class Case(NamedTuple):
 
 
 def begin(path):
-    """Empty the file: CI takes a run that is interrupted for none, and not for one that passed.
+    """Empty the file, so that CI does not take an older report for that of an interrupted run.
 
-    OSError: it cannot be written.
+    :raises OSError: if it cannot be written
     """
     Path(path).write_bytes(b'')
 

@@ -1,4 +1,4 @@
-"""Run a launch file, with its own ROS master or beside another one, and notice when a node ends."""
+"""Run a launch file, with its own ROS master or another Launch's, and notice when a node ends."""
 
 import concurrent.futures
 import contextlib
@@ -27,7 +27,7 @@ START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
 ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 END_TIMEOUT = 5.0  # s; roslaunch then ends a node by SIGTERM, and 2 s later by SIGKILL
 CHECK_PERIOD = 0.02  # s
-# For roslaunch's monitor, which looks ten times a second. Lockstep waits for a thread in
+# For roslaunch's monitor, which polls ten times a second. Lockstep waits for a thread in
 # time.sleep(), which may poll for work, but not for one that waits for an event.
 MONITOR_TIME = types.SimpleNamespace(**{**vars(time), 'sleep': threading.Event().wait})
 RUN_ID = str(uuid.uuid1())  # roslaunch compares it with the master's
@@ -44,7 +44,7 @@ class Launch(ProcessListener):
         :param may_end: names of nodes that may exit, with status 0
         :param is_watched: whether the end of any other node is an error
         :param beside: the Launch whose master these nodes use; None: they have their own
-        :param is_private: whether that takes any port, where nodes of a terminal do not look
+        :param is_private: whether that takes a random port, not the one that terminals use
         """
         self._file = (path_of(package, launch_file),
                       [f'{name}:={value}' for name, value in arguments.items()])
@@ -73,7 +73,7 @@ class Launch(ProcessListener):
         return self
 
     def _become_first(self):
-        """Hold a port for the master, and take the signals that end it."""
+        """Reserve a port for the master, and handle signals."""
         usual = usual_master_port()
         self.port = next_port(0 if self._is_private else usual)
         os.environ['ROS_MASTER_URI'] = uri = f'http://localhost:{self.port.number}'

@@ -15,7 +15,7 @@ class RunError(RuntimeError):
 
 
 class Line:
-    """A line that is rewritten on a terminal; else a new one each `period`, from `first` on (s)."""
+    """A status line: rewritten on a terminal, else printed every `period` from `first` on (s)."""
 
     def __init__(self, period, first=-math.inf):
         self._live = sys.stdout.isatty()

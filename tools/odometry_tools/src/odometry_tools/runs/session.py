@@ -1,4 +1,4 @@
-"""A master and a paused simulator in lockstep that stay, while nodes run one after the other."""
+"""A master and a paused simulator in lockstep, kept while nodes run one after the other."""
 
 import contextlib
 import re
@@ -68,12 +68,15 @@ class Session:
         self._parameters = parameters
 
     def call(self, service):
-        """Have the simulator pause, unpause or reset; beside other work it may miss a call."""
+        """Call a service of the simulator until it answers; on a busy machine a call may fail."""
         self.simulator.wait_for(lambda: is_answered(self.services[service]),
                                 'the simulator does not answer')
 
     def unawaited(self, since=0):
-        """Return why lockstep does not wait, by node, as the simulator's log says since a line."""
+        """Return why lockstep does not wait for nodes, by name, from the simulator's log.
+
+        :param since: first line to read
+        """
         found = filter(None, map(UNAWAITED.search, self.simulator.lines()[since:]))
         return {match[1]: match[2] for match in found}
 

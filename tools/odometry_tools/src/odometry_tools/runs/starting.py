@@ -1,4 +1,4 @@
-"""Become a node of a launch file's master, and tell when its processes have."""
+"""Become a node of a launch file's master, and wait until its processes are nodes, too."""
 
 import time
 
@@ -31,7 +31,7 @@ def is_answered(call):
 
 
 class Starting:
-    """Tells whether the processes of a launch file have become nodes, have ended, or are none."""
+    """Notices when each process of a launch file is a node, has exited, or sleeps, as no node."""
 
     def __init__(self, launch):
         self.nodes = set()  # names of those that are known to the master
@@ -39,7 +39,7 @@ class Starting:
         self._asleep = {}  # by name: CPU times and states, and since when (s) these are the same
 
     def is_over(self):
-        """Check once more; to be called again and again."""
+        """Return whether all have; call it repeatedly."""
         self.nodes |= registered() & self._launch.names
         waiting = [(name, pid) for name, pid in self._launch.pids().items()
                    if name not in self.nodes]

@@ -86,7 +86,8 @@ def tutorial_metrics(kind, parameters, path):
             for kind, topic in ((Odometry, '/odom'), (Odometry, '/base_pose_ground_truth'),
                                 (Float64, '/moved_distance')))
     for messages in (odometry, ground_truth):
-        if not messages or [message.header.seq for message in messages] != [*range(len(messages))]:
+        numbers = [message.header.seq for message in messages]
+        if not messages or numbers != [*range(len(messages))]:
             raise RunError('the recording has gaps')
     ticks = ((seen.header.stamp.to_sec(), motion_in(seen), motion_in(true))
              for seen, true in zip(odometry, ground_truth))
@@ -99,7 +100,8 @@ def tutorial_metrics(kind, parameters, path):
 def _launch_metrics(bag):
     run = read_run(bag)
     truth, error = run.ground_truth, run.error
-    travel = truth.at(truth.time[0]).inverse().then(truth.at(truth.time[-1]))
+    start, end = (truth.at(time) for time in truth.time[[0, -1]])
+    travel = start.inverse().then(end)
     # An earlier command is ignored, and lost unless its connection has been made by then.
     commands = numpy.count_nonzero(run.commands[:, 0] > 0)
     is_moving = ~is_slow(truth.speed, truth.turn_rate)

@@ -26,7 +26,7 @@ def main():
 
 
 def _run():
-    """Do what the options ask for; return the exit status."""
+    """Run the campaign, or replay a run; return the exit status."""
     options = parse(sys.argv[1:])
     if options.replay:
         # The nodes' modules take long to import.
@@ -52,8 +52,10 @@ def _sweep(campaign, runs, report):
         rows.extend(write_results(folder, campaign, with_progress(runs, campaign.count)))
     except (KeyboardInterrupt, RunError) as error:
         lost = error
-    parts = (rows[begin:begin + campaign.seeds] for begin in range(0, len(rows), campaign.seeds))
-    combinations = [Combination(*part) for part in zip(campaign.names, parts)]
+    begins = range(0, len(rows), campaign.seeds)
+    combinations = [
+        Combination(name, rows[begin:begin + campaign.seeds])
+        for name, begin in zip(campaign.names, begins)]
     if combinations:
         print(f'\n{table(campaign.subject.kind, combinations)}\n', flush=True)
     if lost is None:
@@ -84,7 +86,7 @@ def with_progress(runs, total):
 
 
 def _report(campaign, combinations, folder):
-    """Print what else there is to say, and draw the picture."""
+    """Print which runs did not arrive or had no commands, and draw the picture."""
     for number, combination in enumerate(combinations):
         late = combination.values(NOT_ARRIVED)
         if late.any():

@@ -26,7 +26,7 @@ def run_all(campaign, executor, is_lost):
 
     Every CHECK_PERIOD without one, yield None.
 
-    :param is_lost: function that returns whether no run will be done any more
+    :param is_lost: function that returns whether no more runs can be done
     :raises RunError: if a run cannot be done, or the processes are lost
     """
     begun = ((parameters, executor.submit(campaign.subject.run, parameters))
@@ -54,9 +54,9 @@ def run_all(campaign, executor, is_lost):
 
 @contextlib.contextmanager
 def on_this_machine(campaign, jobs=None):
-    """Yield an executor with so many processes, or as many as suit the campaign's subject.
+    """Yield an executor with this many processes, and a function as on_cluster() does.
 
-    And a function as on_cluster() does.
+    :param jobs: number of processes; None: as many as suit the campaign's subject
     """
     usual = campaign.subject.jobs_per_processor * len(os.sched_getaffinity(0))
     processes = min(jobs or usual, campaign.count)
@@ -79,12 +79,12 @@ def _reset_signals():
 
 @contextlib.contextmanager
 def on_cluster(address):
-    """Yield an executor of the cluster with this scheduler, tcp://HOST:PORT.
+    """Yield an executor of the cluster, and a function that returns whether its scheduler is gone.
 
-    And a function that returns whether the scheduler is gone: Dask then cancels what it knows, but
-    fails if something is submitted meanwhile.
+    Dask then cancels the futures that it knows, but fails if something is submitted meanwhile.
 
-    :raises StartError: if it is not usable
+    :param address: of the scheduler, tcp://HOST:PORT
+    :raises StartError: if the cluster is not usable
     """
     import distributed
     logging.disable()  # Dask logs what its exceptions say

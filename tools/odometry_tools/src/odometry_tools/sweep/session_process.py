@@ -35,7 +35,7 @@ def run_in_session(subject, parameters):
 
 
 class SessionProcess:
-    """Starts a process with a Session, and does runs there."""
+    """A child process with a Session, which does the runs."""
 
     def __init__(self):
         self._connection, theirs = CONTEXT.Pipe()
@@ -58,7 +58,7 @@ class SessionProcess:
 
 
 def _serve(connection):
-    """Do runs in a Session, and leave no file, until the connection is closed or a run fails."""
+    """Do runs in a Session until the connection is closed or a run fails; leave no files."""
     with tempfile.TemporaryDirectory() as logs, contextlib.redirect_stdout(io.StringIO()), \
             contextlib.redirect_stderr(io.StringIO()), \
             contextlib.suppress(EOFError, ConnectionError, KeyboardInterrupt):

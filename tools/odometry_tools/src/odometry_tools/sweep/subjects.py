@@ -1,4 +1,4 @@
-"""What is swept: a tutorial, without ROS, or somebody's launch file, in lockstep."""
+"""The subject of a sweep: a tutorial, without ROS, or a user's launch file, in lockstep."""
 
 import difflib
 from typing import NamedTuple
@@ -13,9 +13,9 @@ from odometry_tools.sweep.results import METRICS
 LAUNCH = 'launch'  # in place of a tutorial
 LAUNCH_ARGUMENT = 'launch:'  # before the name of an argument that names a column already
 UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
-# The sweep decides how time goes on, and has a window for nobody. Each run has its seed.
+# The sweep controls time, opens no window, and sets the seed of each run.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
-# For wall time, tf, scans, late messages, and nodes that wait, compute or exit.
+# Parameters for wall time, tf, scans, late messages, and nodes that wait, compute or exit.
 NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'scan_rate',
              'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
              'publish_tf', 'cpu_budget'}
