@@ -52,16 +52,12 @@ def read_address(source=None):
     if host in ANY_ADDRESS:
         names.add(socket.gethostname().lower())
         shown = 'localhost'
-    forwarded = _forwarded_name(port)
-    return Address(_find_ip(host, port), port, f'http://{shown}:{port}', names | forwarded,
-                   {f'https://{name}' for name in forwarded})
-
-
-def _forwarded_name(port):
-    """Return a set with the name by which GitHub Codespaces forward the port; or an empty one."""
+    # GitHub Codespaces forward the port by this name.
     name, domain = map(
         os.environ.get, ('CODESPACE_NAME', 'GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN'))
-    return {f'{name}-{port}.{domain}'.lower()} if name and domain else set()
+    forwarded = {f'{name}-{port}.{domain}'.lower()} if name and domain else set()
+    return Address(_find_ip(host, port), port, f'http://{shown}:{port}', names | forwarded,
+                   {f'https://{name}' for name in forwarded})
 
 
 def _parse(allowed_hosts):

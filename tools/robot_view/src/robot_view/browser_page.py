@@ -57,7 +57,8 @@ class BrowserPage:
             self._angular = gui.add_slider(
                 'turn (deg/s)', 5, round(math.degrees(MAX_ANGULAR_SPEED)), 5, 45, marks=())
         self._plots = Plots(gui, gui.add_folder('plots'))
-        self._placing = add_placing(gui, self._put)
+        self._placing = add_placing(
+            gui, lambda *pose: self._chosen and self._chosen.put(*pose))
         gui.main_panel.dock_right()
         gui.main_panel.set_width(PANEL_WIDTH)
         server.initial_camera.fov = FIELD_OF_VIEW
@@ -121,10 +122,6 @@ class BrowserPage:
     def _known(self):
         """Return the robots with odometry, each with its model."""
         return [(robot, model) for robot, model in self._models.items() if robot.odometry]
-
-    def _put(self, *pose):
-        if self._chosen:
-            self._chosen.put(*pose)
 
     def _speeds(self):
         return _clamped(self._linear), math.radians(_clamped(self._angular))

@@ -13,7 +13,10 @@ FIELD_OF_VIEW = math.radians(45)  # vertical
 TANGENT = math.tan(FIELD_OF_VIEW / 2)
 DIRECTION = numpy.array([0.0, -0.83, 0.56])  # to the camera from what it looks at; of length 1
 # Right, up and forward, in the scene.
-AXES = numpy.array([[1.0, 0.0, 0.0], [0.0, 0.56, 0.83], -DIRECTION])
+AXES = numpy.array([
+    [1.0, 0.0, 0.0],
+    [0.0, 0.56, 0.83],
+    -DIRECTION])
 DISTANCE = 4.0  # m, from the robot
 MARGIN = 0.5  # m around the places that are shown
 TOP = 0.45  # m, above each place; higher than a robot

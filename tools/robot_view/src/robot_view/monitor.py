@@ -153,6 +153,8 @@ def scan_points(message):
     with numpy.errstate(invalid='ignore'):  # of any numbers in the message
         angles = message.angle_min + message.angle_increment * numpy.arange(len(ranges))
         is_seen = (ranges >= message.range_min) & (ranges <= message.range_max)
-        points = numpy.column_stack(
-            [ranges * numpy.cos(angles), ranges * numpy.sin(angles), numpy.zeros(len(ranges))])
+        points = numpy.column_stack([
+            ranges * numpy.cos(angles),
+            ranges * numpy.sin(angles),
+            numpy.zeros(len(ranges))])
     return points[is_seen & numpy.isfinite(points).all(axis=1)] + DEPTH_CAMERA

@@ -40,24 +40,20 @@ class Robots:
             pause.wait(SEARCH_PERIOD if self.monitors else FIRST_PERIOD)
 
     def _search(self):
+        """Record the robots that are there; if there are none, keep the last ones."""
         try:
-            master = rosgraph.Master(rospy.get_name())
-            publications, _, services = master.getSystemState()
-            self._record(find_robots({topic for topic, _ in publications}))
+            publications, _, services = rosgraph.Master(rospy.get_name()).getSystemState()
+            if found := find_robots({topic for topic, _ in publications}):
+                self.monitors = {robot: self._monitor_of(robot) for robot in found}
+                self.found.set()
+                self.complaint = self._warning if self._warnings.get_num_connections() else ''
+            else:
+                self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
         except (OSError, rosgraph.MasterException):
             self.is_simulated, self.complaint = False, 'the ROS master does not answer'
             return
         names = {service for service, _ in services}
         self.is_simulated = names.issuperset(map(rospy.resolve_name, SERVICES.values()))
-
-    def _record(self, found):
-        """Record these robots; if there are none, keep the last ones, which may come back."""
-        if not found:
-            self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
-            return
-        self.complaint = self._warning if self._warnings.get_num_connections() else ''
-        self.monitors = {robot: self._monitor_of(robot) for robot in found}
-        self.found.set()
 
     def _on_warning(self, message):
         self._warning = message.data

@@ -66,8 +66,14 @@ class RobotModel:
             f'{self._root}/trail', numpy.zeros((1, 2, 3)), TRAIL_COLOUR, thickness=3.0,
             thickness_units='screen')
         self._scan = scene.add_point_cloud(
-            f'{self._root}/scan', numpy.zeros((1, 3)), SCAN_COLOUR, point_size=SCAN_POINT_SIZE,
-            point_shape='circle', precision='float32', point_shading='flat', visible=False)
+            f'{self._root}/scan',
+            numpy.zeros((1, 3)),
+            SCAN_COLOUR,
+            point_size=SCAN_POINT_SIZE,
+            point_shape='circle',
+            precision='float32',
+            point_shading='flat',
+            visible=False)
         self._drawn_scan = None
 
     def close(self):
@@ -109,8 +115,11 @@ class RobotModel:
         self._scene.add_label(f'{node}/start/label', 'start', position=(0.0, 0.3, 0.0))
         target = self._robot.distance_target
         if target is not None:
-            self._scene.add_box(f'{node}/goal', GOAL_COLOUR, (0.02, 0.5, 2 * MARK_HEIGHT),
-                                position=(target, 0.0, 0.0))
+            self._scene.add_box(
+                f'{node}/goal',
+                GOAL_COLOUR,
+                (0.02, 0.5, 2 * MARK_HEIGHT),
+                position=(target, 0.0, 0.0))
             self._scene.add_label(
                 f'{node}/goal/label', f'{abs(target):g} m', position=(0.0, -0.3, 0.0))
 

@@ -73,7 +73,12 @@ def make_figure(run, distance_target=None, heading_target=None):
     figure.axes[-1].set_xlabel('time (s)')
     figure.align_ylabels(figure.axes[drives:])
     _write_title(figure, run, distance_target, heading_target)
-    _add_legend(figure)
+    legend = {}  # each kind of line once
+    for axes in figure.axes:
+        lines, labels = axes.get_legend_handles_labels()
+        legend.update(zip(labels, lines))
+    figure.legend(legend.values(), legend, loc='outside lower center', ncols=len(legend),
+                  frameon=False)
     return figure
 
 
@@ -96,16 +101,6 @@ def _turn_panels(run, target):
         target += 360 * round((headings[0][-1] - target) / 360)
     return [Panel('heading (degrees)', 2.0, headings, target=target),
             Panel('turn rate (rad/s)', 0.05, turn_rates, commanded=2)]
-
-
-def _add_legend(figure):
-    """Name each kind of line once, below all panels."""
-    handles = {}
-    for axes in figure.axes:
-        drawn, labels = axes.get_legend_handles_labels()
-        handles.update(zip(labels, drawn))
-    figure.legend(handles.values(), handles, loc='outside lower center', ncols=len(handles),
-                  frameon=False)
 
 
 def _write_title(figure, run, distance_target, heading_target):

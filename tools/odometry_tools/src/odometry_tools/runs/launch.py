@@ -176,17 +176,14 @@ class Launch(ProcessListener):
 def _wait(condition, outcome):
     """Put None into a queue once a condition holds, or its exception."""
     try:
-        while not _holds(condition):
+        while True:
+            with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
+                if condition():
+                    break
             time.sleep(CHECK_PERIOD)
         outcome.put(None)
     except Exception as error:  # noqa: BLE001
         outcome.put(error)
-
-
-def _holds(condition):
-    with contextlib.suppress(OSError, rosgraph.MasterException):  # no answer yet
-        return condition()
-    return False
 
 
 def _how(status):

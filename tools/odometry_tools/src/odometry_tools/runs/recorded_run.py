@@ -86,7 +86,8 @@ def read_run(path, topic=None, end=math.inf):
     try:
         with rosbag.Bag(str(path)) as bag:
             types, differing = bags.types_in(bag), bags.differing_definitions(bag)
-            topic = topic or _odometry_topic(types)
+            choices = [name for name, kind in sorted(types.items()) if kind == Odometry._type]
+            topic = topic or (choices[0] if len(choices) == 1 else ODOMETRY_TOPIC)
             odometry, ground_truth, commands = (
                 timed(bags.read_messages(bag, kind, *names), end)
                 for kind, names in ((Odometry, [topic]), (Odometry, [TRUTH]),
@@ -98,9 +99,10 @@ def read_run(path, topic=None, end=math.inf):
     except Exception as error:  # noqa: BLE001
         # On damaged bytes rosbag raises KeyError, struct.error and others, some with all the bytes.
         raise BagError(f'{path} is damaged: {error!r:.100}') from None
-    if types.get(topic) != Odometry._type:
-        raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; '
-                       f'{_choice(types)}')
+    if topic not in choices:
+        options = ' or '.join(f'--topic {name}' for name in choices)
+        hint = f'choose its odometry: {options}' if options else f'it has no {Odometry._type}'
+        raise BagError(f'{path} has {types.get(topic, "no messages")} on {topic}; {hint}')
     if topic in differing:
         raise BagError(
             f'{path} defines {Odometry._type} on {topic} differently from the installed one')
@@ -113,20 +115,6 @@ def read_run(path, topic=None, end=math.inf):
     track, true_track = track_of(odometry, start), track_of(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no message with finite numbers on {topic}')
-    is_known = true_track and true_track.overlaps(track)
     return Run('/'.join(Path(path).absolute().parts[-2:]), topic, track,
-               true_track.moved_onto(track) if is_known else None, numpy.array(rows).reshape(-1, 3),
+               true_track and true_track.moved_onto(track), numpy.array(rows).reshape(-1, 3),
                sorted(differing.intersection([TRUTH, *COMMAND_TOPICS])))
-
-
-def _odometry_topic(types):
-    """Return the default topic."""
-    topics = [name for name, kind in types.items() if kind == Odometry._type]
-    return topics[0] if len(topics) == 1 else ODOMETRY_TOPIC
-
-
-def _choice(types):
-    """Return what the user can choose."""
-    options = [f'--topic {name}' for name, kind in sorted(types.items()) if kind == Odometry._type]
-    return (f'choose its odometry: {" or ".join(options)}' if options
-            else f'it has no {Odometry._type}')

@@ -26,15 +26,16 @@ class Track(NamedTuple):
     ignored: int  # number of further messages: late, not finite, or before time restarted
 
     def moved_onto(self, other):
-        """Return the same path, moved so that both start at the same pose."""
-        start = max(self.time[0], other.time[0])
+        """Return the same path, moved so that both start at the same pose.
+
+        None if they have no messages of the same time.
+        """
+        start, end = max(self.time[0], other.time[0]), min(self.time[-1], other.time[-1])
+        if start > end:
+            return None
         frame = other.at(start).then(self.at(start).inverse())
         x, y, yaw = frame.then(PlanarPose(self.x, self.y, self.yaw))
         return self._replace(x=x, y=y, yaw=yaw)
-
-    def overlaps(self, other):
-        """Return whether both have messages of the same time."""
-        return self.time[0] <= other.time[-1] and other.time[0] <= self.time[-1]
 
     def at(self, time):
         """Return the PlanarPose in the message nearest to a time (s)."""
