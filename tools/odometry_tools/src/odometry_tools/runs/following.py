@@ -36,6 +36,7 @@ def follow_robot(options, launch, page_port):
                     'the nodes do not answer')
     unpause = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
     launch.wait_for(lambda: is_answered(unpause), 'the robot stays paused')
+    launch.wait_for(ticks.have_begun, 'the robot sends no odometry')
     wall_start = time.monotonic()
     if page_port:
         launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
@@ -81,6 +82,10 @@ class Ticks:
             if len(tick) == 2:
                 del self._incomplete[stamp]
                 self._complete.put((message.header.stamp.to_sec(), *map(tick.get, ROBOT_TOPICS)))
+
+    def have_begun(self):
+        """Return whether there is one."""
+        return not self._complete.empty()
 
     def next(self, timeout):
         """Return stamp (s), odometry and ground truth; raise queue.Empty after a time (s)."""

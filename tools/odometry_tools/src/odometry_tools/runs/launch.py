@@ -139,7 +139,10 @@ class Launch(ProcessListener):
         return self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}'
 
     def statuses(self):
-        """Return the exit codes of nodes that have ended, by name."""
+        """Return the exit codes of nodes that have ended, by name; roslaunch notices it late."""
+        for process in list(self._monitor.procs):
+            if not process.is_alive():
+                self.process_died(process.name, process.exit_code)
         return {**self._ended}
 
     def pids(self):

@@ -73,15 +73,15 @@ def with_progress(runs, total):
     """Yield each run but None, and print how many are done and how long the others will take."""
     done, start, line = 0, time.monotonic(), Line(LINE_PERIOD, first=LINE_PERIOD)
     for run in runs:
+        passed = max(time.monotonic() - start, 1e-3)
         if run is not None:
             done += 1
             yield run
-        passed = max(time.monotonic() - start, 1e-3)
+            rate, end = done / passed, passed * total / done
         text = f'{bar(done / total)} {done} of {total} runs'
         if done:
-            rate = done / passed
             pace = f'{rate:.1f} a second' if rate >= 1 else f'{1 / rate:.1f} s each'
-            text += f', {pace}, {timedelta(seconds=round((total - done) / rate))} left'
+            text += f', {pace}, {timedelta(seconds=max(0, round(end - passed)))} left'
         line.show(text, passed) if done < total else line.finish(text)
 
 
