@@ -17,17 +17,17 @@ Parameters:
 import rospy
 from geometry_msgs.msg import PoseStamped
 from odometry_common.node import run_node, spin
-from odometry_common.parameters import ANY, Parameter, Parameters, at_least
+from odometry_common.parameters import Parameter, Parameters
 from odometry_common.subscribing import Subscriber
 from sim_turtlebot.frames import fill_pose
 from sim_turtlebot.geometry import about_z
 
 PARAMETERS = Parameters(
-    Parameter('~x', 0.0, 'm', ANY, 'the goal'),
-    Parameter('~y', 0.0, 'm', ANY, 'the goal'),
-    Parameter('~yaw', 0.0, 'rad', ANY, 'the heading there'),
-    Parameter('~time', 5.05, 's', at_least(0),
-              'when to send it; later if move_base takes no goals yet'))
+    Parameter('~x', 0.0, 'the goal', 'm'),
+    Parameter('~y', 0.0, 'the goal', 'm'),
+    Parameter('~yaw', 0.0, 'the heading there', 'rad'),
+    Parameter('~time', 5.05,
+              'when to send it; later if move_base takes no goals yet', 's', 'from 0'))
 
 
 def main():

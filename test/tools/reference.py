@@ -87,7 +87,7 @@ def _node_part(heading):
     table = getattr(script, 'PARAMETERS', Parameters())
     documentation = f'{inspect.getdoc(script)}\n'.replace(table.help, '')
     prose = re.split(r'\n\n+', SECTION.sub('', documentation).strip())
-    parameters = [(_code(row.name), row.type, _code(row.default_text), row.range.text, row.meaning)
+    parameters = [(_code(row.name), row.type, _code(row.default_text), row.range, row.meaning)
                   for row in table.rows]
     options = _options_part(script.make_parser()) if hasattr(script, 'make_parser') else ''
     return '\n\n'.join(filter(None, [

@@ -4,16 +4,18 @@ import math
 from collections import deque
 from typing import NamedTuple
 
-from odometry_common.parameters import Parameter, Parameters, at_least
+from odometry_common.parameters import Parameter, Parameters
 
 MIN_DISTANCE = 1e-6  # m; a smaller total is reported as zero, as in the tutorial
 MAX_STEP = 1e300  # m; longer steps could overflow the sum
 
 PARAMETERS = Parameters(
-    Parameter('~min_step', 0.0, 'm', at_least(0),
-              'count the displacement from the last counted position once it reaches this'),
-    Parameter('~max_speed', 5.0, 'm/s', at_least(0),
-              'warn of a faster step, a jump, and do not count it; 0 counts every step'))
+    Parameter('~min_step', 0.0,
+              'count the displacement from the last counted position once it reaches this',
+              'm', 'from 0'),
+    Parameter('~max_speed', 5.0,
+              'warn of a faster step, a jump, and do not count it; 0 counts every step',
+              'm/s', 'from 0'))
 
 
 class Position(NamedTuple):

@@ -1,15 +1,19 @@
 """A node's parameters: declared in one table, and checked before the node starts."""
 
 import math
+import operator
 import re
 import textwrap
 from types import SimpleNamespace
-from typing import Any, Callable, NamedTuple
+from typing import Any, NamedTuple
 
 # YAML 1.1 reads 1e4 as a string; a number needs a point and a sign, 1.0e+4.
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
 HELP_WIDTH = 100
-UNSET = object()
+# How a value compares with the numbers in a range's text.
+COMPARISONS = {'from': operator.ge, 'above': operator.gt, 'to': operator.le, 'below': operator.lt,
+               'than': operator.ne}
+BOUND = re.compile(rf'({"|".join(COMPARISONS)}) (?:~(\w+)|(-?[\d.]+)( pi)?)')
 
 
 class StartError(Exception):
@@ -24,44 +28,16 @@ class ParameterError(StartError):
         super().__init__(f'parameter {name} is {value!r}, but must be {allowed}')
 
 
-class Range(NamedTuple):
-    """The values that a parameter may have."""
-
-    text: str  # ~name stands for the value of another parameter
-    accepts: Callable[[Any, SimpleNamespace], bool]  # of a value, and the parameters read before it
-
-
-def at_least(low):
-    """Return the Range of numbers not below `low`."""
-    return Range(f'from {low:g}', lambda value, _: value >= low)
-
-
-def above(low):
-    """Return the Range of numbers above `low`."""
-    return Range(f'above {low:g}', lambda value, _: value > low)
-
-
-def between(low, high):
-    """Return the Range of numbers from `low` to `high`, both included."""
-    return Range(f'from {low:.10g} to {high:.10g}', lambda value, _: low <= value <= high)
-
-
-def one_of(*choices):
-    """Return the Range of a few strings."""
-    return Range(' or '.join(choices), lambda value, _: value in choices)
-
-
-ANY = Range('', lambda *_: True)
-
-
 class Parameter(NamedTuple):
     """A parameter; it has the type of its default: float, int, bool or str."""
 
     name: str  # such as ~speed
     default: Any
-    unit: str
-    range: Range
     meaning: str
+    unit: str = ''
+    # What it may be, such as "0 or from 0.1 to below ~speed", which must be read before it, or
+    # "world or encoder"; empty: anything
+    range: str = ''
 
     @property
     def type(self):
@@ -88,13 +64,22 @@ class Parameter(NamedTuple):
         value = as_number(given) if is_number else given
         usable = (value is not None and value == kind(value) if is_number
                   else isinstance(value, kind))
-        if not usable or not self.range.accepts(value, earlier):
+        if not usable or not self._is_in_range(value, earlier):
             raise ParameterError(self.name, given, self._allowed(earlier))
         return kind(value)
 
+    def _is_in_range(self, value, earlier):
+        if isinstance(value, str):
+            return not self.range or value in self.range.split(' or ')
+        if value == 0 and self.range.startswith('0 or '):
+            return True
+        return all(COMPARISONS[word](value, getattr(earlier, name) if name else
+                                     float(number) * (math.pi if pi else 1))
+                   for word, name, number, pi in BOUND.findall(self.range))
+
     def _allowed(self, earlier):
         text = re.sub(r'~(\w+)', lambda found: f'{found[0]} ({getattr(earlier, found[1]):g})',
-                      self.range.text)
+                      self.range)
         if isinstance(self.default, bool):
             return 'true or false'
         if isinstance(self.default, str):
@@ -132,9 +117,8 @@ class Parameters:
         source = _on_server(self.names) if source is None else source
         for row in self.rows:
             name = row.name.lstrip('~/')
-            given = source.get(name, UNSET)
-            value = defaults.get(name, row.default) if given is UNSET else row.check(given, values)
-            setattr(values, name, value)
+            given = source.get(name, defaults.get(name, row.default))
+            setattr(values, name, row.check(given, values))
         return values
 
 
@@ -143,13 +127,14 @@ def _on_server(names):
     import rospy  # here, since the arithmetic that declares parameters needs no ROS
     own = rospy.get_param(rospy.get_name(), {})
     # A global name, or one that is remapped.
-    elsewhere = {name.lstrip('~/'): rospy.get_param(name, UNSET) for name in names
-                 if rospy.resolve_name(name) != f'{rospy.get_name()}/{name.lstrip("~/")}'}
+    elsewhere = {name.lstrip('~/'): rospy.get_param(name) for name in names
+                 if rospy.resolve_name(name) != f'{rospy.get_name()}/{name.lstrip("~/")}'
+                 and rospy.has_param(name)}
     return {**(own if isinstance(own, dict) else {}), **elsewhere}
 
 
 def _help_of(row):
-    facts = ', '.join(filter(None, [row.type, row.default_text, row.range.text]))
+    facts = ', '.join(filter(None, [row.type, row.default_text, row.range]))
     return textwrap.fill(f'{row.name} ({facts}): {row.meaning}', HELP_WIDTH,
                          initial_indent=' ' * 4, subsequent_indent=' ' * 8)
 

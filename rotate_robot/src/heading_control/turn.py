@@ -3,19 +3,19 @@
 import math
 
 from odometry_common.angles import wrap_to_pi
-from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
+from odometry_common.parameters import Parameter, Parameters
 
 PARAMETERS = Parameters(
-    Parameter('~target', 90.0, 'degrees', ANY, 'heading to turn to, in the odom frame'),
-    Parameter('~kp', 0.5, '1/s', above(0), 'gain'),
-    Parameter('~rate', 10.0, 'Hz', between(0.1, 1000), 'control rate'),
-    Parameter('~max_angular_speed', 3.14, 'rad/s', above(0), 'the command is clamped to this'),
-    Parameter('~tolerance', 0.0, 'degrees',
-              Range('from 0 to below 180', lambda value, _: 0 <= value < 180),
-              'exit once the robot is at rest this close to the target; 0: never'),
-    Parameter('~timeout', 1.0, 's', between(0, 3600),
+    Parameter('~target', 90.0, 'heading to turn to, in the odom frame', 'degrees'),
+    Parameter('~kp', 0.5, 'gain', '1/s', 'above 0'),
+    Parameter('~rate', 10.0, 'control rate', 'Hz', 'from 0.1 to 1000'),
+    Parameter('~max_angular_speed', 3.14, 'the command is clamped to this', 'rad/s', 'above 0'),
+    Parameter('~tolerance', 0.0,
+              'exit once the robot is at rest this close to the target; 0: never',
+              'degrees', 'from 0 to below 180'),
+    Parameter('~timeout', 1.0,
               'stop and warn while no odometry arrives for this long (ROS time, and at least 0.2 s '
-              'of wall time); 0: never'))
+              'of wall time); 0: never', 's', 'from 0 to 3600'))
 
 
 class Turn:

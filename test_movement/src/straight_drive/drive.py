@@ -2,19 +2,17 @@
 
 import math
 
-from odometry_common.parameters import ANY, Parameter, Parameters, Range, above, between
+from odometry_common.parameters import Parameter, Parameters
 
 PARAMETERS = Parameters(
-    Parameter('~distance', 2.0, 'm', above(0), 'where to stop'),
-    Parameter('~speed', 0.1, 'm/s', Range('other than 0', lambda value, _: value != 0),
-              'how fast; negative drives backwards'),
-    Parameter('~relative', False, '', ANY,
-              "count from the first message, not from the detector's start"),
-    Parameter('~exit_when_done', False, '', ANY,
+    Parameter('~distance', 2.0, 'where to stop', 'm', 'above 0'),
+    Parameter('~speed', 0.1, 'how fast; negative drives backwards', 'm/s', 'other than 0'),
+    Parameter('~relative', False, "count from the first message, not from the detector's start"),
+    Parameter('~exit_when_done', False,
               'exit once the robot has stopped; false: keep commanding zero'),
-    Parameter('~timeout', 1.0, 's', between(0, 3600),
+    Parameter('~timeout', 1.0,
               'stop and warn while no message arrives for this long '
-              '(ROS time, and at least 0.2 s of wall time); 0: never'))
+              '(ROS time, and at least 0.2 s of wall time); 0: never', 's', 'from 0 to 3600'))
 
 
 class Drive:

@@ -4,7 +4,7 @@ import math
 
 FRAMES = 'world', ''  # empty: not given
 MAX_COORDINATE = 1e4  # m; PyBullet's single precision is too coarse beyond
-COORDINATES = f'from {-MAX_COORDINATE:.0f} to {MAX_COORDINATE:.0f} m'
+COORDINATES = f'from {-MAX_COORDINATE:.0f} to {MAX_COORDINATE:.0f}'
 MIN_LENGTH = 1e-100  # of a quaternion
 
 
@@ -20,7 +20,7 @@ def checked_pose(frame, position, orientation):
         raise ValueError(f'frame_id is {frame!r}, but must be world, or empty')
     for name, value in zip('xyz', position):
         if not abs(value) <= MAX_COORDINATE:
-            raise ValueError(f'{name} is {value:g} m, but must be {COORDINATES}')
+            raise ValueError(f'{name} is {value:g} m, but must be {COORDINATES} m')
     length = math.hypot(*orientation)
     if not MIN_LENGTH < length < math.inf:
         numbers = ' '.join(f'{number:g}' for number in orientation)

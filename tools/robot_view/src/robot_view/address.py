@@ -6,7 +6,7 @@ import re
 import socket
 from typing import NamedTuple
 
-from odometry_common.parameters import ANY, Parameter, ParameterError, Parameters, between
+from odometry_common.parameters import Parameter, ParameterError, Parameters
 
 # The container sets it, so that the page listens on the container's interface.
 HOST_VARIABLE = 'ODOMETRY_VIEW_HOST'
@@ -17,17 +17,18 @@ HOST = re.compile(r'(\[[0-9a-f:.]+\]|[a-z0-9][a-z0-9._-]*)(:(?P<port>[0-9]+))?')
 PORTS = range(1, 65536)
 
 PARAMETERS = Parameters(
-    Parameter('~port', 8080, '', between(1, 65535), 'port of the page'),
-    Parameter('~host', 'localhost', '', ANY,
+    Parameter('~port', 8080, 'port of the page', '', 'from 1 to 65535'),
+    Parameter('~host', 'localhost',
               'name or address to listen on; 0.0.0.0 lets the whole network in; the environment '
               f'variable {HOST_VARIABLE} sets the default'),
-    Parameter('~allowed_hosts', '', '', ANY,
+    Parameter('~allowed_hosts', '',
               'further names of the page, for a proxy, such as robots.example, lab:9000; without a '
               'port, any port'),
-    Parameter('~target', 0.0, 'm', ANY,
-              'where the mover stops, ahead of its start; negative: behind; 0: not shown'),
-    Parameter('~heading_target', 0.0, 'degrees', ANY,
-              'heading to turn to, until rotate_robot/target tells another; 0: not shown'))
+    Parameter('~target', 0.0,
+              'where the mover stops, ahead of its start; negative: behind; 0: not shown', 'm'),
+    Parameter('~heading_target', 0.0,
+              'heading to turn to, until rotate_robot/target tells another; 0: not shown',
+              'degrees'))
 
 
 class Address(NamedTuple):

@@ -6,7 +6,7 @@ import os
 from typing import Any, NamedTuple
 
 import yaml
-from odometry_common.parameters import Parameter, ParameterError, StartError, at_least, between
+from odometry_common.parameters import Parameter, ParameterError, StartError
 from sim_turtlebot.physics.world_file import WorldFileError, left_out
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation
@@ -16,7 +16,7 @@ from odometry_tools.sweep.results import METRICS, NOT_ARRIVED, STATISTICS
 from odometry_tools.sweep.subjects import LAUNCH, Launched, Tutorial, choose
 
 MAX_RUNS = 10**6  # the metrics of each run stay in memory
-SEEDS = Parameter('seeds', 1, '', between(1, MAX_RUNS), '')
+SEEDS = Parameter('seeds', 1, '', '', f'from 1 to {MAX_RUNS}')
 
 
 class Campaign(NamedTuple):
@@ -67,7 +67,7 @@ class Campaign(NamedTuple):
             f'{metric}_{name}' for metric in METRICS[self.subject.kind] for name in STATISTICS)])
         for name, limit in self.limits.items():
             choose(name, known, f'unknown limit {name}')
-            Parameter(f'limit {name}', 0.0, '', at_least(0), '').check(limit)
+            Parameter(f'limit {name}', 0.0, '', '', 'from 0').check(limit)
 
 
 def read_campaign(path):

@@ -3,7 +3,7 @@
 import difflib
 from typing import NamedTuple
 
-from odometry_common.parameters import Parameter, StartError, between
+from odometry_common.parameters import Parameter, StartError
 from sim_turtlebot.settings import PARAMETERS
 
 from odometry_tools.runs.tutorials import TUTORIALS
@@ -12,7 +12,7 @@ from odometry_tools.sweep.results import METRICS
 
 LAUNCH = 'launch'  # in place of a tutorial
 LAUNCH_ARGUMENT = 'launch:'  # before the name of an argument that names a column already
-UNTIL = Parameter('until', 10.0, 's of simulated time', between(0.05, 1e5), '')
+UNTIL = Parameter('until', 10.0, '', 's of simulated time', 'from 0.05 to 100000')
 # The sweep controls time, opens no window, and sets the seed of each run.
 NOT_SET = {'gui', 'robots', 'real_time_factor', 'lockstep', 'paused', 'seed'}
 # Parameters for wall time, tf, scans, late messages, and nodes that wait, compute or exit.
