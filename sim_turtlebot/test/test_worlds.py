@@ -8,7 +8,7 @@ from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
 from sim_turtlebot.physics.world import World
 from sim_turtlebot.physics.world_file import WorldFileError
-from sim_turtlebot.physics.world_shapes import BOX, CYLINDER, SPHERE, read_shapes
+from sim_turtlebot.world_markers import make_markers
 from std_msgs.msg import String
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -133,10 +133,17 @@ def test_the_walls_and_boxes_of_the_room_arrive_late_too(simulated_time):
 def test_a_shape_stands_where_the_file_puts_it(tmp_path):
     path = tmp_path / 'links.urdf'
     path.write_text(LINKS)
-    box, cylinder, sphere = read_shapes(World(240, [(0.0, 0.0, 0.0)], world_file=str(path)))
-    assert (box.kind, cylinder.kind, sphere.kind) == (BOX, CYLINDER, SPHERE)
-    assert box.position == pytest.approx((3, 2, 1)) and box.size == pytest.approx((1, 2, 3))
-    assert box.rotation == pytest.approx((0, 0, 0, 1), abs=1e-6)
-    assert box.colour == pytest.approx((1, 0.5, 0, 0.25))
-    assert cylinder.position == pytest.approx((0, 9, 0)) and cylinder.size == pytest.approx((0.4, 0.4, 0.7))
-    assert sphere.position == pytest.approx((0, 4, 5), abs=1e-4) and sphere.size == pytest.approx((1, 1, 1))
+    box, cylinder, sphere = make_markers(World(240, [(0.0, 0.0, 0.0)], world_file=str(path)))
+    assert (box.type, cylinder.type, sphere.type) == (Marker.CUBE, Marker.CYLINDER, Marker.SPHERE)
+    assert numbers(box.pose.position) == pytest.approx((3, 2, 1)) and numbers(box.scale) == pytest.approx((1, 2, 3))
+    assert numbers(box.pose.orientation) == pytest.approx((0, 0, 0, 1), abs=1e-6)
+    assert numbers(box.color) == pytest.approx((1, 0.5, 0, 0.25))
+    assert numbers(cylinder.pose.position) == pytest.approx((0, 9, 0))
+    assert numbers(cylinder.scale) == pytest.approx((0.4, 0.4, 0.7))
+    assert numbers(sphere.pose.position) == pytest.approx((0, 4, 5), abs=1e-4)
+    assert numbers(sphere.scale) == pytest.approx((1, 1, 1))
+
+
+def numbers(message):
+    """Return the fields of a message."""
+    return [getattr(message, name) for name in message.__slots__]
