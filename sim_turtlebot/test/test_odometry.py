@@ -105,5 +105,5 @@ def test_the_gyro_drifts_also_at_rest_and_has_a_wrong_scale_that_the_correction_
 def test_the_covariance_is_that_of_a_kobuki(gyro, yaw, turn):
     """That of a filter's input must not be zero."""
     robot = encoders(gyro=gyro)
-    assert robot.covariance == (0.1, 0.1, 1e10, 1e10, 1e10, yaw)
-    assert robot.twist_covariance == (0.001, 0.001, 1e10, 1e10, 1e10, turn)
+    assert robot.estimator.covariance == (0.1, 0.1, 1e10, 1e10, 1e10, yaw)
+    assert robot.estimator.twist_covariance == (0.001, 0.001, 1e10, 1e10, 1e10, turn)

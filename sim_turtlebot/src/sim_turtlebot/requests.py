@@ -3,25 +3,8 @@
 import threading
 import time
 from concurrent import futures
-from typing import Any, NamedTuple
 
 ANSWER_TIMEOUT = 5.0  # s
-
-
-class Call(NamedTuple):
-    """A service call that waits for its answer."""
-
-    node: str
-    service: str
-    request: Any  # a function without arguments
-    answer: futures.Future
-
-    def serve(self):
-        """Answer with what the request returns; return False if the caller has given up."""
-        if not self.answer.set_running_or_notify_cancel():
-            return False
-        self.answer.set_result(self.request())
-        return True
 
 
 class RequestQueue:
@@ -33,7 +16,7 @@ class RequestQueue:
     def __init__(self):
         self._changed = threading.Condition()
         self._messages = {}  # time of arrival (monotonic, s) and function, by node and topic
-        self._calls = []
+        self._calls = []  # node, service, function and Future of its result
         self._is_serving_calls = False
 
     @property
@@ -57,7 +40,7 @@ class RequestQueue:
         """
         answer = futures.Future()
         with self._changed:
-            self._calls.append(Call(node, service, request, answer))
+            self._calls.append((node, service, request, answer))
             self._changed.notify()
         if not futures.wait([answer], ANSWER_TIMEOUT).done:
             bound = f'within {ANSWER_TIMEOUT:g} s of wall time'
@@ -84,13 +67,13 @@ class RequestQueue:
             if not self._is_serving_calls:
                 calls, self._calls = self._calls, calls
         if by_name:
-            calls.sort(key=lambda call: (call.node, call.service))
+            calls.sort(key=lambda call: call[:2])
         for sender in sorted(messages) if by_name else messages:
             _, request = messages[sender]
             request()
-        if not calls:
-            return False
-        self._is_serving_calls = True
-        answered = [call.serve() for call in calls]
-        self._is_serving_calls = False
-        return any(answered)
+        for _, _, request, answer in calls:
+            if answer.set_running_or_notify_cancel():  # else the caller has given up
+                self._is_serving_calls = True
+                answer.set_result(request())
+                self._is_serving_calls = False
+        return bool(calls)

@@ -65,8 +65,8 @@ class RobotTopics:
         base = f'{namespace}base_footprint'
         self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom',
                                child_frame_id=base)
-        self._odometry.message.pose.covariance[::7] = robot.covariance
-        self._odometry.message.twist.covariance[::7] = robot.twist_covariance
+        self._odometry.message.pose.covariance[::7] = robot.estimator.covariance
+        self._odometry.message.twist.covariance[::7] = robot.estimator.twist_covariance
         self._ground_truth = Topic(f'{namespace}base_pose_ground_truth', Odometry, 'world',
                                    child_frame_id=base)
         self._joints = Topic(f'{namespace}joint_states', JointState, '', name=WHEEL_JOINTS)

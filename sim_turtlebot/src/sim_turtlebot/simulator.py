@@ -46,10 +46,9 @@ class Simulator:
         self._settings, self._simulation = settings, simulation
         self._timeline = simulation.timeline
         self._paused = settings.paused
-        self._begun = self._stopping = False  # begun: time zero has been published
+        self._begun = False  # whether time zero has been published
         self._requests = RequestQueue()
-        rospy.on_shutdown(self._stop)
-        self._nodes = synchronise(settings, lambda: self._stopping)
+        self._nodes = synchronise(settings, rospy.core.is_shutdown_requested)
         self._topics = SimulationTopics(simulation, settings)
         self._reports = Reports(simulation.robots, settings, self._topics.warn)
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
@@ -71,7 +70,7 @@ class Simulator:
             for topic in ('odom', 'cmd_vel'))
         rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, '
                       f'listening on {commands}')
-        while not (self._stopping or rospy.is_shutdown()):
+        while not rospy.core.is_shutdown_requested():
             self._take_turn()
 
     def _warn_of_models_left_out(self):
@@ -92,15 +91,15 @@ class Simulator:
             lead = self._pacer.lead(self._timeline.now)
             is_early = lead > MIN_SLEEP
             if self._requests.wait(min(lead, LONGEST_WAIT) if is_early else 0.0):
-                self._wait_and_serve()
+                self._check_senders(self._requests.arrivals)
+                self._nodes.wait()
+                self._serve()
             if not is_early:
                 self._advance()
 
-    def _wait_and_serve(self):
-        now = self._timeline.now / 1e9
-        self._nodes.check_senders(self._requests.arrivals, now, unprompted=True)
-        self._nodes.wait()
-        self._serve()
+    def _check_senders(self, unprompted):
+        self._nodes.check_senders({**self._requests.arrivals, **unprompted},
+                                  self._timeline.now / 1e9, unprompted)
 
     def _serve(self):
         """Serve the waiting requests, and the calls that follow an answer."""
@@ -131,11 +130,7 @@ class Simulator:
         new_odometry = self._simulation.advance(self._timeline.steps + 1 if is_paced else math.inf)
         unprompted = self._requests.arrivals
         self._publish(new_odometry)
-        now = self._timeline.now / 1e9
-        self._nodes.check_senders(unprompted, now, unprompted=True)
-        prompted = {name: arrival for name, arrival in self._requests.arrivals.items()
-                    if name not in unprompted}
-        self._nodes.check_senders(prompted, now, unprompted=False)
+        self._check_senders(unprompted)
         self._serve()
         if new_odometry and self._settings.gui:
             self._simulation.world.look_at(self._simulation.robots[0].body)
@@ -190,7 +185,3 @@ class Simulator:
         self._nodes.forget_reports()
         if self._settings.lockstep and self._paused:
             self._begun = self._inputs.obeys = False
-
-    def _stop(self):
-        self._stopping = True
-        self._requests.put('', '', lambda: None)  # wakes the main thread

@@ -92,11 +92,12 @@ class Lockstep:
         :param arrivals: when the latest message of each node that has sent one since the last call
             came (monotonic, s), by name
         :param now: simulated time (s)
-        :param unprompted: whether all nodes were idle, and nothing has been published since
+        :param unprompted: the names of those that sent it while all nodes were idle, and nothing
+            had been published since
         """
         awaited = {process.name for process in self._waiter.processes.values()}
         for name in arrivals.keys() & awaited - self._reported:
-            self._unprompted[name] += unprompted
+            self._unprompted[name] += name in unprompted
             times = self._times.setdefault(name, deque(maxlen=MIN_INTERVALS + 1))
             times.append((arrivals[name], now))
             if self._unprompted[name] >= MAX_UNPROMPTED or _follow_wall_time(times, self._tick):

@@ -45,8 +45,10 @@ class TurtleBot:
                               contactProcessingThreshold=CONTACT_PROCESSING_THRESHOLD)
         self._wheels = [joints[name] for name in WHEEL_JOINTS]
         # Bound once: the client creates such a function at each access.
-        self._get_pose = partial(client.getBasePositionAndOrientation, self._body)
-        self._get_velocity = partial(client.getBaseVelocity, self._body)
+        # Position (x, y, z; m) and orientation (x, y, z, w) of the footprint.
+        self.pose = partial(client.getBasePositionAndOrientation, self._body)
+        # Linear (m/s) and angular (rad/s) velocity in the world frame, three of each.
+        self.velocity = partial(client.getBaseVelocity, self._body)
         self._get_wheels = partial(client.getJointStates, self._body, self._wheels)
         # Per call of PyBullet, which treats a torque as if it acted in a single step.
         self.steps_at_once = 1
@@ -58,14 +60,6 @@ class TurtleBot:
             self._body, self._wheels, pybullet.VELOCITY_CONTROL,
             targetVelocities=[left / WHEEL_RADIUS, right / WHEEL_RADIUS],
             forces=[WHEEL_TORQUE / self.steps_at_once] * 2)
-
-    def pose(self):
-        """Return position (x, y, z; m) and orientation (x, y, z, w) of the footprint."""
-        return self._get_pose()
-
-    def velocity(self):
-        """Return linear (m/s) and angular (rad/s) velocity in the world frame, three of each."""
-        return self._get_velocity()
 
     def wheels(self):
         """Return angles (rad), velocities (rad/s) and torques (N m) of the left and right wheel."""

@@ -15,8 +15,6 @@ from pathlib import Path
 SUFFIXES = '.urdf', '.sdf', '.world'
 REMARK = re.compile(r'b3(?:Warning|Error)\[[^\]]*\]:\n')
 NO_INERTIA = 'No inertial data for link,'  # PyBullet names the link in another remark
-WITHOUT_INERTIA = 'Inertial element must have inertia element'
-OF_LINK = 'Could not parse inertial element for Link:'  # the next remark is its name
 # The simulator has a floor, and rays need no light.
 NEEDED_BY_NOBODY = 'model://ground_plane', 'model://sun'
 LONGEST_REASON = 300  # characters
@@ -70,8 +68,6 @@ def _reason(trial):
             if not before.startswith(NO_INERTIA) and not remark.startswith(NO_INERTIA)]
     if trial.returncode == -signal.SIGALRM:
         return f'not within {LONGEST_LOAD} s'
-    if WITHOUT_INERTIA in told and OF_LINK in told[:-1]:
-        return f'add an <inertia> to the link {told[told.index(OF_LINK) + 1]}'
     if trial.returncode < 0:
         told.insert(0, f'PyBullet ends by {signal.Signals(-trial.returncode).name};')
     told = told or trial.stderr.splitlines()[-1:]

@@ -16,12 +16,8 @@ class VelocityMux:
     """
 
     def __init__(self, step_rate):
-        """Count time in steps, so many in a second."""
+        """Count time in steps, so many in a second; block no input."""
         self._timeout = TIMEOUT * step_rate
-        self.reset()
-
-    def reset(self):
-        """Block no input."""
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):

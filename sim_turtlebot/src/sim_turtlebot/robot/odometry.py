@@ -34,7 +34,7 @@ class WorldOdometry:
     slip for 0.01 s, and its velocity at that moment may be half of the velocity before and after.
     """
 
-    # The diagonal for x, y, z, roll, pitch, yaw that the tutorial's /odom shows.
+    # The diagonal for x, y, z (m^2), roll, pitch, yaw (rad^2) that the tutorial's /odom shows.
     covariance = (1e-05, 1e-05, 1e12, 1e12, 1e12, 0.001)
     twist_covariance = (0.0,) * 6
 

@@ -40,17 +40,14 @@ class Robot:
         timeout = settings.cmd_vel_timeout
         self._timeout = _whole_steps(timeout, step_rate) if timeout else math.inf
         self._rest_time = _whole_steps(REST_TIME, step_rate)
-        self._mux = VelocityMux(step_rate)
         self._rng = random.Random()
         self._geometry = geometry = DriveGeometry(settings)
         self.gyro = Gyro(settings, self._rng)
         if settings.odometry_source == 'world':
-            self._encoders, self._estimator = None, WorldOdometry()
+            self._encoders, self.estimator = None, WorldOdometry()
         else:
             self._encoders = Encoders(settings, self._rng)
-            self._estimator = EncoderOdometry(self._encoders, self.gyro, geometry, settings.gyro)
-        self.covariance = self._estimator.covariance  # of x, y, z (m^2), roll, pitch, yaw (rad^2)
-        self.twist_covariance = self._estimator.twist_covariance  # of the same, per second
+            self.estimator = EncoderOdometry(self._encoders, self.gyro, geometry, settings.gyro)
         self.scanner = Scanner(body, settings, index) if settings.scan else None
         self.begin(settings.seed)
 
@@ -108,7 +105,7 @@ class Robot:
         if self._encoders:  # reading the wheels takes as long as a physics step
             self._encoders.update(self.wheels[0])
         self.gyro.update(self.ground_truth.orientation, duration)
-        self.odometry = self._estimator.update(self.ground_truth, duration)
+        self.odometry = self.estimator.update(self.ground_truth, duration)
 
     def set_pose(self, position, orientation):
         """Place the robot at rest, without turning its wheels.
@@ -125,19 +122,19 @@ class Robot:
                   and height_of_z(orientation) >= STANDING_HEIGHT_OF_Z)
         self._anchor = self._standing() if stands else None
         self.gyro.teleport(self.ground_truth.orientation)
-        self.odometry = self._estimator.teleport(self.ground_truth)
+        self.odometry = self.estimator.teleport(self.ground_truth)
 
     def reset_odometry(self):
         """Reset odometry and gyro to zero at the current pose."""
         self.gyro.reset(self.ground_truth.orientation)
-        self.odometry = self._estimator.reset(self.ground_truth)
+        self.odometry = self.estimator.reset(self.ground_truth)
 
     def begin(self, seed):
         """Start at rest where the body is, and seed the random numbers."""
         self._rng.seed(seed + self.index)
         if self.scanner:
             self.scanner.seed = seed
-        self._mux.reset()
+        self._mux = VelocityMux(self._timeline.step_rate)
         self._forget_commands()
         self.ground_truth = true_motion(self.body)
         self._anchor = self._standing()
