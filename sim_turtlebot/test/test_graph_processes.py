@@ -24,9 +24,10 @@ def unseen():
 @pytest.fixture
 def graph(master, unseen):
     """Return the IdleWaiter of a graph with this test's node, and its GraphProcesses."""
-    waiter = IdleWaiter(lambda: False, lambda process, _: pytest.fail(f'{process.name} is busy'))
+    waiter = IdleWaiter(lambda: False, lambda process, _: pytest.fail(f'{process.name} is busy'),
+                        lambda process: False, 20.0)
     with contextlib.closing(waiter):
-        yield waiter, GraphProcesses(waiter, '/graph', unseen.append)
+        yield waiter, GraphProcesses(waiter, '/graph', lambda *report: unseen.append(report))
 
 
 def register(name, address):
@@ -43,7 +44,7 @@ def test_a_node_on_another_machine_is_named_once(graph, unseen):
     register('/dead', f'http://localhost:{port}')
     processes.wait()
     processes.wait()
-    assert unseen == ['/far']
+    assert unseen == [('/far', graph_module.UNSEEN)]
 
 
 def test_the_master_has_told_everybody_of_a_node_that_was_started_again(graph, monkeypatch):
@@ -62,19 +63,18 @@ def test_the_master_has_told_everybody_of_a_node_that_was_started_again(graph, m
 def test_a_connection_is_given_up_by_the_time_in_which_all_nodes_rest(graph, monkeypatch, after, is_given_up):
     """A connection that is reported once somebody has asked so often; no clock tells how long that takes."""
     _, processes = graph
-    asked, given_up = iter(range(after)), []
+    asked, listener = iter(range(after)), []
+    monkeypatch.setattr(processes, '_report', lambda name, why: name == LINK[2] and listener.append(why))
 
-    def missing_links(*_):
-        return {LINK} - {*given_up} if next(asked, None) is not None else set()
+    def missing_links():
+        return {LINK} if not listener and next(asked, None) is not None else set()
 
     # On a busy machine each wait may take an hour: it must not look at the clock.
     monkeypatch.setattr(graph_module, 'time', types.SimpleNamespace(sleep=lambda _: None))
-    monkeypatch.setattr(graph_module, 'missing_links', missing_links)
-    monkeypatch.setattr(graph_module, 'is_refused', lambda *_: False)
-    monkeypatch.setattr(processes, '_on_unconnected', lambda *link: given_up.append(link))
+    monkeypatch.setattr(processes, '_missing_links', missing_links)
     processes.wait()
     processes.wait()
-    assert given_up == [LINK] * is_given_up
+    assert listener == ['has not connected to /talker on /elsewhere for 5 s'] * is_given_up
 
 
 def test_what_roslaunch_has_started_is_awaited_before_it_is_a_node(graph):

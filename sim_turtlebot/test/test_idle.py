@@ -37,7 +37,7 @@ def busy():
 @pytest.fixture
 def waiter(busy):
     with contextlib.closing(IdleWaiter(lambda: False, lambda process, _: busy.append(process),
-                                       cpu_budget=CPU_BUDGET)) as waiter:
+                                       lambda process: False, CPU_BUDGET)) as waiter:
         yield waiter
 
 

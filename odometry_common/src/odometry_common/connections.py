@@ -8,6 +8,8 @@ import rospy
 ANSWER_TIMEOUT = 5.0  # s; a suspended node does not answer
 ANSWER = 2  # its index in (status, message, answer)
 SENDS = 'o'
+# The errors of a call to a node that is shutting down, or has gone.
+NO_ANSWER = OSError, http.client.HTTPException, xmlrpc.client.Error
 
 
 class _Transport(xmlrpc.client.Transport):
@@ -30,8 +32,7 @@ def ask(uri, call, *arguments):
     try:
         with node_at(uri) as node:
             return getattr(node, call)(rospy.get_name(), *arguments)[ANSWER]
-    # It is shutting down, or has gone.
-    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
+    except NO_ANSWER:
         return None
 
 

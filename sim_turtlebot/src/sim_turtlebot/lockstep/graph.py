@@ -4,16 +4,17 @@ import time
 
 import psutil
 import rosgraph
-from odometry_common.connections import ANSWER, node_at
+from odometry_common.connections import ANSWER, SENDS, ask, node_at
 from rosgraph.names import ns_join
 
 from sim_turtlebot.lockstep.children import Children
 from sim_turtlebot.lockstep.idle import LONGEST_POLL
-from sim_turtlebot.lockstep.links import is_refused, links, missing_links
 from sim_turtlebot.lockstep.listeners import pids_at
 
 PUBLISHERS, SUBSCRIBERS = 0, 1  # their places in the master's state
 CONNECT_TIMEOUT = 5.0  # s of wall time, for a connection while all nodes are idle
+UNSEEN = ('runs on another machine, in another container or as another user, where lockstep cannot '
+          'see it: run it beside the robot')
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
 ROSLAUNCHED = '__name:='  # in the command line of a node that roslaunch has started
@@ -23,17 +24,14 @@ STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emu
 class GraphProcesses:
     """Has an IdleWaiter wait for the master and for all nodes that it knows."""
 
-    def __init__(self, waiter, own_name, on_unseen, on_unconnected=lambda *link: None):
+    def __init__(self, waiter, own_name, report):
         """Add the master.
 
         :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
         :param own_name: of this node
-        :param on_unseen: called with the name of a node whose process this one cannot see
-        :param on_unconnected: called with a topic, its publisher and a subscriber that do not
-            connect
+        :param report: called with the name of a node that is not awaited, and what is wrong with it
         """
-        self._waiter, self._own_name = waiter, own_name
-        self._on_unseen, self._on_unconnected = on_unseen, on_unconnected
+        self._waiter, self._own_name, self._report = waiter, own_name, report
         self._unconnected = set()  # links that are not awaited any more
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
@@ -96,28 +94,30 @@ class GraphProcesses:
             if not (is_new or self._missing_links()):
                 return
             self._waiter.wait()
-            missing = {link for link in self._missing_links() if not self._is_refused(link)}
-            if missing:
+            if missing := self._missing_links():
                 time.sleep(LONGEST_POLL)
                 rested += LONGEST_POLL
             if rested > CONNECT_TIMEOUT:
-                self._give_up(missing)
+                self._unconnected |= missing
+                for topic, publisher, subscriber in sorted(missing):
+                    self._report(subscriber, f'has not connected to {publisher} on {topic} '
+                                 f'for {CONNECT_TIMEOUT:g} s')
 
     def _missing_links(self):
+        """Return topic, publisher and subscriber of each connection that the nodes still make.
+
+        As the publishers report them: a subscriber lists a connection early.
+        """
         awaited = {name for name in self._addresses if self._waiter.awaits(self._pids.get(name))}
-        wanted = {link for link in links(self._state[PUBLISHERS], self._state[SUBSCRIBERS])
-                  if link[0] != LOG and awaited.issuperset(link[1:])}
-        return missing_links(wanted - self._unconnected, self._addresses)
-
-    def _give_up(self, missing):
-        self._unconnected |= missing
-        for link in sorted(missing):
-            self._on_unconnected(*link)
-
-    def _is_refused(self, link):
-        if is_refused(link, self._addresses):
-            self._unconnected.add(link)
-        return link in self._unconnected
+        publishers = dict(self._state[PUBLISHERS])
+        wanted = {(topic, publisher, subscriber) for topic, names in self._state[SUBSCRIBERS]
+                  if topic != LOG for publisher in awaited.intersection(publishers.get(topic, ()))
+                  for subscriber in awaited.intersection(names)} - self._unconnected
+        present = {(topic, publisher, subscriber) for publisher in {link[1] for link in wanted}
+                   for _, subscriber, direction, _, topic, *_
+                   in ask(self._addresses[publisher], 'getBusInfo') or ()
+                   if direction == SENDS}
+        return wanted - present
 
     def _refresh(self):
         """Add new nodes, forget those that have gone; return whether the publishers have changed.
@@ -157,7 +157,7 @@ class GraphProcesses:
         self._pids.update(pids)
         for name, pid in pids.items():
             if pid is None:
-                self._on_unseen(name)
+                self._report(name, UNSEEN)
             elif process := self._waiter.processes.get(pid):
                 process.name, process.cpu_budget = name, self._waiter.cpu_budget
             elif pid:
@@ -169,7 +169,7 @@ class GraphProcesses:
             self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, cpu_budget)
             self._children.add_of(pid)
         except PermissionError:
-            self._on_unseen(name)
+            self._report(name, UNSEEN)
         except (FileNotFoundError, ProcessLookupError, psutil.Error):  # it has ended
             pass
 

@@ -19,8 +19,6 @@ from sim_turtlebot.lockstep.polls import classify, has_news
 from sim_turtlebot.lockstep.processes import Process
 
 LONGEST_POLL = 0.025  # s; rospy.wait_for_message() polls every 10 ms, roscpp every millisecond
-# s of CPU time that a process may use before it is idle; a scan of gmapping's takes over 2.
-CPU_BUDGET = 20.0
 STOPPED_TIMEOUT = 2.0  # s of wall time for a process that a signal or a debugger has stopped
 SPIN_TIME = 0.001  # s of wall time
 # After that, sleeps between two checks: a share of the wait so far, so that on a busy machine the
@@ -34,16 +32,17 @@ CHECKS = 3
 class IdleWaiter:
     """Waits until all processes are idle at once."""
 
-    def __init__(self, is_over, on_busy, is_flooded=lambda process: False, cpu_budget=CPU_BUDGET):
+    def __init__(self, is_over, on_busy, is_flooded, cpu_budget):
         """Start without processes.
 
         :param is_over: function that returns whether to stop waiting
         :param on_busy: called with a Process that is not awaited any more, and the CPU budget (s)
             that has been exceeded
         :param is_flooded: function that returns whether such a busy process keeps a Process awake
+        :param cpu_budget: CPU time (s) that a node may use before it is idle
         """
         self.is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
-        self.cpu_budget = cpu_budget  # s, of a node
+        self.cpu_budget = cpu_budget
         self.processes = {}  # by id
         # By Process: the usage of its threads that do not poll, when all were last idle
         self.idle_usage = {}

@@ -1,17 +1,16 @@
 """Lockstep: time advances only when every node of the graph has finished its work."""
 
 import contextlib
-import http.client
 import time
-import xmlrpc.client
 from collections import Counter, deque
 from pathlib import Path
 
 import rospy
+from odometry_common.connections import NO_ANSWER
 from odometry_common.parameters import ParameterError
 
-from sim_turtlebot.lockstep.graph import CONNECT_TIMEOUT, GraphProcesses
-from sim_turtlebot.lockstep.idle import CPU_BUDGET, LONGEST_POLL, IdleWaiter
+from sim_turtlebot.lockstep.graph import GraphProcesses
+from sim_turtlebot.lockstep.idle import LONGEST_POLL, IdleWaiter
 
 SLEEPER_CHECK_PERIOD = 2.0  # s of wall time between two checks for nodes that sleep by it
 MAX_WATCH_RATE = 2.8  # Hz; a thread that watches something may sleep by wall time
@@ -26,7 +25,7 @@ STABLE_TIME = 0.5  # s of wall time without a new or ended node before time begi
 class Lockstep:
     """Waits for all nodes on this machine, and names once each that it cannot wait for."""
 
-    def __init__(self, is_over, tick=0.0, cpu_budget=CPU_BUDGET):
+    def __init__(self, is_over, tick, cpu_budget):
         """Start with the master.
 
         :param is_over: function that returns whether to stop waiting
@@ -36,8 +35,7 @@ class Lockstep:
         """
         _check_proc()
         self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded, cpu_budget)
-        self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report_unseen,
-                                     self._report_unconnected)
+        self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report)
         self._changed = self._next_sleeper_check = 0.0
         self._sleepers = {}  # time of the last check, and sleeps seen by then, by Thread
         self._tick = tick
@@ -45,7 +43,6 @@ class Lockstep:
         self._times = {}  # of the last messages (s): wall time and simulated time, by name
         self._known = set()
         self._reported = set()
-        self._master_answers = True
 
     def wait(self, only_clock=False):
         """Return when every node is idle, or has exceeded its budget.
@@ -54,15 +51,13 @@ class Lockstep:
         """
         try:
             self._graph.wait(only_clock)
-            self._master_answers = True
-        except (OSError, http.client.HTTPException, xmlrpc.client.Error) as error:
-            if self._master_answers:
-                rospy.logwarn('lockstep does not wait for new nodes: '
-                              f'the master gave no list of nodes ({error})')
-            self._master_answers = False
-        if time.monotonic() > self._next_sleeper_check:
-            self._next_sleeper_check = time.monotonic() + SLEEPER_CHECK_PERIOD
-            self._report_sleepers(time.monotonic())
+        except NO_ANSWER as error:
+            rospy.logwarn_once('lockstep does not wait for new nodes: '
+                               f'the master gave no list of nodes ({error})')
+        now = time.monotonic()
+        if now > self._next_sleeper_check:
+            self._next_sleeper_check = now + SLEEPER_CHECK_PERIOD
+            self._report_sleepers(now)
 
     def forget_reports(self):
         """Name again the nodes that cannot be waited for: others may have their names."""
@@ -132,14 +127,6 @@ class Lockstep:
         self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}, thread '
                      f'{thread.name if thread else "unknown"}): let its loop sleep by rospy.Rate '
                      'or ros::Rate, or raise ~cpu_budget if it computes for longer')
-
-    def _report_unseen(self, name):
-        self._report(name, 'runs on another machine, in another container or as another user, '
-                     'where lockstep cannot see it: run it beside the robot')
-
-    def _report_unconnected(self, topic, publisher, subscriber):
-        self._report(subscriber, f'has not connected to {publisher} on {topic} '
-                     f'for {CONNECT_TIMEOUT:g} s')
 
     def _report(self, name, reason):
         if name not in self._reported:

@@ -88,7 +88,7 @@ class EncoderOdometry:
     def reset(self, _ground_truth):
         """Set pose and velocity to zero."""
         self._x = self._y = self._yaw = 0.0
-        return Motion((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), STILL, STILL)
+        return self._motion(STILL, STILL)
 
     def update(self, _ground_truth, duration):
         """Add the travel and the rotation of the last period."""
