@@ -51,7 +51,7 @@ def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):
                      for topic, (kind, _) in topics.items()}
         for recorder in recorders.values():
             recorder.wait_for_publisher()
-        with contextlib.closing(Lockstep(lambda: False, 0.01, 20.0)) as graph:
+        with contextlib.closing(Lockstep(0.01, 20.0)) as graph:
             wait_until(graph.is_graph_stable, RUN_TIME, 'nodes at rest before time begins')
         for recorder in recorders.values():
             recorder.clear()

@@ -24,7 +24,7 @@ def unseen():
 @pytest.fixture
 def graph(master, unseen):
     """Return the IdleWaiter of a graph with this test's node, and its GraphProcesses."""
-    waiter = IdleWaiter(lambda: False, lambda process, _: pytest.fail(f'{process.name} is busy'),
+    waiter = IdleWaiter(lambda process, _: pytest.fail(f'{process.name} is busy'),
                         lambda process: False, 20.0)
     with contextlib.closing(waiter):
         yield waiter, GraphProcesses(waiter, '/graph', lambda *report: unseen.append(report))

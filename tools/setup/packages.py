@@ -140,18 +140,11 @@ def build_package(folder, place, key):
          f'-DCATKIN_DEVEL_PREFIX={place}/devel'], check=False, text=True, errors='replace',
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     print(run.stdout, flush=True)
-    if run.returncode:
-        return find_error(run.stdout)
-    built.write_text(key)
-    return None
-
-
-def find_error(output):
-    """Return the first error of CMake, the compiler or the linker."""
-    error = ERROR.search(output)
-    if not error:
-        return f'see {WORKSPACE}/setup.log'
-    return error[1] or error[2]
+    if not run.returncode:
+        built.write_text(key)
+        return None
+    error = ERROR.search(run.stdout)
+    return error[1] or error[2] if error else f'see {WORKSPACE}/setup.log'
 
 
 def depends():

@@ -4,7 +4,6 @@ import contextlib
 import re
 import threading
 
-import rosgraph
 import rospy
 from rospy.impl import tcpros_pubsub
 from rospy.impl.masterslave import ROSHandler
@@ -76,7 +75,6 @@ def _leave_no_address_behind():
     rospy never unsubscribes from it. The master then keeps the address of each node that has
     exited, and later asks the next node at that address to shut down.
     """
-    value = False
-    with contextlib.suppress(OSError, rosgraph.MasterException):  # not set, or no master any more
-        value = rosgraph.Master(rospy.get_name()).getParam(ROSOUT_PARAMETER)
-    get_param_server_cache().set(ROSOUT_PARAMETER, value)
+    with contextlib.suppress(OSError):  # no master any more
+        value = rospy.get_param(ROSOUT_PARAMETER, False)
+        get_param_server_cache().set(ROSOUT_PARAMETER, value)

@@ -48,13 +48,15 @@ class Simulator:
         self._paused = settings.paused
         self._begun = False  # whether time zero has been published
         self._requests = RequestQueue()
-        self._nodes = synchronise(settings, rospy.core.is_shutdown_requested)
+        self._nodes = synchronise(settings)
         self._topics = SimulationTopics(simulation, settings)
         self._reports = Reports(simulation.robots, settings, self._topics.warn)
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
         self._inputs = Inputs(simulation.robots, self._requests, self._topics.warn)
         self._inputs.obeys = not settings.lockstep
-        self._warn_of_models_left_out()
+        if warning := left_out(settings.world):
+            rospy.logwarn(warning)
+            self._topics.warn('world', warning)
         if settings.use_sim_time:
             warn_of_conflicts('/clock', 'stop all but one; for two robots use robots:=2')
         self._inputs.serve('~pause_physics', self._pause)
@@ -72,11 +74,6 @@ class Simulator:
                       f'listening on {commands}')
         while not rospy.core.is_shutdown_requested():
             self._take_turn()
-
-    def _warn_of_models_left_out(self):
-        if warning := left_out(self._settings.world):
-            rospy.logwarn(warning)
-            self._topics.warn('world', warning)
 
     def _take_turn(self):
         """Serve the waiting requests; advance if a tick is due, even if more requests arrive."""

@@ -20,15 +20,12 @@ class FreeRunning:
         """There are none."""
 
 
-def synchronise(settings, is_over):
-    """Return a Lockstep, or a FreeRunning without ~lockstep.
-
-    :param is_over: function that returns whether to stop waiting
-    """
+def synchronise(settings):
+    """Return a Lockstep, or a FreeRunning without ~lockstep."""
     if not settings.lockstep:
         return FreeRunning()
     try:  # here, since this import takes a tenth of the start
         from sim_turtlebot.lockstep.lockstep import Lockstep
     except ModuleNotFoundError as error:
         raise StartError(f'lockstep needs {error.name}: install python3-{error.name}') from None
-    return Lockstep(is_over, 1 / settings.clock_rate, settings.cpu_budget)
+    return Lockstep(1 / settings.clock_rate, settings.cpu_budget)

@@ -6,6 +6,7 @@ import psutil
 import rosgraph
 from odometry_common.connections import ANSWER, SENDS, ask, node_at
 from rosgraph.names import ns_join
+from rospy.core import is_shutdown_requested
 
 from sim_turtlebot.lockstep.children import Children
 from sim_turtlebot.lockstep.idle import LONGEST_POLL
@@ -86,7 +87,7 @@ class GraphProcesses:
     def _await_connections(self):
         """Return once nobody comes or goes, and each subscriber is connected or reported."""
         rested = 0.0  # s, while all nodes were idle; a busy machine may need minutes for them
-        while not self._waiter.is_over():
+        while not is_shutdown_requested():
             is_new = self._refresh()
             if is_new:
                 self._waiter.wait_for_polls(self._pids[MASTER])
@@ -108,7 +109,8 @@ class GraphProcesses:
 
         As the publishers report them: a subscriber lists a connection early.
         """
-        awaited = {name for name in self._addresses if self._waiter.awaits(self._pids.get(name))}
+        awaited = {name for name in self._addresses if
+                   self._waiter.processes.get(self._pids.get(name)) in self._waiter.awaited}
         publishers = dict(self._state[PUBLISHERS])
         wanted = {(topic, publisher, subscriber) for topic, names in self._state[SUBSCRIBERS]
                   if topic != LOG for publisher in awaited.intersection(publishers.get(topic, ()))

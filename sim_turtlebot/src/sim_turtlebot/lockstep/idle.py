@@ -14,6 +14,8 @@ import errno
 import os
 import time
 
+from rospy.core import is_shutdown_requested
+
 from sim_turtlebot.lockstep.budgets import STALL_TIMEOUT, Budgets
 from sim_turtlebot.lockstep.polls import classify, has_news
 from sim_turtlebot.lockstep.processes import Process
@@ -32,27 +34,25 @@ CHECKS = 3
 class IdleWaiter:
     """Waits until all processes are idle at once."""
 
-    def __init__(self, is_over, on_busy, is_flooded, cpu_budget):
+    def __init__(self, on_busy, is_flooded, cpu_budget):
         """Start without processes.
 
-        :param is_over: function that returns whether to stop waiting
         :param on_busy: called with a Process that is not awaited any more, and the CPU budget (s)
             that has been exceeded
         :param is_flooded: function that returns whether such a busy process keeps a Process awake
         :param cpu_budget: CPU time (s) that a node may use before it is idle
         """
-        self.is_over, self._on_busy, self._is_flooded = is_over, on_busy, is_flooded
-        self.cpu_budget = cpu_budget
+        self._on_busy, self._is_flooded, self.cpu_budget = on_busy, is_flooded, cpu_budget
         self.processes = {}  # by id
         # By Process: the usage of its threads that do not poll, when all were last idle
         self.idle_usage = {}
-        self._awaited = []
+        self.awaited = []  # those that have not exceeded their budget
         self.stopped = set()  # Processes that are not awaited until they continue
 
     def add(self, name, pid, longest_poll=LONGEST_POLL, cpu_budget=None):
         """Wait for one more process; parameters and errors are those of Process."""
         self.processes[pid] = Process(name, pid, longest_poll, cpu_budget or self.cpu_budget)
-        self._awaited.append(self.processes[pid])
+        self.awaited.append(self.processes[pid])
 
     def wait(self, only_clock=False):
         """Return when all processes are idle, except those that have exceeded their budget.
@@ -62,7 +62,7 @@ class IdleWaiter:
         """
         begin, budgets, usage, polls = time.monotonic(), None, None, {}
         next_look = begin + BUDGET_PERIOD
-        while not self.is_over():
+        while not is_shutdown_requested():
             check_begin = time.monotonic()
             try:
                 self._await_continued()
@@ -72,7 +72,7 @@ class IdleWaiter:
                 busy = self._find_busy()
                 if not busy:
                     before = usage
-                    usage, polling = classify(self._awaited, self.idle_usage, check_begin,
+                    usage, polling = classify(self.awaited, self.idle_usage, check_begin,
                                               int(only_clock))
                     polls = {thread: polls.get(thread, sleeps) for thread, sleeps in polling.items()
                              if thread in polls or has_news(thread, usage, before)}
@@ -86,7 +86,7 @@ class IdleWaiter:
                     continue
                 if check_begin >= next_look:
                     next_look = check_begin + BUDGET_PERIOD
-                    budgets = budgets or Budgets(self._awaited)
+                    budgets = budgets or Budgets(self.awaited)
                     if self._gives_up(busy, budgets, check_begin - begin):
                         begin, budgets = check_begin, None
             except OSError as error:
@@ -103,22 +103,19 @@ class IdleWaiter:
         with contextlib.suppress(OSError, KeyError):  # it has ended
             polling = {thread: thread.sleeps for thread in self.processes[pid].threads.values()
                        if thread.may_poll}
-            while polling and not self.is_over() and time.monotonic() - begin < STALL_TIMEOUT:
+            while (polling and not is_shutdown_requested()
+                   and time.monotonic() - begin < STALL_TIMEOUT):
                 time.sleep(LONGEST_POLL)
                 polling = {thread: sleeps for thread, sleeps in polling.items()
                            if thread.sleeps == sleeps}
-
-    def awaits(self, pid):
-        """Return whether it waits for the process with this id."""
-        return self.processes.get(pid) in self._awaited
 
     def remove(self, pid):
         """Do not wait for a process any more."""
         process = self.processes.pop(pid)
         process.close()
         self.stopped.discard(process)
-        if process in self._awaited:
-            self._awaited.remove(process)
+        if process in self.awaited:
+            self.awaited.remove(process)
 
     def close(self):
         """Remove all processes."""
@@ -135,11 +132,11 @@ class IdleWaiter:
     def _check(self):
         """Return a Process that is not idle, or None."""
         for is_idle in Process.check_idle, Process.check_asleep, Process.is_still_idle:
-            for process in self._awaited:
+            for process in self.awaited:
                 if not is_idle(process):
                     # The next check begins with it, and is short while it is awake.
-                    self._awaited.remove(process)
-                    self._awaited.insert(0, process)
+                    self.awaited.remove(process)
+                    self.awaited.insert(0, process)
                     return process
         return None
 
@@ -167,13 +164,13 @@ class IdleWaiter:
         return True
 
     def _leave(self, process, budget):
-        self._awaited.remove(process)
+        self.awaited.remove(process)
         self._on_busy(process, budget)
 
     def _await_continued(self):
         continued = {process for process in self.stopped if not process.is_stopped()}
         self.stopped -= continued
-        self._awaited += continued
+        self.awaited += continued
 
     def _remove_ended(self):
         for pid, process in list(self.processes.items()):

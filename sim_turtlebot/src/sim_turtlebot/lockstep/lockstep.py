@@ -25,16 +25,15 @@ STABLE_TIME = 0.5  # s of wall time without a new or ended node before time begi
 class Lockstep:
     """Waits for all nodes on this machine, and names once each that it cannot wait for."""
 
-    def __init__(self, is_over, tick, cpu_budget):
+    def __init__(self, tick, cpu_budget):
         """Start with the master.
 
-        :param is_over: function that returns whether to stop waiting
         :param tick: of the clock (s of simulated time)
         :param cpu_budget: CPU time (s) that a node may use before it is idle
         :raises ParameterError: if /proc does not show the other processes
         """
         _check_proc()
-        self._waiter = IdleWaiter(is_over, self._report_busy, self._is_flooded, cpu_budget)
+        self._waiter = IdleWaiter(self._report_busy, self._is_flooded, cpu_budget)
         self._graph = GraphProcesses(self._waiter, rospy.get_name(), self._report)
         self._changed = self._next_sleeper_check = 0.0
         self._sleepers = {}  # time of the last check, and sleeps seen by then, by Thread
@@ -123,10 +122,9 @@ class Lockstep:
             self._report(process.name, 'has been stopped by a signal or a debugger '
                          f'(process {process.pid}): continue it, or end it')
             return
-        thread = process.awake_thread()
-        self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}, thread '
-                     f'{thread.name if thread else "unknown"}): let its loop sleep by rospy.Rate '
-                     'or ros::Rate, or raise ~cpu_budget if it computes for longer')
+        self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}): let '
+                     'its loop sleep by rospy.Rate or ros::Rate, or raise ~cpu_budget if it '
+                     'computes for longer')
 
     def _report(self, name, reason):
         if name not in self._reported:

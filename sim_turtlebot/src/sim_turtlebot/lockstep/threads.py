@@ -43,11 +43,6 @@ class Thread:
         """Close its files."""
         self._files.close()
 
-    @property
-    def name(self):
-        """The name that its process gave it."""
-        return self._read('comm').decode(errors='replace').strip()
-
     def check_asleep(self):
         """Return whether it sleeps."""
         self._function = self._read_function()
@@ -98,7 +93,8 @@ class Thread:
     @property
     def sleeps(self):
         """How often it has gone to sleep."""
-        return int(self._read('status').partition(SWITCHES)[2].split(maxsplit=1)[0])
+        with open(f'{self._path}/status', 'rb') as status:
+            return int(status.read().partition(SWITCHES)[2].split(maxsplit=1)[0])
 
     def sample_polling(self):
         """Set `always_polls`, once, while all other threads are idle.
@@ -147,7 +143,3 @@ class Thread:
         file = os.open(f'{self._path}/{name}', os.O_RDONLY)
         opened.callback(os.close, file)
         return partial(os.pread, file, MAX_LINE, 0)
-
-    def _read(self, name):
-        with open(f'{self._path}/{name}', 'rb') as file:
-            return file.read()

@@ -34,7 +34,7 @@ class TurtleBot:
     def load(self):
         """Load the robot at its start, into a world without it."""
         client = self._client
-        with _in_memory(without_frames(URDF.read_text())) as path, suppressed_output():
+        with _in_memory(without_frames(URDF.read_text())) as path:
             self._body = client.loadURDF(path, *self._start, flags=self._flags)
         # The footprint is PyBullet's base link: its pose is the robot's without conversion.
         client.changeDynamics(self._body, -1, mass=FOOTPRINT_MASS,

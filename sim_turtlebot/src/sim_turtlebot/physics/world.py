@@ -98,19 +98,23 @@ class World:
         self.client.resetDebugVisualizerCamera(*CAMERA, robot.pose()[0])
 
     def _build(self):
-        """Load the floor, the world file and the robots, and let these settle."""
+        """Load the floor, the world file and the robots; let these sink onto their wheels."""
         self._draw(False)
         self._steps_at_once = 1
-        self._configure()
-        floor = self.client.createMultiBody(
-            0, self.client.createCollisionShape(pybullet.GEOM_PLANE))
-        self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
-        if self._world_file:
-            with suppressed_output():
+        with suppressed_output():
+            self._configure()
+            floor = self.client.createMultiBody(
+                0, self.client.createCollisionShape(pybullet.GEOM_PLANE))
+            self.client.changeDynamics(floor, -1, lateralFriction=FLOOR_FRICTION)
+            if self._world_file:
                 load(self.client, self._world_file)
+            for robot in self.robots:
+                robot.load()
+        if self._world_file:
+            self._check_starts()
+        self.step(round(SETTLING_TIME * self._step_rate))
         for robot in self.robots:
-            robot.load()
-        self._settle()
+            robot.settle_here()
         self._draw(True)
 
     def _draw(self, whether):
@@ -123,12 +127,11 @@ class World:
         client.setGravity(0, 0, -GRAVITY)
         # The direct solver keeps the robot straighter than the iterative one in half the time.
         # Its cost grows with the cube of its task, so each robot is a separate task.
-        with suppressed_output():
-            client.setPhysicsEngineParameter(
-                fixedTimeStep=1 / self._step_rate, numSubSteps=0,
-                constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,
-                globalCFM=CFM, contactBreakingThreshold=CONTACT_BREAKING_THRESHOLD,
-                minimumSolverIslandSize=1)
+        client.setPhysicsEngineParameter(
+            fixedTimeStep=1 / self._step_rate, numSubSteps=0,
+            constraintSolverType=pybullet.CONSTRAINT_SOLVER_LCP_DANTZIG,
+            globalCFM=CFM, contactBreakingThreshold=CONTACT_BREAKING_THRESHOLD,
+            minimumSolverIslandSize=1)
 
     def _set_steps_at_once(self, steps):
         self._steps_at_once = steps
@@ -136,14 +139,6 @@ class World:
             fixedTimeStep=steps / self._step_rate, numSubSteps=steps if steps > 1 else 0)
         for robot in self.robots:
             robot.steps_at_once = steps
-
-    def _settle(self):
-        """Let the robots sink onto their wheels, then put each at its exact start."""
-        if self._world_file:
-            self._check_starts()
-        self.step(round(SETTLING_TIME * self._step_rate))
-        for robot in self.robots:
-            robot.settle_here()
 
     def _check_starts(self):
         self.client.performCollisionDetection()
