@@ -15,11 +15,10 @@ Parameters:
 """
 
 import rospy
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from odometry_common.node import run_node, spin
 from odometry_common.parameters import Parameter, Parameters
 from odometry_common.subscribing import Subscriber
-from sim_turtlebot.frames import fill_pose
 from sim_turtlebot.geometry import about_z
 
 PARAMETERS = Parameters(
@@ -35,8 +34,7 @@ def main():
     goal = PARAMETERS.read()
     message = PoseStamped()
     message.header.frame_id = 'map'
-    fill_pose(message.pose.position, message.pose.orientation, (goal.x, goal.y, 0.0),
-              about_z(goal.yaw))
+    message.pose = Pose(Point(goal.x, goal.y, 0.0), Quaternion(*about_z(goal.yaw)))
     publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
     status = Subscriber('move_base/status', rospy.AnyMsg, lambda _: None, 'move_base')
     status.wait()  # an earlier goal would be lost

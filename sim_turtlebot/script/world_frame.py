@@ -11,12 +11,19 @@ Publishes:
         each initialpose, which moves the robot there
 """
 
-from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, TransformStamped
+from geometry_msgs.msg import (
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    Quaternion,
+    Transform,
+    TransformStamped,
+    Vector3,
+)
 from nav_msgs.msg import Odometry
 from odometry_common.node import run_node, spin
 from odometry_common.publishing import ClosingPublisher
 from odometry_common.subscribing import Subscriber
-from sim_turtlebot.frames import fill_pose, read_pose
+from sim_turtlebot.frames import read_pose
 from sim_turtlebot.geometry import compose, inverse, rotate
 from tf2_msgs.msg import TFMessage
 
@@ -42,10 +49,9 @@ class WorldFrame:
         travelled, turned = read_pose(self._odometry.pose.pose)
         rotation = compose(orientation, inverse(turned))
         origin = [there - way for there, way in zip(place, rotate(rotation, travelled))]
-        frame = TransformStamped(header=ground_truth.header,
-                                 child_frame_id=self._odometry.header.frame_id)
-        fill_pose(frame.transform.translation, frame.transform.rotation, origin, rotation)
-        self._publisher.publish(TFMessage([frame]))
+        self._publisher.publish(TFMessage([TransformStamped(
+            ground_truth.header, self._odometry.header.frame_id,
+            Transform(Vector3(*origin), Quaternion(*rotation)))]))
 
     def _on_initial_pose(self, message):
         self._set_pose.publish(PoseStamped(message.header, message.pose.pose))

@@ -2,12 +2,12 @@
 
 import sys
 
-from geometry_msgs.msg import Quaternion
+from geometry_msgs.msg import Point, Pose, Quaternion, Twist, Vector3
 from nav_msgs.msg import Odometry
 from odometry_common.publishing import advertise
 from sensor_msgs.msg import Imu, JointState, LaserScan
 
-from sim_turtlebot.frames import Frames, fill_pose
+from sim_turtlebot.frames import Frames
 from sim_turtlebot.geometry import about_z
 from sim_turtlebot.kobuki import DEPTH_CAMERA_FRAME
 from sim_turtlebot.physics.description import WHEEL_JOINTS
@@ -61,7 +61,7 @@ class RobotTopics:
         :param settings: of sim_turtlebot.settings.read_settings()
         """
         self._robot, namespace = robot, robot.namespace
-        self.frames = Frames(robot)
+        self.frames = Frames(robot, settings.publish_tf)
         base = f'{namespace}base_footprint'
         self._odometry = Topic(f'{namespace}odom', Odometry, f'{namespace}odom',
                                child_frame_id=base)
@@ -89,10 +89,10 @@ class RobotTopics:
         for topic, motion in ((self._odometry, robot.odometry),
                               (self._ground_truth, robot.ground_truth)):
             if topic.has_subscribers:
-                pose, twist = topic.message.pose.pose, topic.message.twist.twist
-                fill_pose(pose.position, pose.orientation, *motion[:2])
-                twist.linear.x, twist.linear.y, twist.linear.z = motion.linear
-                twist.angular.x, twist.angular.y, twist.angular.z = motion.angular
+                topic.message.pose.pose = Pose(
+                    Point(*motion.position), Quaternion(*motion.orientation))
+                topic.message.twist.twist = Twist(
+                    Vector3(*motion.linear), Vector3(*motion.angular))
                 topic.publish(stamp, number)
         # Reading the wheels takes as long as a physics step.
         if self._joints.has_subscribers:

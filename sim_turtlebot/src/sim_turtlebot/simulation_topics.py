@@ -23,7 +23,6 @@ class SimulationTopics:
         # To ROS a time of zero is none: rosbag record would end at a reset. In lockstep the clock
         # comes after the odometry, and zero is where the loops of two runs begin alike.
         self._first_tick = rospy.Time(0, 0 if settings.lockstep else 1)
-        self._publish_tf = settings.publish_tf
         if settings.real_time_factor == 0 or settings.lockstep:
             wait_for_slow_subscribers(SLOW_SUBSCRIBER_BUDGET)
         self._clock = advertise('/clock', Clock) if self._use_sim_time else None
@@ -50,11 +49,8 @@ class SimulationTopics:
         for topics in self._robots:
             topics.publish_scan(stamp, number)
         if self._tf.get_num_connections():
-            transforms = []
-            for topics in self._robots:
-                transforms += [topics.frames.base(stamp)] if self._publish_tf else []
-                transforms += topics.frames.wheels(stamp)
-            self._tf.publish(TFMessage(transforms))
+            self._tf.publish(TFMessage(
+                [frame for topics in self._robots for frame in topics.frames.moving(stamp)]))
 
     def warn(self, cause, text):
         """Publish a warning beside those of other causes; an empty text withdraws it."""
