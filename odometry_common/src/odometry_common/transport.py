@@ -25,8 +25,7 @@ class NonBlockingTransport(TCPROSTransport):
     def __init__(self, *arguments, **options):
         super().__init__(*arguments, **options)
         self._changed = threading.Condition()
-        self._backlog = deque(maxlen=BACKLOG)
-        self._draining = False  # whether a thread sends the backlog; a second one would mix bytes
+        self._backlog = deque()  # a thread sends the first of it; a second one would mix bytes
         self._budget_left = self.wait_budget
         self._warned = False
 
@@ -36,19 +35,19 @@ class NonBlockingTransport(TCPROSTransport):
         :raises TransportTerminated: if the subscriber has gone; rospy then removes it
         """
         with self._changed:
-            if self._draining:
+            if self._backlog:
                 self._queue(data)
             elif rest := self._send(data):
-                self._draining = True
+                self._backlog.append(rest)
                 threading.Thread(target=self._drain, args=[rest], daemon=True).start()
-            if self._draining and self.wait_budget:
+            if self._backlog and self.wait_budget:
                 self._wait()
         return True
 
     def wait_until_sent(self, timeout):
         """Wait (s of wall time) until nothing is queued."""
         with self._changed:
-            self._changed.wait_for(lambda: not self._draining, timeout)
+            self._changed.wait_for(lambda: not self._backlog, timeout)
 
     def _send(self, data):
         """Send what fits into the socket; return the rest."""
@@ -70,10 +69,12 @@ class NonBlockingTransport(TCPROSTransport):
         self._budget_left = min(self.wait_budget, self._budget_left + BUDGET_PER_MESSAGE)
 
     def _queue(self, data):
-        if len(self._backlog) == BACKLOG and not self._warned:
-            self._warned = True
-            rospy.logwarn(
-                f'{self.endpoint_id} does not keep up with {self.name}: it loses messages')
+        if len(self._backlog) > BACKLOG:
+            del self._backlog[1]
+            if not self._warned:
+                self._warned = True
+                rospy.logwarn(
+                    f'{self.endpoint_id} does not keep up with {self.name}: it loses messages')
         self._backlog.append(data)
 
     def _drain(self, data):
@@ -86,20 +87,19 @@ class NonBlockingTransport(TCPROSTransport):
             self.close()
             with self._changed:
                 self._backlog.clear()
-                self._next(0)
+                self._changed.notify_all()
 
     def _next(self, size):
         """Count `size` sent bytes; return the next message, or None, which ends the draining."""
         with self._changed:
             self._count(size)
-            data = self._backlog.popleft() if self._backlog else None
-            self._draining = data is not None
+            self._backlog.popleft()
             self._changed.notify_all()
-            return data
+            return self._backlog[0] if self._backlog else None
 
     def _wait(self):
         start = time.monotonic()
-        self._changed.wait_for(lambda: not self._draining, self._budget_left)
+        self.wait_until_sent(self._budget_left)
         self._budget_left = max(0.0, self._budget_left - (time.monotonic() - start))
 
 

@@ -21,7 +21,7 @@ class Children:
         """Start without children.
 
         :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
-        :param add: adds a process to it, by its node's name, its id and a budget of CPU time (s)
+        :param add: adds a process to it, by its node's name, its id and its least CPU budget (s)
         """
         self._waiter, self._add = waiter, add
         self._parents = {}  # ids, by id of the child
@@ -70,7 +70,7 @@ class Children:
         if (parent and parent.longest_poll and pid not in self._waiter.processes
                 and _are_one_group(pid, parent.pid)):
             self._parents[pid] = parent.pid
-            self._add(parent.name, pid, max(CPU_BUDGET, self._waiter.cpu_budget))
+            self._add(parent.name, pid, CPU_BUDGET)
 
     def _remove_independent(self, nodes):
         """Remove those that ended, or moved to a process group of their own and are no nodes."""

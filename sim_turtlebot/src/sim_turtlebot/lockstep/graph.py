@@ -146,7 +146,7 @@ class GraphProcesses:
                          if argument.startswith(ROSLAUNCHED)), LOG)
             if (name != LOG and process.pid not in self._waiter.processes
                     and environment.get('ROS_MASTER_URI') == self._master_uri):
-                self._add(name, process.pid, max(STARTING_CPU_BUDGET, self._waiter.cpu_budget))
+                self._add(name, process.pid, STARTING_CPU_BUDGET)
 
     def _find(self, addresses):
         """Add the processes that serve these addresses, by name of their node."""
@@ -165,10 +165,10 @@ class GraphProcesses:
             elif pid:
                 self._add(name, pid)
 
-    def _add(self, name, pid, cpu_budget=None):
+    def _add(self, name, pid, least_budget=0.0):
         try:
             polls = name not in (MASTER, self._own_name)
-            self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, cpu_budget)
+            self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, least_budget)
             self._children.add_of(pid)
         except PermissionError:
             self._report(name, UNSEEN)

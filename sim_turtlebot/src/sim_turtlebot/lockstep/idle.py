@@ -49,9 +49,13 @@ class IdleWaiter:
         self.awaited = []  # those that have not exceeded their budget
         self.stopped = set()  # Processes that are not awaited until they continue
 
-    def add(self, name, pid, longest_poll=LONGEST_POLL, cpu_budget=None):
-        """Wait for one more process; parameters and errors are those of Process."""
-        self.processes[pid] = Process(name, pid, longest_poll, cpu_budget or self.cpu_budget)
+    def add(self, name, pid, longest_poll=LONGEST_POLL, least_budget=0.0):
+        """Wait for one more process; parameters and errors are those of Process.
+
+        :param least_budget: CPU time (s) that it may use even if a node may use less
+        """
+        budget = max(least_budget, self.cpu_budget)
+        self.processes[pid] = Process(name, pid, longest_poll, budget)
         self.awaited.append(self.processes[pid])
 
     def wait(self, only_clock=False):

@@ -20,18 +20,17 @@ def pids_at(addresses):
     None: this process cannot see it, since it is on another machine or belongs to another user. 0:
     nothing serves the address, as after a node was killed.
     """
-    is_local = {name: is_local_address(urlparse(address).hostname)
-                for name, address in addresses.items()}
+    parsed = {name: urlparse(address) for name, address in addresses.items()}
+    local = {name: address for name, address in parsed.items()
+             if is_local_address(address.hostname)}
     end = time.monotonic() + ENDING_TIME
     while True:
         listening = {connection.laddr: connection
                      for connection in psutil.net_connections('tcp')
                      if connection.status == psutil.CONN_LISTEN}
-        pids = {name: _pid_at(urlparse(address), listening) if is_local[name] else None
-                for name, address in addresses.items()}
-        is_hidden = any(pids[name] is None and is_local[name] for name in pids)
-        if not is_hidden or time.monotonic() > end:
-            return pids
+        pids = {name: _pid_at(address, listening) for name, address in local.items()}
+        if None not in pids.values() or time.monotonic() > end:
+            return {**dict.fromkeys(addresses), **pids}
         time.sleep(LOOK_PERIOD)
 
 

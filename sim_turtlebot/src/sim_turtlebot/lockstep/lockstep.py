@@ -5,6 +5,7 @@ import time
 from collections import Counter, deque
 from pathlib import Path
 
+import numpy
 import rospy
 from odometry_common.connections import NO_ANSWER
 from odometry_common.parameters import ParameterError
@@ -16,8 +17,8 @@ SLEEPER_CHECK_PERIOD = 2.0  # s of wall time between two checks for nodes that s
 MAX_WATCH_RATE = 2.8  # Hz; a thread that watches something may sleep by wall time
 MAX_UNPROMPTED = 2  # messages while all are idle; one may come from the node's start
 # A node that sleeps by wall time: wall times between its messages are alike, simulated are not.
+# The spreads are shares of the mean.
 MIN_INTERVALS, MAX_WALL_SPREAD, MIN_SPREAD = 6, 0.05, 0.2
-TINY = 1e-9  # s
 SLEEPS = 'acts by wall time, as after time.sleep(): use rospy.sleep()'
 STABLE_TIME = 0.5  # s of wall time without a new or ended node before time begins
 
@@ -139,15 +140,9 @@ def _follow_wall_time(times, tick):
     """
     if len(times) <= MIN_INTERVALS:
         return False
-    wall, simulated = ([after - before for before, after in zip(column, column[1:])]
-                       for column in zip(*times))
-    return (min(wall) > LONGEST_POLL and _spread(wall, 0.0) < MAX_WALL_SPREAD
-            and _spread(simulated, 1.01 * tick) > MIN_SPREAD)
-
-
-def _spread(intervals, slack):
-    """Return the longest minus the shortest interval and `slack`, as a share of their mean."""
-    return (max(intervals) - min(intervals) - slack) * len(intervals) / max(sum(intervals), TINY)
+    wall, simulated = numpy.diff(times, axis=0).T
+    return (wall.min() > LONGEST_POLL and numpy.ptp(wall) < MAX_WALL_SPREAD * wall.mean()
+            and numpy.ptp(simulated) - 1.01 * tick > MIN_SPREAD * simulated.mean())
 
 
 def _check_proc():

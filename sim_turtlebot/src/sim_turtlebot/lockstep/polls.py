@@ -17,9 +17,9 @@ def classify(processes, idle_usage, check_begin, receivers):
         for thread in threads if process.is_cpp else ():
             thread.sample_polling()
         usage[process] = process.usage()
+        have_run = usage[process].items() - idle_usage.get(process, {}).items()
         # ros::Rate and ros::Timer poll for the clock.
-        if limit and (process.is_cpp
-                      or _count_new(usage[process], idle_usage.get(process, {})) > receivers):
+        if limit and (process.is_cpp or len(have_run) > receivers):
             polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
                             for thread in threads if not (
                                 thread in usage[process] or thread.ignored or thread.is_asleep
@@ -35,9 +35,3 @@ def has_news(thread, usage, before):
     return before is None or any(
         process.longest_poll and process.pid != thread.pid and usages != before.get(process)
         for process, usages in usage.items())
-
-
-def _count_new(usages, earlier):
-    """Return how many threads of a process have run since all were last idle."""
-    return 0 if usages is earlier else sum(
-        earlier.get(thread) != usage for thread, usage in usages.items())
