@@ -61,7 +61,7 @@ def find_packages():
 
 
 def checksum(folder):
-    """Return one over the names of a package's sources and scripts, and the sources' content."""
+    """Return a checksum of a package: its sources, and the names of its scripts."""
     total = hashlib.sha256()
     for place, _, files in walk(folder):
         for name in sorted(files):
@@ -74,7 +74,7 @@ def checksum(folder):
 
 
 def names_of_depends(package):
-    """Return all names of which the conditions hold."""
+    """Return the names of a package's dependencies whose conditions hold."""
     return {depend.name for kind in KINDS for depend in getattr(package, kind)
             if depend.evaluated_condition}
 
@@ -166,21 +166,14 @@ def depends():
         print(*sorted(parts))
         if (not parts and not Path('/usr/share', name, 'package.xml').exists()
                 and not is_installed(name)):
-            print(f'./ws: {needed[name]} depends on {name}, {describe(name, known, table)}',
-                  file=sys.stderr)
-
-
-def describe(name, known, table):
-    """Return what to know about a dependency that has no package for ROS."""
-    if name in known:
-        return f"which is Debian's, not ROS's: sudo apt-get install --no-remove {name}"
-    if name in table:
-        return 'which apt does not know'
-    return "which neither ROS nor rosdep's table knows"
+            reason = 'which apt does not know'
+            if name in known:
+                reason = f"which is Debian's, not ROS's: sudo apt-get install --no-remove {name}"
+            print(f'./ws: {needed[name]} depends on {name}, {reason}', file=sys.stderr)
 
 
 def is_installed(name):
-    """Return whether Debian's package of this name is."""
+    """Return whether Debian's package of this name is installed."""
     query = subprocess.run(
         ['dpkg-query', '-W', '-f', '${db:Status-Status}\n', '--', name],
         check=False, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)

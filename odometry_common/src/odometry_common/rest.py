@@ -1,10 +1,10 @@
-"""When a robot is at rest: by its speeds, or by what a node sees of its way or heading."""
+"""Detect that a robot is at rest, from its speeds, its distance or its heading."""
 
 import math
 
 LINEAR_SPEED, ANGULAR_SPEED = 1e-3, 1e-2  # m/s, rad/s; well above the creep with idle motors
-WAY_BAND, ANGLE_BAND = 1e-3, math.radians(0.1)  # m, rad; in these a robot at rest stays
-DURATION = 0.5  # s, so long
+WAY_BAND, ANGLE_BAND = 1e-3, math.radians(0.1)  # m, rad; a robot at rest stays within these
+DURATION = 0.5  # s, for this long
 
 
 def is_slow(linear, angular=0.0):

@@ -21,17 +21,15 @@ def make_markers(world):
     types = {client.GEOM_BOX: Marker.CUBE, client.GEOM_CYLINDER: Marker.CYLINDER,
              client.GEOM_SPHERE: Marker.SPHERE, client.GEOM_MESH: Marker.MESH_RESOURCE}
     bodies = range(FLOORS, client.getNumBodies() - len(world.robots))
-    markers = []
-    for body in bodies:
-        for _, link, kind, *shape in client.getVisualShapeData(client.getBodyUniqueId(body)):
-            if kind in types:
-                frame = _frame(client, body, link)
-                markers.append(_marker(client, len(markers), types[kind], frame, *shape[:5]))
-    return markers
+    shapes = [shape[:8] for body in bodies
+              for shape in client.getVisualShapeData(client.getBodyUniqueId(body))
+              if shape[2] in types]
+    return [_marker(client, number, types[shape[2]], *shape) for number, shape in enumerate(shapes)]
 
 
-def _marker(client, number, kind, frame, dimensions, mesh, position, rotation, colour):
-    position, rotation = client.multiplyTransforms(*frame, position, rotation)
+def _marker(client, number, kind, body, link, _, dimensions, mesh, position, rotation, colour):
+    position, rotation = client.multiplyTransforms(
+        *_frame(client, body, link), position, rotation)
     marker = Marker(ns='world', id=number, type=kind, action=Marker.ADD,
                     pose=Pose(Point(*position), Quaternion(*rotation)),
                     scale=Vector3(*_size(kind, *dimensions)), color=ColorRGBA(*colour))

@@ -112,7 +112,7 @@ def test_what_a_package_depends_on_is_installed(checkout):
     assert run.stderr.splitlines()[:4] == [
         ("./ws: mine depends on libapache2-mod-php, which is Debian's, not ROS's: "
          'sudo apt-get install --no-remove libapache2-mod-php'),
-        "./ws: mine depends on nowhere, which neither ROS nor rosdep's table knows",
+        "./ws: mine depends on nowhere, which apt does not know",
         './ws: this needs libtf-dev tf-tools libtf2-ros-dev python3-tf2-ros',
         './ws: continuing without these dependencies of packages in .ws/src'], run.stderr
 

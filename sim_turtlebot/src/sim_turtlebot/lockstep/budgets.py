@@ -1,4 +1,4 @@
-"""How long a process may compute before it is not waited for any more."""
+"""Budgets of CPU time: lockstep stops waiting for a process that exceeds its own."""
 
 import time
 

@@ -1,4 +1,4 @@
-"""Find the processes that nodes start to work for them."""
+"""Find the child processes of nodes."""
 
 import contextlib
 import os
@@ -12,13 +12,13 @@ CPU_BUDGET = 10.0  # s of CPU time until a child is idle; it may be a node that 
 
 
 class Children:
-    """Has an IdleWaiter wait for the children of its processes.
+    """Adds the children of awaited processes to an IdleWaiter.
 
-    But not for those that have a process group of their own.
+    Except those in a process group of their own.
     """
 
     def __init__(self, waiter, add):
-        """Start without children.
+        """Find the newest process; there are no children yet.
 
         :param waiter: sim_turtlebot.lockstep.idle.IdleWaiter
         :param add: adds a process to it, by its node's name, its id and its least CPU budget (s)

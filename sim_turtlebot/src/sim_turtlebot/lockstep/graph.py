@@ -23,7 +23,7 @@ STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emu
 
 
 class GraphProcesses:
-    """Has an IdleWaiter wait for the master and for all nodes that it knows."""
+    """Adds the master, and all nodes that it knows, to an IdleWaiter."""
 
     def __init__(self, waiter, own_name, report):
         """Add the master.

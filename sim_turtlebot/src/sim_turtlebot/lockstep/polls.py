@@ -1,4 +1,4 @@
-"""Which threads of idle processes may still have work, since they look for it by wall time."""
+"""Find threads of idle processes that may still have work, since they poll for it by wall time."""
 
 
 def classify(processes, idle_usage, check_begin, receivers):

@@ -72,7 +72,7 @@ class Thread:
 
     @property
     def may_run(self):
-        """Whether nobody waits until it is idle; ros::Rate polls every millisecond."""
+        """Whether lockstep does not wait until it is idle; ros::Rate polls every millisecond."""
         return self.always_polls or self.ignored or self._is_cpp and self.sleeps_by_wall_time
 
     @property

@@ -1,4 +1,4 @@
-"""The robot's URDF: the frames that it gives to tf, and what the physics makes of it."""
+"""The robot's URDF: its frames for tf, and the URDF without them for PyBullet."""
 
 import functools
 from pathlib import Path
