@@ -12,7 +12,6 @@ from sim_turtlebot.lockstep.children import Children
 from sim_turtlebot.lockstep.idle import LONGEST_POLL
 from sim_turtlebot.lockstep.listeners import pids_at
 
-PUBLISHERS, SUBSCRIBERS = 0, 1  # their places in the master's state
 CONNECT_TIMEOUT = 5.0  # s of wall time, for a connection while all nodes are idle
 UNSEEN = ('runs on another machine, in another container or as another user, where lockstep cannot '
           'see it: run it beside the robot')
@@ -37,7 +36,8 @@ class GraphProcesses:
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
-        self._state = [], [], []  # of the master, last call: publishers, subscribers, services
+        # Names of nodes by topic or service, as the master had them at the last call.
+        self._published = self._subscribed = self._served = {}
         self._children = Children(waiter, self._add)
         self._master_usage = None  # of its threads, at the last call
         self._find({MASTER: self._master_uri})
@@ -45,12 +45,12 @@ class GraphProcesses:
     @property
     def names(self):
         """The names of all nodes."""
-        return _names(*self._state)
+        return _names(self._published, self._subscribed, self._served)
 
     @property
     def publishers(self):
         """The names of the nodes that publish more than their log."""
-        return _names(self._state[PUBLISHERS])
+        return _names(self._published)
 
     def wait(self, only_clock=False):
         """Return when all nodes are idle.
@@ -72,9 +72,8 @@ class GraphProcesses:
 
     def sends_to(self, names, name):
         """Return whether one of these nodes publishes a topic to which node `name` subscribes."""
-        published, subscribed, _ = map(dict, self._state)
-        return any(name in subscribed.get(topic, ()) and not names.isdisjoint(publishers)
-                   for topic, publishers in published.items())
+        return any(name in self._subscribed.get(topic, ()) and not names.isdisjoint(publishers)
+                   for topic, publishers in self._published.items())
 
     def _master_has_worked(self):
         """Return whether the master has computed since the last call, or cannot be seen."""
@@ -111,10 +110,10 @@ class GraphProcesses:
         """
         awaited = {name for name in self._addresses if
                    self._waiter.processes.get(self._pids.get(name)) in self._waiter.awaited}
-        publishers = dict(self._state[PUBLISHERS])
-        wanted = {(topic, publisher, subscriber) for topic, names in self._state[SUBSCRIBERS]
-                  if topic != LOG for publisher in awaited.intersection(publishers.get(topic, ()))
-                  for subscriber in awaited.intersection(names)} - self._unconnected
+        wanted = {(topic, publisher, subscriber) for topic, names in self._published.items()
+                  if topic != LOG for publisher in awaited.intersection(names)
+                  for subscriber in awaited.intersection(self._subscribed.get(topic, ()))}
+        wanted -= self._unconnected
         present = {(topic, publisher, subscriber) for publisher in {link[1] for link in wanted}
                    for _, subscriber, direction, _, topic, *_
                    in ask(self._addresses[publisher], 'getBusInfo') or ()
@@ -126,8 +125,9 @@ class GraphProcesses:
 
         A node that was killed and started again has the same name and topics at another address.
         """
-        before, addresses_before = self._state[PUBLISHERS], {**self._addresses}
-        self._state = self._master.getSystemState(self._own_name)[ANSWER]
+        before, addresses_before = self._published, {**self._addresses}
+        self._published, self._subscribed, self._served = map(
+            dict, self._master.getSystemState(self._own_name)[ANSWER])
         for name in self._addresses.keys() - self.names:
             del self._addresses[name]
         addresses = {name: self._master.lookupNode(self._own_name, name)[ANSWER]
@@ -135,7 +135,7 @@ class GraphProcesses:
                      or self._pids.get(name) not in self._waiter.processes}
         self._find({name: address for name, address in addresses.items()
                     if address and self._addresses.get(name) != address})
-        return (self._state[PUBLISHERS], self._addresses) != (before, addresses_before)
+        return (self._published, self._addresses) != (before, addresses_before)
 
     def add_starting(self):
         """Add the processes that roslaunch started and that have not registered as nodes yet."""
@@ -178,5 +178,5 @@ class GraphProcesses:
 
 def _names(*states):
     """Return the names of nodes in parts of the master's state, except rosout and who only logs."""
-    return {name for state in states for topic, nodes in state if topic != LOG
+    return {name for state in states for topic, nodes in state.items() if topic != LOG
             for name in nodes} - {LOG}
