@@ -1,6 +1,7 @@
 """Log lines and ~warning about robots that fall or stop, and about the pace."""
 
 import rospy
+from std_msgs.msg import String
 
 from sim_turtlebot.geometry import is_upright
 
@@ -10,13 +11,20 @@ TIMEOUT_LINE_PERIOD = 10.0  # s of wall time
 class Reports:
     """Reports robots that fell or were stopped by watchdogs, and a simulation that is too slow."""
 
-    def __init__(self, robots, settings, warn):
-        """Take the robots, all upright.
-
-        :param warn: called with a cause and a warning, or '' if that is over
-        """
-        self._robots, self._settings, self._warn = robots, settings, warn
+    def __init__(self, robots, settings):
+        """Take the robots, all upright."""
+        self._robots, self._settings = robots, settings
         self._fallen = set()  # robots
+        self._publisher = rospy.Publisher('~warning', String, queue_size=10, latch=True)
+        self._warnings = {}  # texts by cause
+        self.warn('', '')
+
+    def warn(self, cause, text):
+        """Publish a warning beside those of other causes; an empty text withdraws it."""
+        self._warnings.pop(cause, None)
+        if text:
+            self._warnings[cause] = text
+        self._publisher.publish('; '.join(self._warnings.values()))
 
     def pace(self, reached):
         """Report that the simulation only reaches a real-time factor; None: it has caught up."""
@@ -27,7 +35,7 @@ class Reports:
             warning = ('the simulation is too slow: it reaches a real-time factor '
                        f'of {reached:.2g} instead of {wanted}')
             rospy.logwarn(warning)
-        self._warn('pace', warning)
+        self.warn('pace', warning)
 
     def robots(self):
         """Report what has happened to the robots since the last call."""
@@ -53,4 +61,4 @@ class Reports:
             rospy.logwarn(warning)
         else:
             rospy.loginfo(f'{name} stands upright again')
-        self._warn(name, warning)
+        self.warn(name, warning)

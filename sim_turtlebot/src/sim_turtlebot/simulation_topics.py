@@ -1,10 +1,9 @@
-"""The topics that a simulation publishes: the clock, transforms, world, a warning, its robots'."""
+"""The topics that a simulation publishes: the clock, transforms, world, its robots'."""
 
 import rospy
 from odometry_common.publishing import advertise
 from odometry_common.transport import wait_for_slow_subscribers
 from rosgraph_msgs.msg import Clock
-from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from sim_turtlebot.robot_topics import RobotTopics
@@ -31,9 +30,6 @@ class SimulationTopics:
         fixed = [frame for topics in self._robots for frame in topics.frames.fixed(self._stamp())]
         rospy.Publisher('/tf_static', TFMessage, queue_size=1, latch=True).publish(fixed)
         publish_world(simulation.world)
-        self._warning = rospy.Publisher('~warning', String, queue_size=10, latch=True)
-        self._warnings = {}  # texts by cause
-        self.warn('', '')
 
     def publish_clock(self):
         """Publish the simulated time, if /use_sim_time is true."""
@@ -51,13 +47,6 @@ class SimulationTopics:
         if self._tf.get_num_connections():
             self._tf.publish(TFMessage(
                 [frame for topics in self._robots for frame in topics.frames.moving(stamp)]))
-
-    def warn(self, cause, text):
-        """Publish a warning beside those of other causes; an empty text withdraws it."""
-        self._warnings.pop(cause, None)
-        if text:
-            self._warnings[cause] = text
-        self._warning.publish('; '.join(self._warnings.values()))
 
     def _stamp(self):
         """Return the time of all messages."""

@@ -50,13 +50,13 @@ class Simulator:
         self._requests = RequestQueue()
         self._nodes = synchronise(settings)
         self._topics = SimulationTopics(simulation, settings)
-        self._reports = Reports(simulation.robots, settings, self._topics.warn)
+        self._reports = Reports(simulation.robots, settings)
         self._pacer = Pacer(settings.real_time_factor, self._reports.pace)
-        self._inputs = Inputs(simulation.robots, self._requests, self._topics.warn)
+        self._inputs = Inputs(simulation.robots, self._requests, self._reports.warn)
         self._inputs.obeys = not settings.lockstep
         if warning := left_out(settings.world):
             rospy.logwarn(warning)
-            self._topics.warn('world', warning)
+            self._reports.warn('world', warning)
         if settings.use_sim_time:
             warn_of_conflicts('/clock', 'stop all but one; for two robots use robots:=2')
         self._inputs.serve('~pause_physics', self._pause)
