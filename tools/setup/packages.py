@@ -39,15 +39,16 @@ KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depe
 
 
 def walk(top):
-    """Yield folders with the names in them, each once, though links lead round in circles."""
+    """Yield each folder once with the names in it, even if links form circles."""
     seen = set()
     for folder, folders, files in os.walk(top, followlinks=True):
         real = os.path.realpath(folder)
-        folders[:] = [] if real in seen else sorted(
-            name for name in folders if not name.startswith('.'))
-        if real not in seen:
+        if real in seen:
+            folders.clear()
+        else:
+            seen.add(real)
+            folders[:] = sorted(name for name in folders if not name.startswith('.'))
             yield folder, folders, files
-        seen.add(real)
 
 
 def find_packages():

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 # YAML 1.1 reads 1e4 as a string; a number needs a point and a sign, 1.0e+4.
 WITH_EXPONENT = re.compile(r'[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+')
 HELP_WIDTH = 100
-# How a value compares with the numbers in a range's text.
+# The words of a range, and how a value compares with the number after each.
 COMPARISONS = {'from': operator.ge, 'above': operator.gt, 'to': operator.le, 'below': operator.lt,
                'than': operator.ne}
 BOUND = re.compile(rf'({"|".join(COMPARISONS)}) (?:~(\w+)|(-?[\d.]+)( pi)?)')
@@ -35,8 +35,8 @@ class Parameter(NamedTuple):
     default: Any
     meaning: str
     unit: str = ''
-    # What it may be, such as "0 or from 0.1 to below ~speed", which must be read before it, or
-    # "world or encoder"; empty: anything
+    # The values that are allowed, in words: "0 or from 0.1 to below ~speed", where ~speed is read
+    # before it, or "world or encoder"; empty: any
     range: str = ''
 
     @property

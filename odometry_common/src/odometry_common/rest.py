@@ -22,12 +22,10 @@ class RestDetector:
 
     def reset(self):
         """Forget earlier values."""
-        self._value = None
-        self._since = None
+        self._value, self._since = math.nan, 0.0
 
     def at_rest(self, now, value):
         """Add the `value` measured at `now` (s); return whether it is at rest."""
-        moved = self._value is None or abs(value - self._value) > self._band
-        if moved or now < self._since:
+        if not abs(value - self._value) <= self._band or now < self._since:
             self._value, self._since = value, now
         return now - self._since >= DURATION

@@ -1,4 +1,4 @@
-"""The topics that a simulation publishes: the clock, transforms, world, its robots'."""
+"""The topics that a simulation publishes: clock, transforms, world, and those of its robots."""
 
 import rospy
 from odometry_common.publishing import advertise

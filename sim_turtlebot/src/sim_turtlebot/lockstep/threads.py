@@ -13,8 +13,8 @@ MAX_LINE = 128  # bytes, of wchan and schedstat; in stat, the state is among the
 SWITCHES = b'\nvoluntary_ctxt_switches:'  # in /proc/PID/task/TID/status
 SAMPLE_TIME = 0.05  # s of wall time, not counting the time that a thread waited for a processor
 MIN_POLLS = 20  # in SAMPLE_TIME, without work; ros::Rate and ros::Timer poll every millisecond
-# Long sleeps in a row that prove a long sleeper, or one so many times as long as a poll; on a busy
-# virtual machine some timers are late.
+# So many long sleeps in a row, or one so many times as long as a poll, prove a long sleeper; on a
+# busy virtual machine some timers are late.
 SURE_SLEEPS, MAX_LATE = 4, 10.0
 
 _wait_functions = set()  # kernel functions in which threads have been seen asleep

@@ -77,7 +77,7 @@ class World:
             self._call()
 
     def restart(self):
-        """Put each robot at its start again, at rest; nothing else goes back.
+        """Put each robot at its start again, at rest; nothing else is reset.
 
         A robot that has touched only the floor then moves as after rebuild(), which takes longer.
         """

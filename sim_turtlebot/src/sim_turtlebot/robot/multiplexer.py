@@ -21,9 +21,10 @@ class VelocityMux:
         self._priority, self._end = 0, -math.inf
 
     def passes(self, name, now):
-        """Return whether a command reaches the base in this step.
+        """Return whether a command reaches the base.
 
-        It comes on an input, or straight on another topic.
+        :param name: its topic; one that is not an input bypasses the multiplexer
+        :param now: the current step
         """
         priority = INPUTS.get(name)
         if priority is None:
