@@ -11,7 +11,7 @@ from odometry_tests.tutorial import simulator
 from odometry_tests.waiting import Recorder
 from sensor_msgs.msg import LaserScan
 from sim_turtlebot.kobuki import DEPTH_CAMERA as CAMERA
-from sim_turtlebot.robot.scanner import Scanner, is_scan_due
+from sim_turtlebot.robot.scanner import Scanner
 
 WORLDS = ROOT / 'sim_turtlebot' / 'worlds'
 CLOSE = 0.01  # m
@@ -87,7 +87,8 @@ def test_noise_takes_no_range_beyond_its_limits():
     (10, 20), (8, 20), (15, 22)])  # as floating point has it, 15/22 times 22 is a little less than 15
 def test_a_scan_is_due_at_the_first_odometry_after_its_time(scan_rate, odom_rate):
     """Never late by more than one odometry period, whatever the rates."""
-    due = [count for count in range(odom_rate + 1) if is_scan_due(count, scan_rate, odom_rate)]
+    scanner = Scanner(Simulation().robot.body, settings_of(scan_rate=scan_rate, odom_rate=odom_rate))
+    due = [count for count in range(odom_rate + 1) if scanner.is_due(count)]
     assert due == [math.ceil(Fraction(number * odom_rate, scan_rate)) for number in range(scan_rate + 1)]
 
 

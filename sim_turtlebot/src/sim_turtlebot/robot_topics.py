@@ -11,7 +11,6 @@ from sim_turtlebot.frames import Frames
 from sim_turtlebot.geometry import about_z
 from sim_turtlebot.kobuki import DEPTH_CAMERA_FRAME
 from sim_turtlebot.physics.description import WHEEL_JOINTS
-from sim_turtlebot.robot.scanner import is_scan_due
 
 # About x, y and z, of the IMU's orientation (rad^2) and angular velocity (rad^2/s^2); the largest
 # float where a Kobuki measures nothing: kobuki_node/src/library/slot_callbacks.cpp.
@@ -74,7 +73,6 @@ class RobotTopics:
         self._imu.message.orientation_covariance[::4] = IMU_VARIANCES
         self._imu.message.angular_velocity_covariance[::4] = IMU_VARIANCES
         self._imu.message.linear_acceleration_covariance[0] = NOT_MEASURED
-        self._scan_rates = settings.scan_rate, settings.odom_rate
         if robot.scanner:
             self._scan = Topic(
                 f'{namespace}scan', LaserScan, f'{namespace}{DEPTH_CAMERA_FRAME}',
@@ -107,8 +105,8 @@ class RobotTopics:
 
     def publish_scan(self, stamp, number):
         """Publish a scan if one is due, with the odometry of the same moment."""
+        scanner = self._robot.scanner
         # Casting the rays costs more than everything else in an odometry period.
-        if (self._robot.scanner and self._scan.has_subscribers
-                and is_scan_due(number, *self._scan_rates)):
-            self._scan.message.ranges = self._robot.scanner.scan(number).tolist()
+        if scanner and self._scan.has_subscribers and scanner.is_due(number):
+            self._scan.message.ranges = scanner.scan(number).tolist()
             self._scan.publish(stamp, number)

@@ -16,12 +16,19 @@ class Scanner:
         self._beams, self._noise = settings.scan_beams, settings.scan_noise
         self._range_min, self._range_max = settings.scan_range_min, settings.scan_range_max
         self._index = index
+        self._share = settings.scan_rate / settings.odom_rate  # scans per odometry
         self.seed = settings.seed  # of the noise
         angles = numpy.linspace(-settings.scan_fov / 2, settings.scan_fov / 2, self._beams)
         directions = numpy.column_stack(
             [numpy.cos(angles), numpy.sin(angles), numpy.zeros(self._beams)])
         self._starts = [DEPTH_CAMERA] * self._beams
         self._ends = (DEPTH_CAMERA + self._range_max * directions).tolist()
+
+    def is_due(self, number):
+        """Return whether this odometry period, from 0, is the first at or after a scan's time."""
+        # The small term keeps a scan at its odometry despite rounding.
+        before, now = (math.floor(count * self._share + 1e-6) for count in (number - 1, number))
+        return now > before
 
     def scan(self, number):
         """Return the ranges (m) from right to left, as REP-117 defines them.
@@ -41,15 +48,3 @@ class Scanner:
         ranges[(shares == 1.0) | (ranges > self._range_max)] = math.inf
         ranges[ranges < self._range_min] = -math.inf
         return ranges
-
-
-def is_scan_due(odometry_count, scan_rate, odom_rate):
-    """Return whether this odometry period is the first at or after a multiple of 1 / scan_rate.
-
-    :param odometry_count: how many odometry periods have passed
-    :param scan_rate, odom_rate: Hz; scans are taken with odometry only
-    """
-    # The small term keeps a scan at its odometry despite rounding.
-    before, now = (math.floor(count * (scan_rate / odom_rate) + 1e-6)
-                   for count in (odometry_count - 1, odometry_count))
-    return now > before
