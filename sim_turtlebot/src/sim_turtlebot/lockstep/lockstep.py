@@ -138,10 +138,10 @@ def _follow_wall_time(times, tick):
 
     Simulated times may differ by a tick (s). IdleWaiter waits for sleeps of up to LONGEST_POLL.
     """
-    if len(times) <= MIN_INTERVALS:
+    if len(times) <= MIN_INTERVALS or times[-1][0] - times[-2][0] <= LONGEST_POLL:
         return False
     wall, simulated = numpy.diff(times, axis=0).T
-    return (wall.min() > LONGEST_POLL and numpy.ptp(wall) < MAX_WALL_SPREAD * wall.mean()
+    return (numpy.ptp(wall) < MAX_WALL_SPREAD * wall.mean()
             and numpy.ptp(simulated) - 1.01 * tick > MIN_SPREAD * simulated.mean())
 
 
