@@ -145,7 +145,9 @@ def build_package(folder, place, key):
         built.write_text(key)
         return None
     error = ERROR.search(run.stdout)
-    return error[1] or error[2] if error else f'see {WORKSPACE}/setup.log'
+    if not error:
+        return f'see {WORKSPACE}/setup.log'
+    return error[1] or error[2]
 
 
 def depends():
