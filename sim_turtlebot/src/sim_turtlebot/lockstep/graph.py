@@ -17,6 +17,7 @@ UNSEEN = ('runs on another machine, in another container or as another user, whe
           'see it: run it beside the robot')
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
+ANY_TYPE = '*'  # of a node that takes every type, such as rosbag
 ROSLAUNCHED = '__name:='  # in the command line of a node that roslaunch has started
 STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
@@ -94,7 +95,10 @@ class GraphProcesses:
             if not (is_new or self._missing_links()):
                 return
             self._waiter.wait()
-            if missing := self._missing_links():
+            missing = self._missing_links()
+            refused = {link for link in missing if self._is_refused(*link)}
+            self._unconnected |= refused
+            if missing := missing - refused:
                 time.sleep(LONGEST_POLL)
                 rested += LONGEST_POLL
             if rested > CONNECT_TIMEOUT:
@@ -119,6 +123,13 @@ class GraphProcesses:
                    in ask(self._addresses[publisher], 'getBusInfo') or ()
                    if direction == SENDS}
         return wanted - present
+
+    def _is_refused(self, topic, publisher, subscriber):
+        """Return whether two nodes have different types for a topic, and so never connect."""
+        ends = (publisher, 'getPublications'), (subscriber, 'getSubscriptions')
+        types = {dict(ask(self._addresses[name], call) or ()).get(topic, ANY_TYPE)
+                 for name, call in ends}
+        return len(types - {ANY_TYPE}) > 1
 
     def _refresh(self):
         """Add new nodes, forget those that have gone; return whether the publishers have changed.
