@@ -102,6 +102,7 @@ def mean_twist(before, after, duration):
     scale = (math.asin(min(1.0, sine)) / sine if sine else 1.0) / duration
     half = math.hypot(sine, 1 + w)
     halfway = compose(orientation, (x / half, y / half, z / half, (1 + w) / half))
-    chord = [there - here for here, there in zip(start, end)]
-    return (tuple(scale * metres for metres in rotate(inverse(halfway), chord)),
-            tuple(2 * scale * part for part in (x, y, z)))
+    chord = end[0] - start[0], end[1] - start[1], end[2] - start[2]
+    forwards, aside, up = rotate(inverse(halfway), chord)
+    return ((scale * forwards, scale * aside, scale * up),
+            (2 * scale * x, 2 * scale * y, 2 * scale * z))
