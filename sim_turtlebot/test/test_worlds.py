@@ -39,7 +39,6 @@ INCLUDES = '<sdf version="1.6"><world name="w">{}</world></sdf>'.format(''.join(
     ('folder.urdf', None, 'is a folder'),
     ('', None, 'the name of a .urdf or .sdf file'),
     ('unclosed.urdf', '<robot name="r">\n<link name="a">\n</robot>', 'Line number=2'),
-    ('text.sdf', 'hello', 'Line number=1'),
     ('playground.world', WITHOUT_INERTIA, 'must have inertia element Could not parse inertial element for Link: board '),
     ('two_roots.urdf', TWO_ROOTS, 'multiple root links found: a b'),
     ('no_mesh.urdf', MESH, "no_mesh.urdf:2: cannot find 'mesh.obj'")])

@@ -131,8 +131,6 @@ FILES = {
     'late.sh': '#!/bin/sh\nmkfifo "$ROS_LOG_DIR/begun"\ncat "$ROS_LOG_DIR/begun"\nexec "${0%/*}/node.py" "$@"\n',
     'late.launch': LATE, 'brake.py': BRAKE,
     'again.sh': '#!/bin/sh\necho again >&2\n', 'again.launch': AGAIN,
-    'stranger.launch': '<launch><node name="node" pkg="stranger" type="node.py"/></launch>',
-    'missing.launch': '<launch><include file="$(find stranger)/a.launch"/></launch>',
     'eval.launch': '<launch><param name="x" value="$(eval 1 / 0)"/></launch>',
     'robot.launch': '<launch><node name="sim_turtlebot" pkg="guest" type="node.py"/></launch>',
     'early.py': EARLY, 'early.launch': ONE_NODE.format('early', ''), 'plain.launch': ONE_NODE.format('plain', ''),
