@@ -75,6 +75,7 @@ def test_an_orientation_may_have_any_length(orientation):
 @pytest.mark.parametrize('frame, position, orientation, wrong', [
     ('map', STILL, LEVEL, "frame_id is 'map', but must be world, or empty"),
     ('', (math.nan, 0, 0), LEVEL, 'x is nan m, but must be from -10000 to 10000 m'),
+    ('world', (0, 0, 10001), LEVEL, 'z is 10001 m, but must be'),
     ('', STILL, (0, 0, 0, 0), r'the orientation is \[0 0 0 0\], but must be'),
     ('', STILL, (0, math.inf, 0, 1), r'the orientation is \[0 inf 0 1\], but must be')])
 def test_what_is_no_pose_is_refused_with_what_is_allowed(frame, position, orientation, wrong):

@@ -11,6 +11,7 @@ from rospy.impl.paramserver import get_param_server_cache
 from rospy.impl.registration import RegManager
 from rospy.impl.tcpros_base import TCPROSServer
 
+from odometry_common.connections import NO_ANSWER
 from odometry_common.transport import NonBlockingTransport
 
 HEADER_TIMEOUT = 5.0  # s, for a peer that connects and sends no header
@@ -75,6 +76,6 @@ def _leave_no_address_behind():
     rospy never unsubscribes from it. The master then keeps the address of each node that has
     exited, and later asks the next node at that address to shut down.
     """
-    with contextlib.suppress(OSError):  # no master any more
+    with contextlib.suppress(*NO_ANSWER):
         value = rospy.get_param(ROSOUT_PARAMETER, False)
         get_param_server_cache().set(ROSOUT_PARAMETER, value)

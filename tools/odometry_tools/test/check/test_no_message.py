@@ -48,6 +48,7 @@ def verdict_on(**facts):
     ({'publishes': {'/cmd_vel': TWIST}, 'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),
     ({'subscribes': {'/odometry': ''}}, 'silent input'),
+    ({'subscribes': {'/tf': 'tf2_msgs/TFMessage'}}, 'silent'),
     ({'commands': [ZERO[0]._replace(linear=math.nan)]}, 'not_finite'),
     ({'subscribes': {'/moved_distance/reset': 'std_msgs/Empty', **HEARS}}, 'silent')])
 def test_a_cause_has_a_witness(facts, expected):

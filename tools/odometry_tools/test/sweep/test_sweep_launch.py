@@ -149,15 +149,15 @@ def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
 
 @pytest.mark.parametrize('launched, values, line', [
     ('guest plain.launch', {}, 'plain.launch: node plain, guest/plain.py: Cannot locate node of type [plain.py] in package [guest]'),
-    ('guest elsewhere.launch', {}, 'elsewhere.launch: node node, guest/node.py, has a machine or a ROS_MASTER_URI of its own'),
+    ('guest elsewhere.launch', {}, 'elsewhere.launch: node node, guest/node.py, has a ROS_MASTER_URI of its own'),
     ('guest nodes.launch', {'ends': [1]}, 'parameter ends cannot be set in a sweep of nodes.launch: did you mean end?'),
     ('guest nodes.launch', {'lockstep': [False]}, 'parameter lockstep cannot be set in a sweep of'),
     ('guest nodes.launch', {'scan_rate': [5], 'clock_rate': [10], 'odom_rate': [20]},
      'parameter ~clock_rate is 10, but must be a number 0 or from ~odom_rate (20) to 1000 Hz'),
     ('guest typed.launch', {'type': ['node.py'], 'time': [2]}, 'parameter time cannot be set in a sweep of typed'),
     ('guest eval.launch', {}, 'eval.launch: division by zero'),
-    ('guest remote.launch', {}, 'node node, guest/node.py, has a machine or a ROS_MASTER_URI of its own, where'),
-    ('guest robot.launch', {}, 'robot.launch starts a robot, or a node named sim_turtlebot, but there is one'),
+    ('guest remote.launch', {}, 'node node, guest/node.py, is for the machine other, where'),
+    ('guest robot.launch', {}, 'robot.launch: a node has the name of the robot, sim_turtlebot: give it another'),
     ('guest none.launch', {}, 'none.launch starts no node'),
     ('guest other.launch', {}, 'other.launch] is neither a launch file in package'),
     (f'{ROOT}/docs/example/launch/one_metre.launch x', {}, 'there is no package /')])

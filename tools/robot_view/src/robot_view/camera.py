@@ -21,11 +21,19 @@ DISTANCE = 4.0  # m, from the robot
 MARGIN = 0.5  # m around the places that are shown
 TOP = 0.45  # m, above each place; higher than a robot
 HEIGHT = 0.15  # m, at which it looks
+# x, y, z (m) of a camera that looks at the robot
+FROM_ROBOT = DISTANCE * DIRECTION + [0.0, 0.0, HEIGHT]
 
 
 def look_at_robot(camera):
     """Point a camera at the robot that the world follows."""
-    _place(camera, DISTANCE * DIRECTION + [0.0, 0.0, HEIGHT])
+    _place(camera, FROM_ROBOT)
+
+
+def shows(camera, place):
+    """Return whether a camera that looks at the robot shows a place, x, y (m) from there."""
+    right, up, forward = AXES @ ([*place, 0.0] - FROM_ROBOT)
+    return abs(right) < TANGENT * camera.aspect * forward and abs(up) < TANGENT * forward
 
 
 def look_at_all(camera, places):

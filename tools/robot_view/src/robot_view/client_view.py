@@ -1,18 +1,14 @@
 """What one browser looks at: the robot that it follows, or everything."""
 
-import math
-
-from robot_view.camera import look_at_all, look_at_robot
+from robot_view.camera import look_at_all, look_at_robot, shows
 from robot_view.scene import WORLD
-
-NEAR = 1.2  # m from the robot; the camera that follows it shows all that is nearer
 
 
 class ClientView:
     """The camera of one browser, and its checkbox and button, which no other browser has."""
 
     def __init__(self, client, order, find_places):
-        """Follow the chosen robot, or show all if its start may be out of the picture.
+        """Follow the chosen robot, or show all if its start would be out of the picture.
 
         :param client: viser.ClientHandle
         :param order: position in the panel; the checkbox and the button come after it
@@ -28,7 +24,7 @@ class ClientView:
         show_all_button = client.gui.add_button('show all', color='gray', order=order + 0.2)
         show_all_button.on_click(lambda _: self.show_all())
         robot, start, *_ = find_places() or [(0.0, 0.0)] * 2
-        if math.dist(robot, start) > NEAR:
+        if not shows(self._camera, (start[0] - robot[0], start[1] - robot[1])):
             self.show_all()
 
     def follow(self, x, y):

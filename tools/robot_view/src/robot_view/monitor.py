@@ -58,8 +58,14 @@ class RobotMonitor:
                   ('moved_distance', Float64, self._on_moved),
                   ('scan', LaserScan, self._on_scan),
                   ('rotate_robot/target', Float64, self._on_target)]
-        for topic, kind, callback in topics:
+        self._connections = [self._poses, self._reset, *(
             rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
+            for topic, kind, callback in topics)]
+
+    def close(self):
+        """Disconnect from the robot."""
+        for connection in self._connections:
+            connection.unregister()
 
     def reset_distance(self):
         """Let the detector start counting from zero."""

@@ -1,6 +1,5 @@
 """The robots on the master, recorded from the moment at which they appear."""
 
-import functools
 import re
 import threading
 
@@ -21,9 +20,7 @@ class Robots:
 
     def __init__(self, **targets):
         """Search; targets are those of a RobotMonitor."""
-        # A robot that comes back goes on where it was.
-        self._monitor_of = functools.lru_cache(maxsize=None)(
-            functools.partial(RobotMonitor, **targets))
+        self._targets = targets
         self.monitors = {}  # RobotMonitor by namespace: '' or such as 'robot_1/'
         self.is_simulated = False
         self.complaint = ''  # for the status line
@@ -44,8 +41,7 @@ class Robots:
         try:
             publications, _, services = rosgraph.Master(rospy.get_name()).getSystemState()
             if found := find_robots({topic for topic, _ in publications}):
-                self.monitors = {robot: self._monitor_of(robot) for robot in found}
-                self.found.set()
+                self._record(found)
                 self.complaint = self._warning if self._warnings.get_num_connections() else ''
             else:
                 self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
@@ -54,6 +50,14 @@ class Robots:
             return
         names = {service for service, _ in services}
         self.is_simulated = names.issuperset(map(rospy.resolve_name, SERVICES.values()))
+
+    def _record(self, found):
+        before = self.monitors
+        self.monitors = {robot: before.get(robot) or RobotMonitor(robot, **self._targets)
+                         for robot in found}
+        self.found.set()
+        for robot in before.keys() - self.monitors.keys():
+            before[robot].close()
 
     def _on_warning(self, message):
         self._warning = message.data

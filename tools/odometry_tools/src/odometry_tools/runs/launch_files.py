@@ -22,9 +22,10 @@ def nodes_beside_robot(path, arguments):
     name = os.path.basename(path)
     with refused(name):
         nodes = load(path, arguments).nodes
-    if any(node.type == 'sim_turtlebot_node.py' or name_of(node) == SIMULATOR for node in nodes):
-        raise StartError(f'{name} starts a robot, or a node named {SIMULATOR}, but there is one '
-                         'already: leave out sim.launch')
+    if any(node.type == 'sim_turtlebot_node.py' for node in nodes):
+        raise StartError(f'{name} starts a robot, but there is one already: leave out sim.launch')
+    if any(name_of(node) == SIMULATOR for node in nodes):
+        raise StartError(f'{name}: a node has the name of the robot, {SIMULATOR}: give it another')
     return nodes
 
 

@@ -84,9 +84,12 @@ class Launched(NamedTuple):
             program = f'{self.name}: node {node.name}, {node.package}/{node.type}'
             with refused(program):
                 create_local_process_args(node, None)
-            if node.machine_name or 'ROS_MASTER_URI' in dict(node.env_args):
-                raise StartError(f'{program}, has a machine or a ROS_MASTER_URI of its own, '
-                                 'where the robot is not')
+            if node.machine_name:
+                raise StartError(
+                    f'{program}, is for the machine {node.machine_name}, where the robot is not')
+            if 'ROS_MASTER_URI' in dict(node.env_args):
+                raise StartError(
+                    f'{program}, has a ROS_MASTER_URI of its own, where the robot is not')
 
     def run(self, parameters):
         """Run beside a robot in lockstep; return the metrics by name."""
