@@ -58,6 +58,7 @@ def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):
         begin()
         for topic, (_, count) in topics.items():
             recorders[topic].wait_for_count(count, RUN_TIME)
+        call('pause_physics')  # a node that calls another's service meanwhile would print a traceback
         assert NOT_AWAITED not in simulation.output, simulation.output
         return {topic: recorders[topic].messages[:count] for topic, (_, count) in topics.items()}
 

@@ -71,7 +71,7 @@ def test_two_runs_with_any_nodes_are_the_same_bytes(client, start_client):
 
 
 @pytest.mark.parametrize('rate', [
-    30, *(pytest.param(rate, marks=pytest.mark.nightly) for rate in (5, 10, 20, 50, 100))])
+    30, *(pytest.param(rate, marks=pytest.mark.nightly) for rate in (5, 100))])
 def test_a_loop_keeps_its_rate(rate, start_client):
     commands, counts = Recorder('/cmd_vel', Twist), []
     with simulator('_lockstep:=true', UNPACED, '_paused:=true'), start_client(f'rate {rate}', 'client'):
@@ -99,8 +99,8 @@ BUSY, SLEEPS, STOPPED = 'it has been busy for', 'it acts by wall time', 'it has 
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
     'odd busy': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
-    'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 0.7': SLEEPS,
-    'odd wall 2': SLEEPS, 'odd queue_timeout': SLEEPS, 'odd selecting': SLEEPS, 'odd wall_timer': SLEEPS,
+    'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 2': SLEEPS,
+    'odd queue_timeout': SLEEPS, 'odd selecting': SLEEPS, 'odd wall_timer': SLEEPS,
     'C++ usleep': SLEEPS,
     'odd stopped': STOPPED}
 NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'

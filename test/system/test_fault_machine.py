@@ -7,6 +7,7 @@ import signal
 import subprocess
 from pathlib import Path
 
+import numpy
 import psutil
 import pytest
 from nav_msgs.msg import Odometry
@@ -20,8 +21,8 @@ from std_msgs.msg import Float64, String
 FAULTS = {'full': 'mount -t tmpfs -o size=4k tmpfs "$0"; head -c 8k /dev/zero >"$0/filler" || true; exec "$@"',
           'missing': 'rmdir "$0"; touch "$0"; exec "$@"', 'no home': 'unset HOME ROS_LOG_DIR; exec "$@"'}
 ROBOTS = 12  # need more than 64 files
-PARTS, PART = 6, 100  # s of the robot's time
-ALLOWED = 3.0, 2, 3  # more MB, threads, files
+HALF, PART = 3, 100  # parts; s of the robot's time in each
+MORE_MEMORY, ALLOWED = 1.0, (2, 3)  # MB in each part; threads and files in all
 
 
 @pytest.mark.parametrize('fault', FAULTS)
@@ -77,7 +78,7 @@ def test_memory_threads_and_files_stay_the_same(simulated_time, master):
     with simulator_in_step('_real_time_factor:=0', '_scan:=true') as robot, detector() as counter, \
             mover('_distance:=1000000') as driver:
         used = []
-        for _ in range(PARTS):
+        for _ in range(2 * HALF):
             with detector('__name:=killed') as killed:
                 truth.wait_for(lambda m: m.header.stamp.to_sec() > PART, 120.0, 'the end of a part')
                 killed.send(signal.SIGKILL)
@@ -88,8 +89,9 @@ def test_memory_threads_and_files_stay_the_same(simulated_time, master):
             truth.clear()
             call('reset_simulation')
             call('unpause_physics')
-    # The least of each half: threads come and go.
     for name in used[0]:
-        before, after = ([min(values) for values in zip(*(part[name] for part in half))]
-                         for half in (used[:PARTS // 2], used[PARTS // 2:]))
-        assert all(late - early <= allowed for early, late, allowed in zip(before, after, ALLOWED)), (name, used)
+        memory, *counts = zip(*(part[name] for part in used))
+        # A leak grows in each part; the processes of other tests enlarge the heap of lockstep once.
+        assert numpy.median(numpy.diff(memory)) <= MORE_MEMORY, (name, memory)
+        for count, allowed in zip(counts, ALLOWED):  # they come and go
+            assert min(count[HALF:]) - min(count[:HALF]) <= allowed, (name, counts)
