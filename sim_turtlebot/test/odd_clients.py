@@ -79,14 +79,6 @@ def wall(robot, seconds):
         time.sleep(float(seconds))
 
 
-def queue_timeout(robot):
-    while not rospy.is_shutdown():
-        try:
-            queue.Queue().get(timeout=0.1)
-        except queue.Empty:
-            robot.drive()
-
-
 def selecting(robot):
     while not rospy.is_shutdown():
         select.select([], [], [], 0.1)

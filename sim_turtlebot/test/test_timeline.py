@@ -14,7 +14,7 @@ from sim_turtlebot.timeline import Timeline
 DAY = 86400  # s
 
 odom_rates = st.one_of(
-    st.floats(0.1, 1000), st.sampled_from([0.1, 1.0, 10.0, 20.0, 30.0, 50.0, 100.0, 1000.0]))
+    st.floats(0.1, 1000), st.sampled_from([0.1, 20.0, 1000.0]))
 clock_rates = st.one_of(st.just(0.0), st.floats(0.1, 1000))
 TICKS = 200
 
@@ -28,7 +28,7 @@ def test_the_rate_of_the_clock_changes_nothing_else(odom_rate, clock_rate):
 
 @pytest.mark.parametrize('stride', [1, 5, math.inf])
 @pytest.mark.parametrize('odom_rate, clock_rate, expected', [
-    (20.0, 200.0, 200), (20.0, 20.0, 20), (20.0, 50.0, 60), (30.0, 100.0, 120), (1000.0, 1000.0, 1000)])
+    (20.0, 200.0, 200), (20.0, 50.0, 60), (30.0, 100.0, 120), (1000.0, 1000.0, 1000)])
 def test_the_clock_ticks_as_often_as_asked_or_just_more(odom_rate, clock_rate, expected, stride):
     """Evenly, however far the simulation goes at once."""
     timeline = Timeline(odom_rate, clock_rate)

@@ -136,6 +136,12 @@ def from_origin(memory, pose):
 
 
 @remembering
+def adds_displacements(memory, pose):
+    memory['sum'] += way(memory['start'], pose)
+    return memory['sum']
+
+
+@remembering
 def one_step(memory, pose):
     return way(memory['last'], pose)
 

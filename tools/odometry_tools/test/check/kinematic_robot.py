@@ -53,7 +53,7 @@ def drive(node, scenario=PLAIN, exercise=TWO_METERS):
     On a route it answers with a distance, or with None.
     """
     robot, node = Robot(scenario), node()
-    ending = Route(robot.command) if exercise.route else Drive(exercise.target)
+    ending = Route(robot.command) if exercise.route else Drive(target=exercise.target)
     run = Run(scenario, Pace(), ending.is_over)
     run.nodes = {'/mine'}
     run.begin -= 1e3  # s of wall time, for which a node that is silent would be awaited

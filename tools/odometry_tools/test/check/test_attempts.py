@@ -7,6 +7,8 @@ from kinematic_robot import PLAIN, TWO_METERS, drive, verdict_on
 from odometry_tools.check.attempts import ATTEMPTS, run_until_sure
 from odometry_tools.check.check_session import Pace
 
+PACED = {'unawaited': 'acts by wall time', 'pace': Pace(False, 5.0)}
+
 
 def run_of(distance, has_zero=True, **facts):
     """Return the Run of a node that drives so far (m), and perhaps stops."""
@@ -17,10 +19,10 @@ def run_of(distance, has_zero=True, **facts):
     return run
 
 
-def attempt(*runs):
+def attempt(*runs, confirmed=()):
     """Return the Verdict on a scenario that gives these Runs, one at each attempt."""
     given = iter(runs)
-    runner = SimpleNamespace(exercise=TWO_METERS, follows_wall=None)
+    runner = SimpleNamespace(exercise=TWO_METERS, follows_wall=None, confirmed=confirmed)
     runner.run = runner.run_again = lambda _scenario: next(given)
     return verdict_on(run_until_sure(runner, PLAIN))
 
@@ -37,10 +39,15 @@ def test_a_zero_that_is_never_there_fails():
 
 
 def test_a_node_that_lockstep_does_not_wait_for_runs_again():
-    paced = {'unawaited': 'acts by wall time', 'pace': Pace(False, 5.0)}
-    verdict = attempt(run_of(2.5, **paced), run_of(2.0, **paced))
+    verdict = attempt(run_of(2.5, **PACED), run_of(2.0, **PACED))
     assert verdict.has_passed
     assert [*verdict.notes] == ['wall_time']
+
+
+def test_a_failure_at_each_pace_is_not_repeated_in_the_next_scenario():
+    confirmed = set()
+    for attempts in ATTEMPTS, 1:
+        assert attempt(*attempts * [run_of(1.0, **PACED)], confirmed=confirmed).rule == 'early'
 
 
 @pytest.mark.parametrize('distances, rule', [((1.0, 1.01), 'early'), ((1.0, 1.6), 'wall_clock')])

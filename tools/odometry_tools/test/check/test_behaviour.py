@@ -1,10 +1,12 @@
 """What the check says of a robot's behaviour, without ROS: each node is a function of the odometry."""
 
 import math
+import time
 
 import pytest
 from behaviours import (
     RIGHT_ANGLE,
+    adds_displacements,
     by_time,
     counting,
     drives_again,
@@ -31,6 +33,7 @@ from behaviours import (
 )
 from kinematic_robot import TWO_METERS, drive, verdict_on, verdicts
 from learners import BAD_CALLBACK, ERROR
+from odometry_tools.check.endings import Drive
 from odometry_tools.check.run import Command
 from odometry_tools.check.scenarios import EXERCISES
 
@@ -67,6 +70,7 @@ CASES = {
         'time': (turn_by_time, {'slow_base': 'elsewhere open_loop'}),
         'high gain': (turning(error_of, 10.0), {'odom_5hz': 'rings gain_high'}),
         'low gain': (turning(error_of, 0.01), 'unfinished gain_low'),
+        'pauses': (lambda: lambda pose: (0.0, 0.5 if pose.time % 5 < 4 else 0.0), 'long_way'),
         'drives': (driving(way), 'only_drove')},
     'moved_distance': {
         'right': (counting(way), {}),
@@ -79,9 +83,9 @@ CASES = {
         'squares': (counting(lambda last, pose: way(last, pose)**2), 'miscounted squares'),
         'backwards': (counting(lambda last, pose: pose.linear * (pose.time - last.time)), 'miscounted backwards'),
         'fixed time': (counting(lambda last, pose: abs(pose.linear) * 0.05), {'odom_5hz': 'miscounted fixed_dt'}),
-        'thousandths': (counting(lambda last, pose: abs(pose.linear) * 0.001), 'miscounted fixed_dt'),
         'twice': (counting(lambda last, pose: 2 * way(last, pose)), 'miscounted times'),
         'from zero': (from_origin, {'moved_start': 'miscounted from_origin'}),
+        'displacements': (adds_displacements, 'miscounted displacements'),
         'one step': (one_step, 'miscounted last_step')}}
 
 
@@ -106,7 +110,7 @@ def test_a_fit_needs_a_second_rate():
     ('heading', lambda: lambda pose: (0.0, 0.5), 'You turned at 0.5 rad/s throughout, whatever the heading'),
     ('two_meters', without_zero, "came at 1.99 m, and only the base's watchdog stopped the robot, at 2.11 m"),
     ('two_meters', spins_at_the_goal, 'after 6.7 s'),
-    ('moved_distance', CASES['moved_distance']['thousandths'][0], 'times a fixed 0.001 s')])
+    ('moved_distance', counting(lambda last, pose: abs(pose.linear) * 0.001), 'times a fixed 0.001 s')])
 def test_a_sentence_says_what_was_seen(exercise, node, words):
     """A place is that of the moment of which it speaks."""
     verdict, *_ = verdicts(EXERCISES[exercise], node).values()
@@ -142,6 +146,15 @@ def test_an_exit_status_at_the_goal_is_a_note_and_the_drive_is_judged():
     verdict = verdict_on(run)
     assert (verdict.rule, verdict.hint) == ('ceased', 'no_zero'), verdict.sentence
     assert verdict.notes['exit_status'] == 'your node ended with status 1, and said last: Goal reached'
+
+
+@pytest.mark.parametrize('node', [once, lambda: lambda pose: None])
+def test_a_run_goes_on_while_its_node_may_sleep_by_wall_time(node):
+    run = drive(node)
+    run.begin = time.monotonic()
+    assert not Drive().is_over(run)
+    run.status = 0
+    assert Drive().is_over(run)
 
 
 def test_a_command_before_time_begins_moves_no_robot():

@@ -23,7 +23,7 @@ def verdict_on(**facts):
     run = Run(TWO_METERS.scenarios[0], Pace(), None)
     run.odometry.append(Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     run.nodes = {'/mine'}
-    run.subscribes = HEARS
+    run.subscribes, run.publishes = HEARS, {'/cmd_vel': TWIST}
     vars(run).update(facts)
     return verdicts_on([run], TWO_METERS)[0]
 
@@ -34,7 +34,6 @@ def verdict_on(**facts):
     ({'nodes': ()}, 'no_node'),
     ({'nodes': (), 'status': 1, 'output': ERROR}, 'crash error'),
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
-    ({'has_read_keyboard': True, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
@@ -45,8 +44,10 @@ def verdict_on(**facts):
     ({'commands': ZERO, 'output': BAD_CALLBACK, 'subscribes': HEARS_TWO}, 'all_zero'),
     ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent error'),
     ({'status': 0, 'commands': ZERO, 'output': 'gave up\n'}, 'all_zero last_words'),
-    ({'publishes': {'/cmd_vel': TWIST}, 'refuses': True}, 'silent queue_size'),
+    ({'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),
+    ({'publishes': {'/cmd_vel_mux/input/navi': TWIST}}, 'silent'),
+    ({'publishes': {'/rosout': ''}}, 'silent no_output'),
     ({'subscribes': {'/odometry': ''}}, 'silent input'),
     ({'subscribes': {'/tf': 'tf2_msgs/TFMessage'}}, 'silent'),
     ({'commands': [ZERO[0]._replace(linear=math.nan)]}, 'not_finite'),

@@ -74,12 +74,15 @@ def run_until_sure(runner, scenario):
     """Return the Run by which to judge a Scenario, repeated if chance may have decided."""
     attempts, run = 1, runner.run(scenario)
     m, _ = judge(run, runner.exercise)
-    while _may_be_luck(m) and attempts < _most_attempts(m):
+    while (_may_be_luck(m) and m.rule not in runner.confirmed
+           and attempts < _most_attempts(m)):
         attempts, run = attempts + 1, runner.run_again(scenario)
         m, _ = judge(run, runner.exercise)
     run.attempts = attempts
+    if run.unawaited and not m.passed:
+        runner.confirmed.add(m.rule)
     is_complete = run.interrupted is None and not m.is_silent and m.is_finite
-    if not m.passed and attempts == 1 and is_complete:
+    if not (m.passed or run.unawaited) and attempts == 1 and is_complete:
         if runner.follows_wall is None:
             runner.follows_wall = not run.is_like(runner.run_again(scenario))
         run.follows_wall = runner.follows_wall

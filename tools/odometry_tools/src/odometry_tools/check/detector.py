@@ -6,6 +6,9 @@ import numpy
 FITS = 2e-3, 1e-3  # from the sum that a mistake gives
 ROUGH = 0.03, 0.02  # from a sum of speeds, which odometry samples
 TOLERANCE = 0.05, 0.01  # from the true distance; a detector may leave out small steps
+# From sums that do not fit as well: a displacement may come from speeds, and of displacements one
+# message more or less, which arrived with the end of a leg, is two metres.
+INEXACT = {'displacement': TOLERANCE, 'displacements': (0.05, 0.1)}
 BY_SPEED = 'speed', 'signed_speed', 'backwards'
 
 
@@ -80,14 +83,14 @@ def _distances(odometry, at_ends, right):
     return {
         'displacement': displacement[at_ends],
         'origin': from_origin[at_ends],
+        'displacements': numpy.cumsum(displacement)[at_ends],
         'first_step': right + from_origin[0]}
 
 
 def _fits(counted, right, sums):
     """Yield the mistakes without a factor that fit, as pairs of name and None."""
     for name, values in sums.items():
-        # A displacement may come from speeds, and is as inexact as a right distance.
-        tolerance = TOLERANCE if name == 'displacement' else FITS
+        tolerance = INEXACT.get(name, FITS)
         is_wrong = name == 'first_step' or not _agree(values, right, tolerance)
         if is_wrong and _agree(counted, values, tolerance):
             yield name, None
@@ -117,9 +120,9 @@ def _note_numbers(m, legs, counted, right):
     m.share = m.right / (m.total or 1.0)
     m.counted_back = counted[2]
     m.out_and_back = right[2]
-    by_leg = numpy.diff(counted)
-    right_by_leg = numpy.diff(right)
+    by_leg = numpy.diff(counted, prepend=0.0)
+    right_by_leg = numpy.diff(right, prepend=0.0)
     worst = int(abs(by_leg - right_by_leg).argmax())
-    m.leg = legs[worst]
+    m.leg = ['before the robot moved', *legs][worst]
     m.leg_counted = by_leg[worst]
     m.leg_right = right_by_leg[worst]

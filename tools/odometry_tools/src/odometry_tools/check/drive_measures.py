@@ -57,9 +57,10 @@ def _measure_last_command(m, run):
     last = m.commands[-1]
     is_turn = abs(last.angular) > abs(last.linear)
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
-    m.has_ceased = last.moves and run.now - last.time > CEASED
     if not last.moves:
         m.stop = _first_after(m.commands, lambda command: command.moves)
+    m.silence = (m.stop.time if m.stop else run.now) - m.moves[-1].time
+    m.has_ceased = last.moves and m.silence > CEASED
     m.at_last = _pose_at(run, last.time)
     m.turned_at_last = math.degrees(m.at_last.turned - m.start.turned)
     m.seconds = run.now - m.moves[0].time
@@ -80,7 +81,7 @@ def measure_distance(m, run):
     """Measure a drive of two metres."""
     times = [command.time for command in m.moves]
     intervals = [after - before for before, after in zip(times, times[1:])]
-    m.own_period = statistics.median(intervals or [0.0])
+    m.own_period = statistics.median_low(intervals or [0.0])
     m.bound = 2 * max(1 / m.rate, min(m.own_period, LONGEST_PERIOD)) + SLACK
     if not run.pace.lockstep:
         m.bound += PACED_SLACK * run.pace.real_time_factor

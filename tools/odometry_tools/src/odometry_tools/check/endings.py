@@ -6,7 +6,8 @@ from odometry_common.rest import is_slow
 
 from odometry_tools.check.scenarios import ROUTE
 
-PATIENCE, WALL_PATIENCE = 15.0, 3.0  # simulated and wall s for a node to begin
+PATIENCE = 15.0  # simulated s for a node to begin
+WALL_PATIENCE = 3.0  # s of wall time, for a node that may sleep, to go on
 REST_TIME = 7.0  # s; a node may rest five seconds between two parts of its drive
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m
@@ -19,9 +20,9 @@ LEG_REST = 1.6  # s; a detector that publishes once a second does so while the r
 class Drive:
     """Stop condition for a node that drives: the robot rests, or has gone much too far."""
 
-    def __init__(self, target=None):
-        """Take a heading to turn to (degrees), or None."""
-        self._target = target
+    def __init__(self, wall_patience=WALL_PATIENCE, target=None):
+        """Take how long to wait for the first command (s of wall time), and a heading (degrees)."""
+        self._wall_patience, self._target = wall_patience, target
         self._active = None  # s
         self._commands = self._swings = 0  # commands seen, and their changes of direction
         self._turning = 0.0  # rad/s, at the latest swing
@@ -29,8 +30,7 @@ class Drive:
     def is_over(self, run):
         """Return whether a Run is over at its latest odometry."""
         if run.first_move is None:
-            return run.now > PATIENCE and (
-                run.status is not None or run.wall_time() > WALL_PATIENCE)
+            return not _may_begin(run, self._wall_patience)
         if not math.isfinite(run.commands[-1].linear + run.commands[-1].angular):
             return True
         pose = run.odometry[-1]
@@ -38,7 +38,8 @@ class Drive:
                 and max(pose.way, abs(pose.turn)) > INTERRUPT_AFTER):
             return True
         if not is_slow(pose.linear, pose.angular) or run.commands[-1].moves and (
-                pose.time - run.commands[-1].time < REST_TIME):
+                pose.time - run.commands[-1].time < REST_TIME
+                or run.status is None and run.wall_time() - run.latest < WALL_PATIENCE):
             self._active = pose.time
         return (pose.time - max(self._active or 0.0, run.first_move) > REST_TIME
                 or pose.time - run.first_move > LIMIT or pose.way > FARTHEST
@@ -58,14 +59,14 @@ class Drive:
 class Route:
     """Drives the route, leg by leg, once the node has published; over at the end of the route."""
 
-    def __init__(self, drive):
-        """Take a function that commands a linear (m/s) and an angular speed (rad/s)."""
-        self._drive, self._start = drive, None
+    def __init__(self, drive, wall_patience=WALL_PATIENCE):
+        """Take a function of a linear (m/s) and an angular speed (rad/s), and s of wall time."""
+        self._drive, self._wall_patience, self._start = drive, wall_patience, None
 
     def is_over(self, run):
         """Send the next command of the route; return whether the route is over."""
         if self._start is None:
-            if not run.moved and (run.now < PATIENCE or run.wall_time() < WALL_PATIENCE):
+            if not run.moved and _may_begin(run, self._wall_patience):
                 return False
             self._start, begin = run.now, run.now + LEG_REST
             for leg in ROUTE:
@@ -76,3 +77,8 @@ class Route:
                 self._drive(*(leg.linear, leg.angular) if is_driven else (0.0, 0.0))
                 return False
         return True
+
+
+def _may_begin(run, wall_patience):
+    """Return whether a node that has sent nothing may still begin: it may sleep by wall time."""
+    return run.now <= PATIENCE or run.status is None and run.wall_time() < wall_patience

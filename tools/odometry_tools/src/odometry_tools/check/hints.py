@@ -47,12 +47,12 @@ INPUTS = (
     Rule('input_type', lambda m: m.wrong_inputs,
          'You subscribe to {wrong_inputs}, which is not the type that the robot sends, '
          'so nothing arrives'),
-    Rule('input', lambda m: m.status is None and not m.inputs_of_robot,
+    Rule('input', lambda m: m.status is None and m.inputs and not m.inputs_of_robot,
          'You listen to {inputs}; the robot sends, for example, /odom'))
 LAST_WORDS = Rule('last_words', lambda m: m.said and m.status is not None, 'It said last: {said}')
 ONE_COMMAND = Rule(
-    'one_command', lambda m: len(m.moves) <= 5,
-    'It stops 0.6 s after the last command, and you sent no more: repeat it in your loop')
+    'one_command', lambda m: len(m.moves) <= 5 and m.silence > WATCHDOG,
+    'The base stops 0.6 s after a command: repeat it in your loop')
 RARE = Rule(
     'rare', lambda m: m.own_period > WATCHDOG,
     'Your commands come every {own_period:.1f} s, and the base stops 0.6 s after each')
@@ -73,17 +73,20 @@ BY_VERDICT = {
         Rule('output', lambda m: m.outputs and m.topic not in m.run.publishes,
              'You publish {type} on {outputs}; the exercise names {topic}'),
         KEYBOARD, _error_if(_died_unnoticed), NOT_THERE,
-        Rule('ended', lambda m: m.status == 0,
+        Rule('ended', lambda m: m.status == 0 and not (m.plain and m.plain.commands),
              'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() '
              'keeps it alive; what you publish before anybody is connected is lost'),
-        *INPUTS),
+        *INPUTS,
+        Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
+             'Your node advertises no topic')),
     'all_zero': (KEYBOARD, _error_if(_only_input_fails), NOT_THERE, LAST_WORDS, *INPUTS),
     'before_start': (ONE_COMMAND,),
     'ceased': (
         _error_if(_fails_since_last_command), ONE_COMMAND,
         Rule('no_zero', lambda m: not m.is_short,
              'Publish a zero Twist when you are there, and before your node ends')),
-    'late': (RARE,), 'unfinished': (RARE,),
+    'early': (ONE_COMMAND, RARE),
+    'late': (RARE,), 'unfinished': (RARE, *INPUTS), 'passed_by': INPUTS,
     'interrupt': (
         Rule('hook', lambda m: m.error and m.hook_failed, 'Your shutdown hook failed: {error}'),
         Rule('again', lambda m: m.zero_after_ctrl_c,

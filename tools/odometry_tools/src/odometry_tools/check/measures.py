@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from odometry_tools.check import quoting
 from odometry_tools.check.detector import measure_detector
 from odometry_tools.check.drive_measures import measure_distance, measure_drive, measure_heading
+from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 
 # Messages of rospy and of roslaunch.
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
@@ -80,10 +81,11 @@ def _measure_messages(m):
 def _read_graph(m, publishes, subscribes):
     """Measure which topics the node publishes and subscribes to, from types by topic."""
     m.outputs = quoting.listed(topic for topic, kind in publishes.items()
-                               if kind == m.type and topic != m.topic)
+                               if kind == m.type and topic not in (m.topic, *COMMAND_TOPICS))
     m.output_type = publishes.get(m.topic) or m.type
     heard = subscribes.keys() - {'/clock', '/rosout'}
-    m.inputs = quoting.listed(heard) or 'nothing so far'
+    # A node that drives need not listen.
+    m.inputs = quoting.listed(heard) or ('nothing so far' if m.exercise.route else '')
     m.inputs_of_robot = heard & INPUTS.keys()
     m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
                                     for topic in heard & INPUTS.keys()

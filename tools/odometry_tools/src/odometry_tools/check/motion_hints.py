@@ -62,7 +62,7 @@ ANGLES = (
          'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),
     Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and m.follows in YAW and m.gain > 2,
          'Your gain is {gain:.1f}: lower it towards 0.5'),
-    Rule('turns_by', lambda m: m.turns_by,
+    Rule('turns_by', lambda m: m.turns_by and abs(m.start_heading) > SAME_ANGLE,
          'You turn by 90 degrees wherever you start; '
          'the exercise asks for heading 90 in the odom frame'))
 FITS = (
@@ -81,14 +81,18 @@ FITS = (
          'take the time from the stamps, or positions; driving back use abs()'),
     Rule('backwards', _fits('backwards'),
          'Speed has a sign, distance has not: use abs(), or positions'),
+    Rule('displacements', _fits('displacements'),
+         'You add the distance from the start at each message: '
+         'store each position, and count from it to the next'),
     Rule('times', _fits('times'),
          'That is {factor:g} times the way, on each leg and at each rate'),
     Rule('last_step', lambda m: (m.rule == 'miscounted'
                                  and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'))
 COMPARED = (
-    Rule('open_loop', lambda m: (_is_only_here(m) and m.scenario.name == 'slow_base'
-                                 and abs(m.share - SLOW) < 0.03),
+    Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain and m.plain.share
+                                 and m.rule in ('early', 'ceased', 'elsewhere', 'miscounted')
+                                 and abs(m.share / m.plain.share - SLOW) < 0.03),
          'This base reaches 70 % of your speed, and so does your result: '
          'count odometry, not time or commands'),
     Rule('slow_odometry', lambda m: (m.fails_alone and m.rate < 20
@@ -98,6 +102,7 @@ COMPARED = (
          'or a fixed time for each message'),
     Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
          'In {plain.scenario.name} it is right: the result depends on where the robot starts'),
-    Rule('constant', lambda m: m.rule == 'long_way' and len(m.turn_speeds) == 1,
+    Rule('constant', lambda m: (m.rule == 'long_way' and len(m.turn_speeds) == 1
+                                and m.commands[-len(m.moves):] == m.moves),
          'You turned at {moves[0].angular:.2g} rad/s throughout, whatever the heading: '
          'print the heading in your loop'))

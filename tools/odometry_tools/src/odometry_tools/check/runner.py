@@ -26,8 +26,9 @@ HOOK_POLLS, HOOK_PERIOD = 10, 0.1
 # and s of simulated time.
 INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
 LEAVE_PATIENCE = 5.0  # s of wall time for an unregistered node to end, and for its last commands
-FASTEST = 5.0  # times real time, in the first paced run
-SLOWER, SLOWEST = 3.0, 0.7  # divides the pace of the next run; times real time
+FASTEST, SLOWEST = 5.0, 0.7  # times real time, in the first and in further paced runs
+# s of wall time for a node to send something: until one has not, and in later scenarios.
+FIRST_PATIENCE, LATER_PATIENCE = 15.0, 3.0
 
 
 class Runner:
@@ -36,39 +37,42 @@ class Runner:
     def __init__(self, session, program, real_time_factor=0.0):
         """Take the Program of the node, and a real-time factor (0: as fast as possible)."""
         self._session, self._program, self.exercise = session, program, session.exercise
-        self.pace = Pace(True, real_time_factor)
+        self._factor = real_time_factor
         self.follows_wall = None  # whether two runs in lockstep differ; None: not tried yet
+        self.confirmed = set()  # names of rules by which it failed at the slowest pace, too
         self._unawaited = None
         self._is_stubborn = False
+        self._patience = FIRST_PATIENCE
 
-    def run(self, scenario):
+    def run(self, scenario, is_slow=False):
         """Return the Run of a Scenario: in lockstep or, if the node cannot be awaited, paced."""
-        run = self._run(scenario)
-        if run.unawaited and self.pace.lockstep:
-            run = self._run(scenario)  # on a busy machine a node may seem busy once
-        if run.unawaited and self.pace.lockstep:
-            self.pace = Pace(False, self.pace.real_time_factor or FASTEST)
+        if not self._unawaited:
+            run = self._run(scenario, Pace(True, self._factor))
+            if run.unawaited:  # on a busy machine a node may seem busy once
+                run = self._run(scenario, Pace(True, self._factor))
             self._unawaited = run.unawaited
-            run = self._run(scenario)
-        run.unawaited = self._unawaited
+        if self._unawaited:
+            run = self._run(scenario, Pace(False, SLOWEST if is_slow else self._factor or FASTEST))
+            run.unawaited = self._unawaited
         return run
 
     def run_again(self, scenario):
         """Return another Run of a Scenario, at a slower pace if the last was paced."""
         self._is_stubborn &= not scenario.interrupt
-        if not self.pace.lockstep:
-            self.pace = Pace(False, max(SLOWEST, self.pace.real_time_factor / SLOWER))
-        return self.run(scenario)
+        return self.run(scenario, is_slow=True)
 
-    def _run(self, scenario):
-        self._session.prepare(scenario, self.pace)
+    def _run(self, scenario, pace):
+        self._session.prepare(scenario, pace)
         log = len(self._session.simulator.lines())
-        ending = Route(self._session.drive) if self.exercise.route else Drive(self.exercise.target)
-        self._session.run = run = Run(scenario, self.pace, ending.is_over)
+        ending = (Route(self._session.drive, self._patience) if self.exercise.route
+                  else Drive(self._patience, self.exercise.target))
+        self._session.run = run = Run(scenario, pace, ending.is_over)
         with tempfile.TemporaryDirectory() as logs:
             command, environment = self._program
             self._run_node(ChildProcess(command, [*environment, ('ROS_LOG_DIR', logs)]), run, log)
             run.has_begun = has_node_logged(logs)
+        if run.first_move is None and not run.moved:
+            self._patience = LATER_PATIENCE
         return run
 
     def _run_node(self, node, run, log):
@@ -136,18 +140,18 @@ class Runner:
         """Press Ctrl-C; record whether the node and its descendants end."""
         node.interrupt()
         has_ended = (_ends_at_once(node, run)
-                     or not self._is_stubborn and self._ends_in_time(node))
+                     or not self._is_stubborn and self._ends_in_time(node, run.pace))
         run.answers = not has_ended and any(map(self._session.ask, run.nodes))
         run.ends = has_ended or node.status is not None and not run.answers
         run.leaves_process = run.ends and not has_ended
         self._is_stubborn = not run.ends
 
-    def _ends_in_time(self, node):
+    def _ends_in_time(self, node, pace):
         """Return whether the node ends while time goes on: it may sleep before."""
         self._session.call('unpause_physics')
         begin, latest = rospy.get_time(), time.monotonic() + STANDSTILL
         try:
-            has_ended = node.wait(INTERRUPT_PATIENCE if self.pace.lockstep else PACED_PATIENCE)
+            has_ended = node.wait(INTERRUPT_PATIENCE if pace.lockstep else PACED_PATIENCE)
             while (not has_ended and rospy.get_time() < begin + INTERRUPT_TIME
                    and time.monotonic() < latest):
                 has_ended = node.wait(SIGNAL_PERIOD)
