@@ -60,7 +60,7 @@ def test_what_ros_cannot_store_is_refused_in_one_line(argument, monkeypatch):
 
 
 @pytest.mark.parametrize('value, number', [
-    ('1e4', 1e4), ('-.5E-1', -0.05), ('+2E3', 2000.0), (2, 2.0), ('5', None), ('e4', None), ('1e4\n', None),
+    ('1e4', 1e4), ('-.5E-1', -0.05), ('+2E3', 2000.0), ('5', None), ('1e4\n', None),
     ('\u0661e4', None), ('1e999', None), (10**400, None), (True, None)])
 def test_a_number_is_one_though_yaml_takes_it_for_a_string(value, number):
     assert as_number(value) == number

@@ -89,3 +89,14 @@ def test_what_roslaunch_has_started_is_awaited_before_it_is_a_node(graph):
         late.wait_for_output('up')
         processes.add_starting()
         assert late.pid in waiter.processes
+
+
+def test_an_address_that_another_server_has_by_now_is_given_up(graph, reports):
+    """That of a node that was killed; the server takes the call, and answers nothing."""
+    with socket.create_server(('localhost', 0)) as server:
+        address = f'http://localhost:{server.getsockname()[1]}'
+        register('/gone', address)
+        rosgraph.Master('/listener').registerSubscriber('/elsewhere', 'std_msgs/Empty', address)
+        _, processes = graph
+        processes.wait()
+    assert ('/gone', 'has not answered for 5 s') in reports

@@ -4,13 +4,12 @@ import time
 
 import psutil
 import rosgraph
-from odometry_common.connections import ANSWER, SENDS, ask, node_at
-from rosgraph.names import ns_join
+from odometry_common.connections import ANSWER, ANSWER_TIMEOUT, SENDS, ask, node_at
 from rospy.core import is_shutdown_requested
 
 from sim_turtlebot.lockstep.children import Children
 from sim_turtlebot.lockstep.idle import LONGEST_POLL
-from sim_turtlebot.lockstep.listeners import pids_at
+from sim_turtlebot.lockstep.listeners import pids_at, roslaunched
 
 CONNECT_TIMEOUT = 5.0  # s of wall time, for a connection while all nodes are idle
 UNSEEN = ('runs on another machine, in another container or as another user, where lockstep cannot '
@@ -18,7 +17,6 @@ UNSEEN = ('runs on another machine, in another container or as another user, whe
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
 ANY_TYPE = '*'  # of a node that takes every type, such as rosbag
-ROSLAUNCHED = '__name:='  # in the command line of a node that roslaunch has started
 STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
 
@@ -34,6 +32,7 @@ class GraphProcesses:
         """
         self._waiter, self._own_name, self._report = waiter, own_name, report
         self._unconnected = set()  # links that are not awaited any more
+        self._silent = set()  # names of nodes that do not answer
         self._master_uri = rosgraph.get_master_uri()
         self._master = node_at(self._master_uri)
         self._addresses, self._pids = {}, {}  # by name
@@ -112,17 +111,28 @@ class GraphProcesses:
 
         As the publishers report them: a subscriber lists a connection early.
         """
-        awaited = {name for name in self._addresses if
+        awaited = {name for name in self._addresses.keys() - self._silent if
                    self._waiter.processes.get(self._pids.get(name)) in self._waiter.awaited}
         wanted = {(topic, publisher, subscriber) for topic, names in self._published.items()
                   if topic != LOG for publisher in awaited.intersection(names)
                   for subscriber in awaited.intersection(self._subscribed.get(topic, ()))}
         wanted -= self._unconnected
         present = {(topic, publisher, subscriber) for publisher in {link[1] for link in wanted}
-                   for _, subscriber, direction, _, topic, *_
-                   in ask(self._addresses[publisher], 'getBusInfo') or ()
+                   for _, subscriber, direction, _, topic, *_ in self._connections_of(publisher)
                    if direction == SENDS}
-        return wanted - present
+        return {link for link in wanted - present if self._silent.isdisjoint(link)}
+
+    def _connections_of(self, name):
+        """Return what a node says of its connections; report one that does not answer.
+
+        After a node was killed, a server of another node may have its address.
+        """
+        begin = time.monotonic()
+        answer = ask(self._addresses[name], 'getBusInfo')
+        if answer is None and time.monotonic() - begin > ANSWER_TIMEOUT:
+            self._silent.add(name)
+            self._report(name, f'has not answered for {ANSWER_TIMEOUT:g} s')
+        return answer or ()
 
     def _is_refused(self, topic, publisher, subscriber):
         """Return whether two nodes have different types for a topic, and so never connect."""
@@ -150,20 +160,16 @@ class GraphProcesses:
 
     def add_starting(self):
         """Add the processes that roslaunch started and that have not registered as nodes yet."""
-        for process in psutil.process_iter(['cmdline', 'environ']):
-            environment = process.info['environ'] or {}
-            name = next((ns_join(environment.get('ROS_NAMESPACE', '/'), argument[len(ROSLAUNCHED):])
-                         for argument in process.info['cmdline'] or ()
-                         if argument.startswith(ROSLAUNCHED)), LOG)
-            if (name != LOG and process.pid not in self._waiter.processes
-                    and environment.get('ROS_MASTER_URI') == self._master_uri):
-                self._add(name, process.pid, STARTING_CPU_BUDGET)
+        for name, pid in roslaunched(self._master_uri):
+            if name != LOG and pid not in self._waiter.processes:
+                self._add(name, pid, STARTING_CPU_BUDGET)
 
     def _find(self, addresses):
         """Add the processes that serve these addresses, by name of their node."""
         if not addresses:
             return
         self._addresses.update(addresses)
+        self._silent -= addresses.keys()
         before, pids = None, pids_at(addresses)
         while pids != before:  # a list that changes meanwhile may lack one, or name its child
             before, pids = pids, pids_at(addresses)

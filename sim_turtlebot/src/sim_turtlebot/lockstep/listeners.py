@@ -1,4 +1,4 @@
-"""Find the processes that serve the XML-RPC addresses of nodes."""
+"""Find the processes of nodes, by their XML-RPC addresses or as roslaunch starts them."""
 
 import os
 import socket
@@ -6,12 +6,14 @@ import time
 from urllib.parse import urlparse
 
 import psutil
+from rosgraph.names import ns_join
 from rosgraph.network import is_local_address
 
 # s of wall time; a process that ends has closed its files, but not yet its sockets.
 ENDING_TIME = 1.0
 LOOK_PERIOD = 0.01  # s of wall time
 ANY_IP = '0.0.0.0', '::'  # of servers that listen on every address
+NAME = '__name:='  # in the command line of a node that roslaunch has started
 
 
 def pids_at(addresses):
@@ -58,3 +60,14 @@ def _opener_of(connection):
 
 def _socket_number(pid, descriptor):
     return os.stat(f'/proc/{pid}/fd/{descriptor}').st_ino
+
+
+def roslaunched(master_uri):
+    """Yield name and id of each process that roslaunch has started for a master."""
+    for process in psutil.process_iter(['cmdline', 'environ']):
+        environment = process.info['environ'] or {}
+        if environment.get('ROS_MASTER_URI') == master_uri:
+            for argument in process.info['cmdline'] or ():
+                if argument.startswith(NAME):
+                    yield ns_join(environment.get('ROS_NAMESPACE', '/'),
+                                  argument[len(NAME):]), process.pid

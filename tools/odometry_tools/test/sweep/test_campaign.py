@@ -78,10 +78,3 @@ def test_a_world_is_found_from_where_the_user_stands(written, monkeypatch, tmp_p
     for arguments in ['move', '--set', "world='',my.urdf"], \
             ['--campaign', str(written({'tutorial': 'move', 'set': {'world': ['', 'my.urdf']}}))]:
         assert parse(arguments).campaign.values == {'world': expected}
-
-
-def test_models_that_a_world_includes_are_named(tmp_path, capsys):
-    world = tmp_path / 'box.world'
-    world.write_text('<sdf version="1.6"><world name="w"><include><uri>model://box</uri></include></world></sdf>')
-    Campaign(Tutorial('move'), 1, {'world': [str(world)]}, {}).check()
-    assert capsys.readouterr().err.startswith(f'sweep: {world} includes model://box, which PyBullet does not load')
