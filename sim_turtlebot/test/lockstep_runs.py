@@ -5,6 +5,8 @@ import io
 import signal
 import subprocess
 
+import rosgraph
+import rosnode
 import rospy
 from odometry_tests.pausing import call
 from odometry_tests.processes import Process
@@ -32,6 +34,8 @@ def started_client(*command):
         yield process
         process.send(signal.SIGKILL)
         process.wait()
+    # Another server may have its address before the master forgets it.
+    rosnode.cleanup_master_blacklist(rosgraph.Master('/test'), [command[-1].replace('__name:=', '/')])
 
 
 def record(starts, topics, arguments=(), begin=lambda: call('unpause_physics')):

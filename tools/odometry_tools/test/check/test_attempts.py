@@ -34,10 +34,6 @@ def test_a_zero_that_was_lost_once_fails_nobody():
     assert 'only when it was run again' in verdict.notes['luck']
 
 
-def test_a_zero_that_is_never_there_fails():
-    assert attempt(*ATTEMPTS * [run_of(2.0, has_zero=False, status=0)]).rule == 'ceased'
-
-
 def test_a_node_that_lockstep_does_not_wait_for_runs_again():
     verdict = attempt(run_of(2.5, **PACED), run_of(2.0, **PACED))
     assert verdict.has_passed
