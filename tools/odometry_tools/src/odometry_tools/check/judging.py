@@ -64,7 +64,7 @@ def _compare(all_measures):
         m.plain = all_measures[0] if len(all_measures) > 1 else None
         m.common_fits = common_fits
         m.factor = next((factor for _, factor in common_fits), None)
-        m.turns_by = len(nets) > 1 and all(abs(net - m.target) < SAME_ANGLE for net in nets)
+        m.turns_by = len(nets) > 1 and max(nets) - min(nets) < SAME_ANGLE
 
 
 def _verdict_on(m, held):
