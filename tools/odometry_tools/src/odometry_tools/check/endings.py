@@ -1,6 +1,7 @@
 """Stop conditions of a scenario, and the route that the check drives."""
 
 import math
+import time
 
 from odometry_common.rest import is_slow
 
@@ -39,7 +40,7 @@ class Drive:
             return True
         if not is_slow(pose.linear, pose.angular) or run.commands[-1].moves and (
                 pose.time - run.commands[-1].time < REST_TIME
-                or run.status is None and run.wall_time() - run.latest < WALL_PATIENCE):
+                or run.status is None and time.monotonic() - run.latest < WALL_PATIENCE):
             self._active = pose.time
         return (pose.time - max(self._active or 0.0, run.first_move) > REST_TIME
                 or pose.time - run.first_move > LIMIT or pose.way > FARTHEST

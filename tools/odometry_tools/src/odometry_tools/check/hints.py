@@ -73,7 +73,7 @@ BY_VERDICT = {
         Rule('output', lambda m: m.outputs and m.topic not in m.run.publishes,
              'You publish {type} on {outputs}; the exercise names {topic}'),
         KEYBOARD, _error_if(_died_unnoticed), NOT_THERE,
-        Rule('ended', lambda m: m.status == 0 and not (m.plain and m.plain.commands),
+        Rule('ended', lambda m: m.status == 0 and (m.plain is None or m.plain.is_silent),
              'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() '
              'keeps it alive; what you publish before anybody is connected is lost'),
         *INPUTS,

@@ -75,7 +75,7 @@ class Run:
         self.scenario, self.pace, self._is_over = scenario, pace, is_over
         self.changed = threading.Condition()
         self.begin = time.monotonic()  # when time began (s of wall time)
-        self.latest = 0.0  # when the latest command came (s of wall time since then)
+        self.latest = -math.inf  # when the latest command came (monotonic, s)
         self.over = False
         self.odometry, self.commands, self.moved, self.messages = [], [], [], []
         self.start = 0  # index of the first odometry after the last reset of it
@@ -156,7 +156,7 @@ class Run:
 
     def _on_twist(self, topic, message, now):
         # Messages of one tick arrive in any order, so the clock may be one tick late.
-        now, self.latest = round(now / PERIOD) * PERIOD, self.wall_time()
+        now, self.latest = round(now / PERIOD) * PERIOD, time.monotonic()
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
         self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic,
