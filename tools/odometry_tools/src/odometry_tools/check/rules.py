@@ -41,7 +41,8 @@ DRIVE = (
     Rule('all_zero', lambda m: not m.moves,
          'from ({start.x:.1f}, {start.y:.1f}), heading {start_heading:.0f} degrees, '
          'all of your commands were zero'),
-    Rule('before_start', lambda m: m.moves and not m.has_moved and m.moves[-1].time <= 0.0,
+    Rule('before_start', lambda m: (m.moves and not (m.has_moved or m.stop)
+                                    and m.moves[-1].time <= 0.0),
          'your last command, {last_word}, came before simulated time began, '
          'and the robot did not move'),
     Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
