@@ -120,16 +120,15 @@ class GraphProcesses:
         present = {(topic, publisher, subscriber) for publisher in {link[1] for link in wanted}
                    for _, subscriber, direction, _, topic, *_ in self._connections_of(publisher)
                    if direction == SENDS}
-        return {link for link in wanted - present if self._silent.isdisjoint(link)}
+        return {link for link in wanted - present if self._silent.isdisjoint(link[1:])}
 
     def _connections_of(self, name):
-        """Return what a node says of its connections; report one that does not answer.
-
-        After a node was killed, a server of another node may have its address.
-        """
+        """Return the connections that a node reports; name one that sleeps and answers nothing."""
+        # A server of another node may have the address of one that was killed.
         begin = time.monotonic()
+        process = self._waiter.processes[self._pids[name]]
         answer = ask(self._addresses[name], 'getBusInfo')
-        if answer is None and time.monotonic() - begin > ANSWER_TIMEOUT:
+        if answer is None and time.monotonic() - begin > ANSWER_TIMEOUT and process.sleeps():
             self._silent.add(name)
             self._report(name, f'has not answered for {ANSWER_TIMEOUT:g} s')
         return answer or ()

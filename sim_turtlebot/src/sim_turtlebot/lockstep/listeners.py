@@ -66,8 +66,7 @@ def roslaunched(master_uri):
     """Yield name and id of each process that roslaunch has started for a master."""
     for process in psutil.process_iter(['cmdline', 'environ']):
         environment = process.info['environ'] or {}
-        if environment.get('ROS_MASTER_URI') == master_uri:
-            for argument in process.info['cmdline'] or ():
-                if argument.startswith(NAME):
-                    yield ns_join(environment.get('ROS_NAMESPACE', '/'),
-                                  argument[len(NAME):]), process.pid
+        names = [argument[len(NAME):] for argument in process.info['cmdline'] or ()
+                 if argument.startswith(NAME)]
+        if names and environment.get('ROS_MASTER_URI') == master_uri:
+            yield ns_join(environment.get('ROS_NAMESPACE', '/'), names[0]), process.pid

@@ -98,6 +98,12 @@ class Process:
         thread = self.awake_thread()
         return thread is not None and thread.state in STOPPED
 
+    def sleeps(self):
+        """Return whether it sleeps; False, too, if it has ended."""
+        with contextlib.suppress(OSError):
+            return self.check_asleep()
+        return False
+
     def has_ended(self):
         """Return whether it has ended; list its threads."""
         try:

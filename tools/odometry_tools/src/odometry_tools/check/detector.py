@@ -6,8 +6,8 @@ import numpy
 FITS = 2e-3, 1e-3  # from the sum that a mistake gives
 ROUGH = 0.03, 0.02  # from a sum of speeds, which odometry samples
 TOLERANCE = 0.05, 0.01  # from the true distance; a detector may leave out small steps
-# From sums that do not fit as well: a displacement may come from speeds, and of displacements one
-# message more or less, which arrived with the end of a leg, is two metres.
+# From sums that fit less exactly: a displacement may come from speeds, and a sum of displacements
+# grows by up to two metres with a message that arrives just before, or after, the end of a leg.
 INEXACT = {'displacement': TOLERANCE, 'displacements': (0.05, 0.1)}
 BY_SPEED = 'speed', 'signed_speed', 'backwards'
 

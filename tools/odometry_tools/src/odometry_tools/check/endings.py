@@ -8,7 +8,7 @@ from odometry_common.rest import is_slow
 from odometry_tools.check.scenarios import ROUTE
 
 PATIENCE = 15.0  # simulated s for a node to begin
-WALL_PATIENCE = 3.0  # s of wall time, for a node that may sleep, to go on
+WALL_PATIENCE = 3.0  # s of wall time for a node, which may sleep, to begin or to go on
 REST_TIME = 7.0  # s; a node may rest five seconds between two parts of its drive
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m
@@ -22,7 +22,7 @@ class Drive:
     """Stop condition for a node that drives: the robot rests, or has gone much too far."""
 
     def __init__(self, wall_patience=WALL_PATIENCE, target=None):
-        """Take how long to wait for the first command (s of wall time), and a heading (degrees)."""
+        """Take how long a node may sleep before it begins (s), and a heading (degrees) or None."""
         self._wall_patience, self._target = wall_patience, target
         self._active = None  # s
         self._commands = self._swings = 0  # commands seen, and their changes of direction
@@ -61,7 +61,7 @@ class Route:
     """Drives the route, leg by leg, once the node has published; over at the end of the route."""
 
     def __init__(self, drive, wall_patience=WALL_PATIENCE):
-        """Take a function of a linear (m/s) and an angular speed (rad/s), and s of wall time."""
+        """Take what commands a linear (m/s) and an angular speed (rad/s); patience as in Drive."""
         self._drive, self._wall_patience, self._start = drive, wall_patience, None
 
     def is_over(self, run):

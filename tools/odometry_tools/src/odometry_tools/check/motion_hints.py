@@ -104,6 +104,7 @@ COMPARED = (
          'or a fixed time for each message'),
     Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
          'In {plain.scenario.name} it is right: the result depends on where the robot starts'),
+    # Throughout: no zero came after the first move.
     Rule('constant', lambda m: (m.rule == 'long_way' and len(m.turn_speeds) == 1
                                 and m.commands[-len(m.moves):] == m.moves),
          'You turned at {moves[0].angular:.2g} rad/s throughout, whatever the heading: '

@@ -156,7 +156,8 @@ class Run:
 
     def _on_twist(self, topic, message, now):
         # Messages of one tick arrive in any order, so the clock may be one tick late.
-        now, self.latest = round(now / PERIOD) * PERIOD, time.monotonic()
+        now = round(now / PERIOD) * PERIOD
+        self.latest = time.monotonic()
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
         self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic,

@@ -6,7 +6,7 @@ import time
 import rospy
 
 from odometry_tools.check.check_session import Pace
-from odometry_tools.check.endings import Drive, Route
+from odometry_tools.check.endings import WALL_PATIENCE, Drive, Route
 from odometry_tools.check.processes import ChildProcess, has_node_logged
 from odometry_tools.check.run import Run
 from odometry_tools.runs.session import forget
@@ -27,8 +27,7 @@ HOOK_POLLS, HOOK_PERIOD = 10, 0.1
 INTERRUPT_PATIENCE, PACED_PATIENCE, INTERRUPT_TIME = 6.0, 20.0, 30.0
 LEAVE_PATIENCE = 5.0  # s of wall time for an unregistered node to end, and for its last commands
 FASTEST, SLOWEST = 5.0, 0.7  # times real time, in the first and in further paced runs
-# s of wall time for a node to send something: until one has not, and in later scenarios.
-FIRST_PATIENCE, LATER_PATIENCE = 15.0, 3.0
+FIRST_PATIENCE = 15.0  # s of wall time for a node to begin; WALL_PATIENCE once it has not
 
 
 class Runner:
@@ -72,7 +71,7 @@ class Runner:
             self._run_node(ChildProcess(command, [*environment, ('ROS_LOG_DIR', logs)]), run, log)
             run.has_begun = has_node_logged(logs)
         if run.first_move is None and not run.moved:
-            self._patience = LATER_PATIENCE
+            self._patience = WALL_PATIENCE
         return run
 
     def _run_node(self, node, run, log):
