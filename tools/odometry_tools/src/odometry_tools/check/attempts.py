@@ -102,5 +102,5 @@ def _may_be_luck(m):
     if m.passed:
         return False
     return (m.run.unawaited and m.run.pace.real_time_factor > SLOWEST
-            or m.rule == 'interrupt_ignored' or m.rule == 'interrupt' and not m.zero_after_ctrl_c
+            or m.rule in ('interrupt', 'interrupt_ignored')
             or m.status == 0 and m.rule in ('ceased', 'no_node'))

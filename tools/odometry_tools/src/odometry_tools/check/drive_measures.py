@@ -42,8 +42,9 @@ def measure_drive(m, run):
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.seconds = 0.0
     m.has_ceased = False
-    m.zero_after_ctrl_c = (run.interrupted is not None
-                           and any(not command.moves for command in m.commands[run.interrupted:]))
+    last_commands = m.commands[run.interrupted:]
+    m.drove_again = run.interrupted is not None and any(
+        after.moves and not before.moves for before, after in zip(last_commands, last_commands[1:]))
     m.driven_on = 0.0
     if m.moves:
         m.driven_on = m.moves[-1].time - run.interrupt_time

@@ -89,9 +89,6 @@ BY_VERDICT = {
     'late': (RARE,), 'unfinished': (RARE, *INPUTS), 'passed_by': INPUTS,
     'interrupt': (
         Rule('hook', lambda m: m.error and m.hook_failed, 'Your shutdown hook failed: {error}'),
-        Rule('again', lambda m: m.zero_after_ctrl_c,
-             'You sent zero, and then drove again: let all loops, callbacks and threads that drive '
-             'look at a flag, and set it before you send zero'),
         Rule('shutdown_roscpp', lambda m: m.run.is_cpp,
              'Publish a zero Twist before ros::shutdown(): '
              'take ros::init_options::NoSigintHandler and handle SIGINT'),

@@ -47,6 +47,9 @@ DRIVE = (
          'and the robot did not move'),
     Rule('interrupt_ignored', lambda m: m.run.interrupted is not None and not m.run.ends,
          '30 simulated seconds after Ctrl-C your node still ran'),
+    Rule('interrupt_again', lambda m: m.drove_again,
+         'after Ctrl-C you sent zero, and then drove again: let all loops, callbacks and threads '
+         'that drive look at a flag, and set it before you send zero', explains=True),
     Rule('interrupt_late', lambda m: m.run.interrupted is not None and not m.commands[-1].moves,
          'you drove on for {driven_on:.1f} s after Ctrl-C, and only then sent zero', explains=True),
     Rule('interrupt', lambda m: m.run.interrupted is not None,
