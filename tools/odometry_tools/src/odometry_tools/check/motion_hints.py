@@ -81,7 +81,7 @@ FITS = (
          'That is speed times a fixed {factor:g} s for each message: '
          'take the time from the stamps, or positions; driving back use abs()'),
     Rule('backwards', _fits('backwards'),
-         'Speed has a sign, distance has not: use abs(), or positions'),
+         'Your sum falls while the robot drives back: use abs(), or math.hypot(dx, dy)'),
     Rule('displacements', _fits('displacements'),
          'You add the distance from the start at each message: '
          'store each position, and count from it to the next'),
