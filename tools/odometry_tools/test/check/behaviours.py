@@ -78,13 +78,6 @@ def wrong_derivative(memory, pose):
 
 
 @remembering
-def turn_by_time(memory, pose):
-    start = memory['start']
-    error = error_of(start.yaw)
-    return 0.0, math.copysign(0.3, error) if pose.time - start.time < abs(error) / 0.3 else 0.0
-
-
-@remembering
 def narrow_window(memory, pose):
     memory['there'] = memory['there'] or abs(way(memory['start'], pose) - 2.0) < 0.0131
     return (0.0 if memory['there'] else 0.49), 0.0

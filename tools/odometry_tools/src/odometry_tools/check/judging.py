@@ -13,7 +13,7 @@ PASSED = Rule('passed', None, '')
 WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
-SAME_ANGLE = 8.0  # degrees
+SAME_ANGLE = 8.0  # degrees; smaller turns than that are alike, too
 
 
 class Verdict(NamedTuple):
@@ -64,7 +64,7 @@ def _compare(all_measures):
         m.plain = all_measures[0] if len(all_measures) > 1 else None
         m.common_fits = common_fits
         m.factor = next((factor for _, factor in common_fits), None)
-        m.turns_by = len(nets) > 1 and max(nets) - min(nets) < SAME_ANGLE
+        m.turns_by = len(nets) > 1 and max(nets) - min(nets) < SAME_ANGLE < min(map(abs, nets))
 
 
 def _verdict_on(m, held):

@@ -30,6 +30,12 @@ def _is_only_here(m):
     return m.plain is not None and m.plain.passed and not m.passed
 
 
+def _is_as_slow(m):
+    """Return whether the drive, or the turn, is that of `plain` times the base's share of speed."""
+    pairs = (m.share, m.plain.share), (m.net, m.plain.net)
+    return any(before and abs(now / before - SLOW) < 0.02 for now, before in pairs)
+
+
 PLACES = (
     Rule('one_axis', _is_nearest('one_axis'),
          '{moved_x:.2f} m are along x and {moved_y:.2f} along y: one axis alone counts. '
@@ -91,10 +97,10 @@ FITS = (
                                  and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'))
 COMPARED = (
-    Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain and m.plain.share
+    Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain
                                  and (m.plain.passed or m.target is None)
                                  and m.rule in ('early', 'ceased', 'elsewhere', 'miscounted')
-                                 and abs(m.share / m.plain.share - SLOW) < 0.02),
+                                 and _is_as_slow(m)),
          'This base reaches 70 % of your speed, and so does your result: '
          'count odometry, not time or commands'),
     Rule('slow_odometry', lambda m: (m.fails_alone and m.rate < 20
