@@ -105,7 +105,7 @@ def rarely(memory, pose):
     if pose.time < memory['next'] - 1e-6:
         return None
     memory['next'] = pose.time + 10.0
-    return (0.3 if way(memory['start'], pose) < 2.0 else 0.0), 0.0
+    return (0.5 if way(memory['start'], pose) < 2.0 else 0.0), 0.0
 
 
 @remembering

@@ -56,7 +56,7 @@ def drive(node, scenario=PLAIN, exercise=TWO_METERS):
     ending = Route(robot.command) if exercise.route else Drive(target=exercise.target)
     run = Run(scenario, Pace(), ending.is_over)
     run.nodes = {'/mine'}
-    run.begin -= 1e3  # s of wall time, for which a node that is silent would be awaited
+    run.begin = -math.inf  # s of wall time; nobody waits for a node that is silent
     run.subscribes = {'/odom': 'nav_msgs/Odometry'}
     periods = 0
     while not run.over:

@@ -46,13 +46,13 @@ CASES = {
                 {'moved_start': 'early sum_of_axes'}),
         'a point': (driving(lambda start, pose: 2.03 - math.hypot(2.0 - pose.x, pose.y)), {'moved_start': 'early place'}),
         'early': (driving(lambda start, pose: way(start, pose) + 0.1), 'early'),
+        'root': (driving(lambda start, pose: way(start, pose)**2), 'early root'),
         'equality': (remembering(lambda memory, pose: (0.3, 0.0)), 'passed_by'),
         'window': (narrow_window, {'odom_5hz': 'passed_by slow_odometry'}),
         'time': (by_time, {'slow_base': 'early open_loop'}),
         'again': (drives_again, 'drove_on'),
         'once': (once, 'ceased one_command'),
-        'rarely': (rarely, {
-            'plain': 'late rare', 'moved_start': 'late rare', 'odom_5hz': 'late rare', 'slow_base': 'unfinished rare'}),
+        'rarely': (rarely, 'late rare'),
         'turns': (turning(error_of), 'only_turned')},
     'heading': {
         'right': (turning(error_of), {}),

@@ -7,6 +7,7 @@ import numpy
 from odometry_tools.check.scenarios import PERIOD, TARGET
 
 FEWEST, RESIDUAL = 8, 0.003  # commands needed for a fit; largest residual, share of their range
+NARROW = 0.01  # rad; over a smaller range of angles anything is proportional
 UNKNOWN = '', 0.0, 0.0, False
 LIMITED = 0.99  # share of the fastest command; faster ones may be clamped by the node
 
@@ -42,7 +43,7 @@ def _law(angle, speed):
 
     If they are not, return None.
     """
-    if len(angle) < FEWEST:
+    if len(angle) < FEWEST or numpy.ptp(angle) < NARROW:
         return None
     slope, offset = numpy.polyfit(angle, speed, 1)
     residual = abs(slope * angle + offset - speed).max()

@@ -38,6 +38,8 @@ def measure_detector(m, run):
     m.passed = _agree(counted, right, TOLERANCE)
     m.fits = {*_fits(counted, right, sums), *_factors(counted, right, by_speed)}
     m.largest = published.max()
+    fall = numpy.diff(published).argmin()
+    m.fell_from, m.fell_to = published[fall:fall + 2]
     m.largest_step = right_steps.max()
     _note_numbers(m, [name for name, *_ in run.legs], counted, right)
 

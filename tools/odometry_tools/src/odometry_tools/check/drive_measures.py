@@ -15,10 +15,11 @@ CLOSE = 0.05  # m, from the goal at rest
 OVERSHOOT = 0.25  # m of path beyond the goal, for a node that comes back to it
 AT_TARGET = 3.0  # degrees
 DETOUR = 85.0  # degrees of overshooting and back; the longer way round is at least 90 longer
-SLACK, PACED_SLACK = 0.03, 0.1  # s of simulated and of wall time
+SLACK = 0.03  # s of simulated time
+PACED_SLACK = 0.1  # s of wall time
 MOVED = 1e-4  # m or rad; even the slowest command moves the robot more before the watchdog stops it
-# The last s of a run, in which a controller should have settled and the heading should stay.
-RINGING, STILL = 5.0, 2.0
+RINGING = 5.0  # s at the end of a run, in which a controller should have settled
+STILL = 2.0  # s at the end of a run, in which the heading should stay
 LONGEST_PERIOD = 1.0  # s; a zero may be two periods of the loop late, but no longer ones
 FLIPS = 4  # changes of sign allowed in those RINGING s
 CEASED = 0.55  # s without a command, a little less than the watchdog's
@@ -39,18 +40,16 @@ def measure_drive(m, run):
     m.mux = listed(command.topic for command in m.commands if command.topic != 'cmd_vel')
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
+    m.drives_back = max((command.linear for command in m.moves), default=0.0) <= 0.0
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.seconds = 0.0
     m.has_ceased = False
-    last_commands = m.commands[run.interrupted:]
-    m.drove_again = run.interrupted is not None and any(
-        after.moves and not before.moves for before, after in zip(last_commands, last_commands[1:]))
-    m.driven_on = 0.0
-    if m.moves:
-        m.driven_on = m.moves[-1].time - run.interrupt_time
     m.stop = None
     if m.moves:
         _measure_last_command(m, run)
+    m.drove_again = False
+    if run.interrupted is not None:
+        _measure_after_ctrl_c(m, run)
 
 
 def _measure_last_command(m, run):
@@ -65,6 +64,15 @@ def _measure_last_command(m, run):
     m.at_last = _pose_at(run, last.time)
     m.turned_at_last = math.degrees(m.at_last.turned - m.start.turned)
     m.seconds = run.now - m.moves[0].time
+
+
+def _measure_after_ctrl_c(m, run):
+    """Measure for how long the node drove on, and whether it sent a zero before."""
+    m.driven_on = m.moves[-1].time - run.interrupt_time
+    commands = m.commands[run.interrupted:]
+    m.drove_again = any(
+        after.moves and not before.moves
+        for before, after in zip(commands, commands[1:]))
 
 
 def _first_after(commands, holds):
@@ -162,6 +170,6 @@ def _measure_swings(m, run):
     m.flips = len(flips)
     late_flips = [time for time in flips if time > run.now - RINGING]
     m.rings = len(late_flips) > FLIPS
-    m.turn_speeds = {command.angular for command in m.moves}
+    m.turn_speeds = {round(command.angular, 3) for command in m.moves}
     speeds = [abs(command.angular) for command in m.moves]
     m.step = math.degrees(statistics.median(speeds or [0.0])) / m.rate

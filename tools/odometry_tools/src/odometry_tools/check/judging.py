@@ -2,8 +2,10 @@
 
 from typing import NamedTuple
 
+import numpy
+
 from odometry_tools.check import rules
-from odometry_tools.check.hints import UNKNOWN, hint_for
+from odometry_tools.check.hints import hint_for
 from odometry_tools.check.measures import measure
 from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
@@ -13,7 +15,7 @@ PASSED = Rule('passed', None, '')
 WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
-SAME_ANGLE = 8.0  # degrees; smaller turns than that are alike, too
+SAME_ANGLE = 0.1  # share of a turn by which another one may be larger
 
 
 class Verdict(NamedTuple):
@@ -64,7 +66,7 @@ def _compare(all_measures):
         m.plain = all_measures[0] if len(all_measures) > 1 else None
         m.common_fits = common_fits
         m.factor = next((factor for _, factor in common_fits), None)
-        m.turns_by = len(nets) > 1 and max(nets) - min(nets) < SAME_ANGLE < min(map(abs, nets))
+        m.turns_by = len(nets) > 1 and numpy.ptp(nets) < SAME_ANGLE * min(map(abs, nets))
 
 
 def _verdict_on(m, held):
@@ -76,7 +78,5 @@ def _verdict_on(m, held):
                 else 'paced' if m.run.unawaited else m.exercise.name)
         sentence = rules.PRAISE[kind].format(**vars(m))
     else:
-        sentence = held.say(m)
-        if not held.explains:
-            sentence += f'. {hint.say(m) if hint else UNKNOWN.format(**vars(m))}'
+        sentence = '. '.join(rule.say(m) for rule in (held, hint) if rule)
     return Verdict(m.scenario.name, held.name, m.hint, plain(sentence), notes)

@@ -31,8 +31,11 @@ def measure(run, exercise):
         quantity='distance' if exercise.target is None else 'heading',
         unit='m' if exercise.target is None else 'degrees')
     # What a run without odometry, or without commands, does not show.
-    m.passed, m.at, m.mux, m.follows = False, '', '', ''
-    m.is_short, m.share, m.own_period, m.fits, m.net = True, 0.0, 0.0, None, None
+    m.passed = False
+    m.is_short = True
+    m.at = m.mux = m.follows = ''
+    m.share = m.own_period = 0.0
+    m.fits = m.net = None
     _read_output(m, quoting.plain(run.output))
     _measure_messages(m)
     _read_graph(m, run.publishes, run.subscribes)

@@ -3,7 +3,7 @@
 import math
 
 from odometry_tools.check.rule import Rule
-from odometry_tools.check.scenarios import SLOW, TARGET
+from odometry_tools.check.scenarios import GOAL, SLOW, TARGET
 
 YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
 SAME_ANGLE = 5.0  # degrees
@@ -25,6 +25,15 @@ def _has_wrong_sign(m):
     return m.follows in MINUS and abs(m.zero + TARGET) < SAME_ANGLE
 
 
+def _rests_at_radians(m):
+    return (m.rule == 'elsewhere' and abs(m.heading - RADIANS) < 0.3
+            and abs(m.start_heading) > SAME_ANGLE)
+
+
+def _rests_at_root(m):
+    return m.rule == 'early' and abs(m.end.way - math.sqrt(GOAL)) < 0.05
+
+
 def _is_only_here(m):
     """Return whether this scenario fails and the first one passes."""
     return m.plain is not None and m.plain.passed and not m.passed
@@ -37,6 +46,8 @@ def _is_as_slow(m):
 
 
 PLACES = (
+    Rule('root', lambda m: m.plain and _rests_at_root(m.plain) and _rests_at_root(m),
+         'At 1.41 m the sum of squares is 2: take its square root'),
     Rule('one_axis', _is_nearest('one_axis'),
          '{moved_x:.2f} m are along x and {moved_y:.2f} along y: one axis alone counts. '
          'Take math.hypot(dx, dy)'),
@@ -48,8 +59,9 @@ PLACES = (
 ANGLES = (
     Rule('degrees', lambda m: m.follows == 'yaw' and abs(m.zero - DEGREES) < TARGET,
          'Your commands are 90 minus the yaw in radians: take math.radians(90)'),
-    Rule('radians', lambda m: m.follows == 'yaw' and abs(m.zero - RADIANS) < 0.5,
-         'Your commands are zero at {zero:.1f} degrees, as if 90 degrees in radians were degrees: '
+    Rule('radians', lambda m: (m.follows == 'yaw' and abs(m.zero - RADIANS) < 0.5
+                               or _rests_at_radians(m)),
+         'Your target is 1.57 degrees, as if 90 degrees in radians were degrees: '
          'convert once, and compare like with like'),
     Rule('sign', lambda m: _has_wrong_sign(m) or m.plain and _has_wrong_sign(m.plain),
          'Your commands follow yaw - target, and turn away from it: '
@@ -95,7 +107,9 @@ FITS = (
          'That is {factor:g} times the way, on each leg and at each rate'),
     Rule('last_step', lambda m: (m.rule == 'miscounted'
                                  and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
-         'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'))
+         'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'),
+    Rule('falls', lambda m: m.rule == 'miscounted' and m.fell_from - m.fell_to > 0.05,
+         'You published {fell_from:.2f} m and then {fell_to:.2f}: what was moved only grows'))
 COMPARED = (
     Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain
                                  and (m.plain.passed or m.target is None)

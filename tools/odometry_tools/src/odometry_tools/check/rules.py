@@ -132,5 +132,7 @@ NOTES = (
          'your detector commands the robot, too, which the check drives'),
     Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
          'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),
+    Rule('reverse', lambda m: m.exercise.name == 'two_meters' and m.passed and m.drives_back,
+         'you drove backwards: a positive linear.x is forwards'),
     Rule('mux', lambda m: m.mux,
          'your commands go to {mux}; the exercise names cmd_vel. This robot obeys both'))

@@ -11,6 +11,7 @@ from odometry_common.orientation import yaw_from_orientation
 from odometry_common.rest import is_slow
 
 from odometry_tools.check.scenarios import PERIOD
+from odometry_tools.runs.recording import ROBOT_TOPICS
 
 SWING = 0.02  # rad/s; slower commands are noise of a settled controller
 ZERO = 1e-3  # m/s, rad/s; slower commands count as zero
@@ -74,7 +75,7 @@ class Run:
         """Record until `is_over`, a function of this Run, returns True."""
         self.scenario, self.pace, self._is_over = scenario, pace, is_over
         self.changed = threading.Condition()
-        self.begin = time.monotonic()  # when time began (s of wall time)
+        self.begin = None  # when time began (s of wall time); odometry before it is not of this run
         self.latest = -math.inf  # when the latest command came (monotonic, s)
         self.over = False
         self.odometry, self.commands, self.moved, self.messages = [], [], [], []
@@ -123,7 +124,8 @@ class Run:
     def add(self, topic, message):
         """Record a message."""
         with self.changed:
-            if self.over or message._connection_header.get('callerid') == rospy.get_name():
+            if (self.over or message._connection_header.get('callerid') == rospy.get_name()
+                    or self.begin is None and topic in ROBOT_TOPICS):
                 return
             now = rospy.get_rostime()
             self.messages.append((topic, message, now))
