@@ -18,6 +18,7 @@ from clients import main, rate
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rospy.impl import tcpros_pubsub
+from rospy.impl.registration import RegManager
 from std_srvs.srv import Empty
 
 
@@ -98,11 +99,14 @@ def early(robot):
 
 
 def held_up(_robot):
-    """Print how far (s) time goes on while a connection to the simulator is held up for a second."""
+    """Print how far (s) time goes on while a connection is held up for a second, after the master's answer was lost."""
+    rospy.wait_for_service('sim_turtlebot/step')  # the simulator offers it last
+    update, RegManager.publisher_update = RegManager.publisher_update, lambda *_: None
     connect, messages = tcpros_pubsub.robust_connect_subscriber, queue.Queue()
     tcpros_pubsub.robust_connect_subscriber = lambda *arguments: time.sleep(1.0) or connect(*arguments)
     begin = rospy.get_time()
     rospy.Subscriber('base_pose_ground_truth', Odometry, messages.put)
+    RegManager.publisher_update = update
     print('subscribed', flush=True)
     print('went on for', messages.get().header.stamp.to_sec() - begin, flush=True)
 

@@ -75,7 +75,7 @@ def test_a_connection_is_given_up_by_the_time_in_which_all_nodes_rest(
     # On a busy machine each wait may take an hour: it must not look at the clock.
     monkeypatch.setattr(graph_module, 'time', types.SimpleNamespace(sleep=lambda _: None))
     monkeypatch.setattr(processes, '_missing_links', missing_links)
-    monkeypatch.setattr(processes, '_is_refused', lambda *_: is_refused)
+    monkeypatch.setattr(graph_module, 'is_refused', lambda *_: is_refused)
     processes.wait()
     processes.wait()
     assert [reason for name, reason in reports if name == LINK[2]] == [

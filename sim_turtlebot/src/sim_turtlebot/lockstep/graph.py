@@ -9,6 +9,7 @@ from rospy.core import is_shutdown_requested
 
 from sim_turtlebot.lockstep.children import Children
 from sim_turtlebot.lockstep.idle import LONGEST_POLL
+from sim_turtlebot.lockstep.links import is_refused, repeat_update
 from sim_turtlebot.lockstep.listeners import pids_at, roslaunched
 
 CONNECT_TIMEOUT = 5.0  # s of wall time, for a connection while all nodes are idle
@@ -16,7 +17,6 @@ UNSEEN = ('runs on another machine, in another container or as another user, whe
           'see it: run it beside the robot')
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
-ANY_TYPE = '*'  # of a node that takes every type, such as rosbag
 STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
 
@@ -86,6 +86,7 @@ class GraphProcesses:
     def _await_connections(self):
         """Return once nobody comes or goes, and each subscriber is connected or reported."""
         rested = 0.0  # s, while all nodes were idle; a busy machine may need minutes for them
+        told = set()  # links
         while not is_shutdown_requested():
             is_new = self._refresh()
             if is_new:
@@ -95,11 +96,18 @@ class GraphProcesses:
                 return
             self._waiter.wait()
             missing = self._missing_links()
-            refused = {link for link in missing if self._is_refused(*link)}
+            refused = {(topic, *names) for topic, *names in missing
+                       if is_refused(topic, *map(self._addresses.get, names))}
             self._unconnected |= refused
             if missing := missing - refused:
                 time.sleep(LONGEST_POLL)
                 rested += LONGEST_POLL
+            if rested > CONNECT_TIMEOUT / 2:
+                for topic, _, subscriber in missing - told:
+                    publishers = self._published.get(topic, ())
+                    repeat_update(topic, *(
+                        self._addresses.get(name) for name in (subscriber, *publishers)))
+                told |= missing
             if rested > CONNECT_TIMEOUT:
                 self._unconnected |= missing
                 for topic, publisher, subscriber in sorted(missing):
@@ -107,16 +115,14 @@ class GraphProcesses:
                                  f'for {CONNECT_TIMEOUT:g} s')
 
     def _missing_links(self):
-        """Return topic, publisher and subscriber of each connection that the nodes still make.
-
-        As the publishers report them: a subscriber lists a connection early.
-        """
+        """Return topic, publisher and subscriber of each connection that the nodes still make."""
         awaited = {name for name in self._addresses.keys() - self._silent if
                    self._waiter.processes.get(self._pids.get(name)) in self._waiter.awaited}
         wanted = {(topic, publisher, subscriber) for topic, names in self._published.items()
                   if topic != LOG for publisher in awaited.intersection(names)
                   for subscriber in awaited.intersection(self._subscribed.get(topic, ()))}
         wanted -= self._unconnected
+        # A subscriber lists a connection early.
         present = {(topic, publisher, subscriber) for publisher in {link[1] for link in wanted}
                    for _, subscriber, direction, _, topic, *_ in self._connections_of(publisher)
                    if direction == SENDS}
@@ -132,13 +138,6 @@ class GraphProcesses:
             self._silent.add(name)
             self._report(name, f'has not answered for {ANSWER_TIMEOUT:g} s')
         return answer or ()
-
-    def _is_refused(self, topic, publisher, subscriber):
-        """Return whether two nodes have different types for a topic, and so never connect."""
-        ends = (publisher, 'getPublications'), (subscriber, 'getSubscriptions')
-        types = {dict(ask(self._addresses[name], call) or ()).get(topic, ANY_TYPE)
-                 for name, call in ends}
-        return len(types - {ANY_TYPE}) > 1
 
     def _refresh(self):
         """Add new nodes, forget those that have gone; return whether the publishers have changed.
