@@ -30,13 +30,11 @@ def warnings(node, text):
 def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_its_robot(ns):
     names = f'{ns}rotate_robot', f'{ns}test_movement'
     rospy.set_param(f'{names[0]}/tolerence', 1)
-    with mover('_distence:=5', '_speed:=-1e-1', '--foo') as one, rotator() as two:
+    with mover('_distence:=5', '_speed:=-1e-1') as one, rotator() as two:
         for node in one, two:
             node.wait_for_output(f'{ns}cmd_vel is published by {" and ".join(names)}: stop all but one')
         assert (one.end(), two.end()) == (0, 0)
     assert len(warnings(one, 'is published by')) == len(warnings(two, 'is published by')) == 1
-    assert warnings(one, 'ignored') == ["ignored: '--foo'; see --help"]
     unknown, = warnings(one, 'unknown: ~distence; the parameters of this node are ')
     assert unknown.endswith('~distance, ~speed, ~relative, ~exit_when_done, ~timeout')
     assert len(warnings(two, 'unknown: ~tolerence; ')) == 1, two.stderr
-    assert rospy.get_param(f'{names[1]}/distence') == 5, 'it stays, as everywhere in ROS'

@@ -1,9 +1,8 @@
 """What a node says about a parameter that it cannot run with."""
 
-
 import pytest
 from odometry_common.node_help import check_command_line
-from odometry_common.parameters import Parameter, ParameterError, Parameters, as_number
+from odometry_common.parameters import Parameter, ParameterError, Parameters, StartError, as_number
 
 TABLE = Parameters(
     Parameter('~speed', 0.1, 'how fast', 'm/s', 'above 0'),
@@ -41,10 +40,17 @@ def test_the_line_names_the_parameter_its_value_and_what_is_allowed(name, value,
 
 @pytest.mark.parametrize('argument', [
     '_speed:=-0.2', '_speed:=2147483647', '_speed:=-2147483648', '_list:=[1, 2.0, text]', '_map:={a: 1}',
-    '__name:=[1', '/odom:=/robot_1/odom', '_speed', ''])
+    '__name:=[1', '/odom:=/robot_1/odom'])
 def test_what_ros_can_store_and_what_is_no_parameter_is_accepted(argument, monkeypatch):
     monkeypatch.setattr('sys.argv', ['node.py', argument])
-    check_command_line()
+    check_command_line(TABLE)
+
+
+@pytest.mark.parametrize('argument', ['_speed', 'speed:=1', '--speed'])
+def test_what_looks_like_a_parameter_is_refused(argument, monkeypatch):
+    monkeypatch.setattr('sys.argv', ['node.py', argument])
+    with pytest.raises(StartError, match=f'^{argument} is no parameter: write _NAME:=VALUE'):
+        check_command_line(TABLE)
 
 
 @pytest.mark.parametrize('argument', [
@@ -54,7 +60,7 @@ def test_what_ros_cannot_store_is_refused_in_one_line(argument, monkeypatch):
     """Where rospy would answer with a traceback; the program's own name is no argument."""
     monkeypatch.setattr('sys.argv', ['_kp:=[', '_kp:=0.5', argument, '_rate:='])
     with pytest.raises(ParameterError) as refusal:
-        check_command_line()
+        check_command_line(TABLE)
     line, = str(refusal.value).splitlines()
     assert line.startswith(f'parameter ~speed is {argument.partition(":=")[2]!r}, but must be')
 

@@ -162,7 +162,8 @@ def depends():
     for folder, package in packages.items():
         needed.update(dict.fromkeys(names_of_depends(package), package.name))
         lists = Path(folder, 'CMakeLists.txt')
-        if lists.exists() and 'gtest' in lists.read_text(errors='replace'):
+        # catkin_create_pkg mentions it in a comment.
+        if lists.exists() and 'gtest' in re.sub('#.*', '', lists.read_text(errors='replace')):
             needed['gtest'] = 'catkin'  # its catkin_add_gtest() has no effect without that
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
         parts = known.intersection(table.get(name, ()))

@@ -51,13 +51,15 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
     rospy.core.add_shutdown_hook(lambda _reason: _unregistered.set())
     try:
         node_help.show_help_if_asked(documentation, parameters)
-        node_help.check_command_line()
+        node_help.check_command_line(parameters)
         raise_limit_on_files()
         go_without_logs_if_necessary()
         _start(name, init_node_options)
         node_help.warn_of_unknown(parameters)
         main()
     except StartError as error:
+        if rospy.core.is_initialized():
+            node_help.take_back_parameters()
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass

@@ -1,5 +1,6 @@
 """Help text, checks of the command line, and warnings about unknown names."""
 
+import contextlib
 import os
 import re
 import sys
@@ -8,7 +9,7 @@ import xmlrpc.client
 import rospy
 import yaml
 
-from odometry_common.parameters import ParameterError
+from odometry_common.parameters import ParameterError, StartError
 
 HELP = {'-h', '--help'}
 # Name and text of a parameter on the command line.
@@ -26,10 +27,7 @@ def show_help_if_asked(documentation, parameters):
 
 
 def warn_of_unknown(parameters):
-    """Warn of arguments, and of private parameters that are not among the Parameters."""
-    arguments = rospy.myargv()[1:]
-    if arguments:
-        rospy.logwarn(f'ignored: {", ".join(map(repr, arguments))}; see --help')
+    """Warn of private parameters that are not among the Parameters."""
     values = rospy.get_param(rospy.get_name(), {})
     given = values.items() if isinstance(values, dict) else ()
     names = {f'~{name}' for name, value in given if not isinstance(value, dict)}
@@ -39,16 +37,33 @@ def warn_of_unknown(parameters):
                       f'{", ".join(parameters.names) or "none"}')
 
 
-def check_command_line():
-    """Raise ParameterError for a ``_name:=value`` that ROS cannot store.
+def check_command_line(parameters):
+    """Raise StartError for what is no parameter, as ParameterError if ROS cannot store its value.
 
-    rospy uploads these by XML-RPC while the node starts, and exits with a traceback for an empty
-    value, broken YAML, a large integer or a date.
+    rospy uploads parameters by XML-RPC while the node starts, and exits with a traceback for an
+    empty value, broken YAML, a large integer or a date.
     """
-    for name, text in (given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given):
+    names = {name.lstrip('~') for name in parameters.names}
+    for word in sys.argv[1:]:
+        name, is_remapping, _ = word.partition(':=')
+        if not is_remapping or name in names:
+            raise StartError(f'{word} is no parameter: write _NAME:=VALUE; see --help')
+    for name, text in _given():
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
         except (yaml.YAMLError, TypeError, ValueError, OverflowError, RecursionError):
             raise ParameterError(
                 f'~{name}', text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
+
+
+def take_back_parameters():
+    """Delete from the server what the command line has set: the next start would read it."""
+    for name, _ in _given():
+        with contextlib.suppress(KeyError):
+            rospy.delete_param(f'~{name}')
+
+
+def _given():
+    """Return names and texts of the parameters on the command line."""
+    return [given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given]

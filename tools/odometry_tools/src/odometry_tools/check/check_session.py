@@ -9,7 +9,7 @@ import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped, Twist
 from moved_distance.distance_counter import DistanceCounter
-from odometry_common.connections import ask, is_connected
+from odometry_common.connections import SENDS, ask, is_connected
 from odometry_common.publishing import advertise
 from sim_turtlebot.geometry import about_z
 from std_msgs.msg import Float64
@@ -40,7 +40,8 @@ class CheckSession(Session):
     def __init__(self, exercise, page_port=0):
         """Take an Exercise, and the port of a browser page (0: none)."""
         super().__init__(page_port)
-        self.exercise, self._drives = exercise, bool(exercise.route)
+        self.exercise = exercise
+        self._drives = bool(exercise.route)
         self._position = math.inf, math.inf
         self.run = None  # the Run that receives the messages
 
@@ -93,12 +94,13 @@ class CheckSession(Session):
         _, subscribers, _ = self.master.getSystemState()
         return any(topic == '/odom' and PAGE in names for topic, names in subscribers)
 
-    def is_refused(self, topic):
-        """Return whether a live node publishes a topic but refuses our connection."""
-        publishers, _, _ = self.master.getSystemState()
-        names = {name for known, names in publishers if known == topic
-                 for name in names} - {rospy.get_name()}
-        return any(map(self.ask, names)) and not is_connected(self._subscribers[topic.lstrip('/')])
+    def links(self, topic):
+        """Return the connections by which nodes send us a topic: addresses and the nodes' ids."""
+        return {(connection.endpoint_id, number)
+                for connection in self._subscribers[topic.lstrip('/')].impl.connections
+                for number, receiver, direction, _, sent, *_
+                in ask(connection.endpoint_id, 'getBusInfo') or ()
+                if (receiver, direction, sent) == (rospy.get_name(), SENDS, topic)}
 
     def ask(self, name, call='getPid'):
         """Call a node's XML-RPC server; return its answer, or None without one."""

@@ -14,6 +14,7 @@ from odometry_tools.runs.figure import make_figure
 from odometry_tools.runs.folders import RUNS
 from odometry_tools.runs.output import complain
 from odometry_tools.runs.recorded_run import BagError, read_run
+from odometry_tools.runs.recording import ROBOT_TOPICS
 
 WIDTH = 100
 COLUMNS = 'submission', 'exercise', 'scenario', 'verdict', 'rule', 'hint', 'sentence', 'notes'
@@ -83,7 +84,11 @@ def keep(run, exercise, name):
         with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
             for topic, message, time in run.messages:
                 bag.write(f'/{topic}', message, time)
-        figure = make_figure(read_run(folder / 'run.bag'), **_targets(exercise))
+        # The last message of one topic may lack that of the other.
+        ends = {topic: message.header.stamp.to_sec()
+                for topic, message, _ in run.messages if topic in ROBOT_TOPICS}
+        shown = read_run(folder / 'run.bag', end=min(ends.values(), default=0.0))
+        figure = make_figure(shown, **_targets(exercise))
         figure.savefig(str(folder / 'run.png'))
     except BagError:
         pass  # no odometry: there is nothing to draw

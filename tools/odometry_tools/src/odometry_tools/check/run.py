@@ -91,7 +91,8 @@ class Run:
         self.nodes = set()  # names of the learner's nodes
         self.has_begun = False  # whether it has called rospy.init_node
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
-        self.refuses = False  # whether its publisher refuses connections
+        self.links = set()  # by which the node sent to the check as time began
+        self.refuses = False  # whether it has closed one of these
         self.is_cpp = False
         self.has_read_keyboard = False
         self.follows_wall = False  # whether a second run differed

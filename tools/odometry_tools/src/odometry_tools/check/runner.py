@@ -35,7 +35,9 @@ class Runner:
 
     def __init__(self, session, program, real_time_factor=0.0):
         """Take the Program of the node, and a real-time factor (0: as fast as possible)."""
-        self._session, self._program, self.exercise = session, program, session.exercise
+        self._session = session
+        self._program = program
+        self.exercise = session.exercise
         self._factor = real_time_factor
         self.follows_wall = None  # whether two runs in lockstep differ; None: not tried yet
         self.confirmed = set()  # names of rules by which it failed at the slowest pace, too
@@ -94,7 +96,8 @@ class Runner:
             run.finish(status=None if family else node.status, output=node.output,
                        is_detached=bool(family) and node.status is not None,
                        printed=node.printed, has_read_keyboard=node.has_read_keyboard,
-                       refuses=self._session.is_refused(self.exercise.topic))
+                       refuses=node.status is None and bool(
+                           run.links - self._session.links(self.exercise.topic)))
         finally:
             if run.interrupted is None:
                 self._press_ctrl_c(node, run)
@@ -103,6 +106,7 @@ class Runner:
 
     def _begin(self, run, node, log):
         """Unpause until the run is over; then press Ctrl-C, if the scenario says so."""
+        run.links = self._session.links(self.exercise.topic)
         run.begin = time.monotonic()
         self._session.call('unpause_physics')
         seen, since = 0, run.begin
