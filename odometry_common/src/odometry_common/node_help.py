@@ -8,6 +8,7 @@ import xmlrpc.client
 
 import rospy
 import yaml
+from rosgraph.names import is_legal_name
 
 from odometry_common.parameters import ParameterError, StartError
 
@@ -45,8 +46,9 @@ def check_command_line(parameters):
     """
     names = {name.lstrip('~') for name in parameters.names}
     for word in sys.argv[1:]:
-        name, is_remapping, _ = word.partition(':=')
-        if not is_remapping or name in names:
+        name, is_remapping, other = word.partition(':=')
+        # A topic may have the name of a parameter.
+        if not is_remapping or name in names and not is_legal_name(other):
             raise StartError(f'{word} is no parameter: write _NAME:=VALUE; see --help')
     for name, text in _given():
         try:
