@@ -21,12 +21,14 @@ class Readings:
     def show(self, robot):
         """Show what is known of a RobotMonitor."""
         state, trace = robot.odometry, robot.trace
-        since = '' if trace.since is None else f' since {trace.since:.1f} s'
+        since, start = '', ' from the start'
+        if trace.since is not None:
+            since = start = f' since {trace.since:.1f} s'
         rows = []
         for name, label, value, decimals, unit in (
                 ('moved_distance', 'moved distance', robot.moved, 3, ' m'),
                 ('true_distance', f'true path{since}', trace.true_distance, 3, ' m'),
-                ('true_from_start', 'true distance from the start', trace.true_from_start, 3, ' m'),
+                ('true_from_start', f'true distance{start}', trace.true_from_start, 3, ' m'),
                 ('speed', 'speed', state.speed, 2, ' m/s'),
                 ('heading', 'heading', math.degrees(state.planar.yaw), 1, '°'),
                 ('simulated_time', 'simulated time', robot.simulated_time, 1, ' s'),
