@@ -38,3 +38,4 @@ def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_it
     unknown, = warnings(one, 'unknown: ~distence; the parameters of this node are ')
     assert unknown.endswith('~distance, ~speed, ~relative, ~exit_when_done, ~timeout')
     assert len(warnings(two, 'unknown: ~tolerence; ')) == 1, two.stderr
+    assert rospy.get_param(f'{names[1]}/distence') == 5, 'it stays, as everywhere in ROS'

@@ -8,8 +8,9 @@ mapfile -t PACKAGES < <(cd "$CHECKOUT" && dirname -- {,tools/}*/package.xml)
 DEBIAN_PARTS=(catkin g++ make python3-dev python3-venv python3-geometry-msgs python3-message-filters
     python3-nav-msgs python3-rosgraph-msgs python3-roslaunch python3-rosmsg python3-rosnode python3-rospy
     python3-rosservice python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs
-    python3-tf python3-tf2-geometry-msgs python3-tf2-msgs python3-visualization-msgs librostest-dev ros-environment rosbash rosout ros-geometry-msgs ros-nav-msgs
-    ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs
+    python3-tf python3-tf2-geometry-msgs python3-tf2-msgs python3-visualization-msgs librostest-dev
+    ros-environment rosbash rosout ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs ros-roscpp-msg ros-sensor-msgs
+    ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs
     libnav-msgs-dev libsensor-msgs-dev libstd-srvs-dev libvisualization-msgs-dev)
 TEST_PARTS=(catkin-lint chromium chromium-driver python3-actionlib x11-utils xvfb)
 WINDOW_PARTS=(libgl1 libx11-6)

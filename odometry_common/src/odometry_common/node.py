@@ -58,8 +58,6 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
         node_help.warn_of_unknown(parameters)
         main()
     except StartError as error:
-        if rospy.core.is_initialized():
-            node_help.take_back_parameters()
         _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass

@@ -1,6 +1,5 @@
 """Help text, checks of the command line, and warnings about unknown names."""
 
-import contextlib
 import os
 import re
 import sys
@@ -49,23 +48,11 @@ def check_command_line(parameters):
         name, is_remapping, other = word.partition(':=')
         # A topic may have the name of a parameter.
         if not is_remapping or name in names and not is_legal_name(other):
-            raise StartError(f'{word} is no parameter: write _NAME:=VALUE; see --help')
-    for name, text in _given():
+            raise StartError(f'{word!r} is no parameter: write _NAME:=VALUE; see --help')
+    for name, text in (given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given):
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
         except (yaml.YAMLError, TypeError, ValueError, OverflowError, RecursionError):
             raise ParameterError(
                 f'~{name}', text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
-
-
-def take_back_parameters():
-    """Delete from the server what the command line has set: the next start would read it."""
-    for name, _ in _given():
-        with contextlib.suppress(KeyError):
-            rospy.delete_param(f'~{name}')
-
-
-def _given():
-    """Return names and texts of the parameters on the command line."""
-    return [given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given]

@@ -86,7 +86,7 @@ class GraphProcesses:
     def _await_connections(self):
         """Return once nobody comes or goes, and each subscriber is connected or reported."""
         rested = 0.0  # s, while all nodes were idle; a busy machine may need minutes for them
-        told = set()  # links
+        told = set()  # links of which the subscriber was told again
         while not is_shutdown_requested():
             is_new = self._refresh()
             if is_new:

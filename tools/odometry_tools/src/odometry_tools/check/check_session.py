@@ -89,11 +89,6 @@ class CheckSession(Session):
             run.publishes.update(self.ask(name, 'getPublications') or ())
             run.subscribes.update(self.ask(name, 'getSubscriptions') or ())
 
-    def has_spectator(self):
-        """Return whether a browser shows the page."""
-        _, subscribers, _ = self.master.getSystemState()
-        return any(topic == '/odom' and PAGE in names for topic, names in subscribers)
-
     def links(self, topic):
         """Return the connections by which nodes send us a topic: addresses and the nodes' ids."""
         return {(connection.endpoint_id, number)

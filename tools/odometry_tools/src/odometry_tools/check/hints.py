@@ -7,16 +7,18 @@ advice on what the verdict itself has shown.
 from odometry_tools.check.motion_hints import ANGLES, COMPARED, FITS, PLACES
 from odometry_tools.check.rule import Rule, first
 
-UNKNOWN = 'We do not know why: print the {quantity} in your loop, and look at the picture'
-UNREACHED = 'We do not know why: print a line before you publish, to see whether it is reached'
+UNKNOWN = (
+    Rule('', lambda m: m.is_silent,
+         'We do not know why: print a line before you publish, to see whether it is reached'),
+    Rule('', lambda m: True,
+         'We do not know why: print the {quantity} in your loop, and look at the picture'))
 WATCHDOG = 0.6  # s
 
 
 def hint_for(m):
     """Return the Rule that names the cause of a failure, or one that says it is unknown."""
-    unknown = Rule('', lambda m: True, UNREACHED if m.is_silent else UNKNOWN)
-    return first((*BY_VERDICT.get(m.rule, ()), *BY_EXERCISE[m.exercise.name], *COMPARED, unknown),
-                 m)
+    known = *BY_VERDICT.get(m.rule, ()), *BY_EXERCISE[m.exercise.name], *COMPARED
+    return first((*known, *UNKNOWN), m)
 
 
 def _error_if(test):

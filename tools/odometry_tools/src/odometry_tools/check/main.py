@@ -6,6 +6,7 @@ import socket
 import sys
 import time
 
+import psutil
 from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import parse, program_of
@@ -109,6 +110,12 @@ def _await_spectator(session, port):
                    'the page does not answer')
     print(f'open http://{HOST}:{port}: it begins when the page is there', flush=True)
     end = time.monotonic() + PAGE_PATIENCE
-    while not session.has_spectator() and time.monotonic() < end:
+    while not _is_open(port) and time.monotonic() < end:
         session.simulator.check()
         time.sleep(0.1)
+
+
+def _is_open(port):
+    """Return whether a browser shows the page at a port: it keeps a connection."""
+    return any(connection.laddr.port == port and connection.status == psutil.CONN_ESTABLISHED
+               for connection in psutil.net_connections('tcp'))

@@ -26,7 +26,7 @@ def _has_wrong_sign(m):
 
 
 def _rests_at_radians(m):
-    return (m.rule == 'elsewhere' and abs(m.heading - RADIANS) < 0.3
+    return (m.rule == 'elsewhere' and abs(m.heading - RADIANS) < 0.1
             and abs(m.start_heading) > SAME_ANGLE)
 
 
@@ -109,7 +109,7 @@ FITS = (
                                  and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'),
     Rule('falls', lambda m: m.rule == 'miscounted' and m.fell_from - m.fell_to > 0.05,
-         'You published {fell_from:.2f} m and then {fell_to:.2f}: what was moved only grows'))
+         'You published {fell_from:.2f} m and then {fell_to:.2f}: a distance moved never falls'))
 COMPARED = (
     Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain
                                  and (m.plain.passed or m.target is None)

@@ -84,7 +84,7 @@ def keep(run, exercise, name):
         with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
             for topic, message, time in run.messages:
                 bag.write(f'/{topic}', message, time)
-        # The last message of one topic may lack that of the other.
+        # One topic may lack the last message of the other.
         ends = {topic: message.header.stamp.to_sec()
                 for topic, message, _ in run.messages if topic in ROBOT_TOPICS}
         shown = read_run(folder / 'run.bag', end=min(ends.values(), default=0.0))

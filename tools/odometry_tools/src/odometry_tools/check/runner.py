@@ -106,7 +106,6 @@ class Runner:
 
     def _begin(self, run, node, log):
         """Unpause until the run is over; then press Ctrl-C, if the scenario says so."""
-        run.links = self._session.links(self.exercise.topic)
         run.begin = time.monotonic()
         self._session.call('unpause_physics')
         seen, since = 0, run.begin
@@ -176,7 +175,10 @@ class Runner:
                 changed = now
             if run.nodes and registered is None:
                 registered = now
-            if registered and (now - changed > QUIET or now - registered > BUSY):
+            # Only until there are some: each question has the node compute.
+            run.links = run.links or self._session.links(self.exercise.topic)
+            is_linked = run.links or self.exercise.topic not in run.publishes
+            if registered and (is_linked and now - changed > QUIET or now - registered > BUSY):
                 return
             if (now - begin > REGISTRATION_TIMEOUT and now - changed > IDLE
                     or (cpu_time or 0.0) > REGISTRATION_CPU):
