@@ -1,5 +1,6 @@
 """Judge runs: the first rule that holds is the verdict; a hint follows where one is proven."""
 
+import math
 from typing import NamedTuple
 
 import numpy
@@ -9,6 +10,7 @@ from odometry_tools.check.hints import hint_for
 from odometry_tools.check.measures import measure
 from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
+from odometry_tools.check.scenarios import GOAL
 
 PASSED = Rule('passed', None, '')
 # The word beside the scenario, by rule; for other rules FAILED.
@@ -16,6 +18,7 @@ WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
 SAME_ANGLE = 0.1  # share of a turn by which another one may be larger
+AT_ROOT = 0.05  # m between where the robot rests and the root of the goal
 
 
 class Verdict(NamedTuple):
@@ -60,7 +63,10 @@ def _compare(all_measures):
     common_fits = set.intersection(*fits) if fits and has_slow_odometry else set()
     whole = [m for m in all_measures if m.run.interrupted is None]
     nets = [m.net for m in whole if m.net is not None and m.rate >= 20]
+    all_at_root = len(whole) > 1 and all(
+        abs(m.share * GOAL - math.sqrt(GOAL)) < AT_ROOT for m in whole)
     for m in all_measures:
+        m.all_at_root = all_at_root
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)
         m.plain = all_measures[0] if len(all_measures) > 1 else None

@@ -3,7 +3,7 @@
 import math
 
 from odometry_tools.check.rule import Rule
-from odometry_tools.check.scenarios import GOAL, SLOW, TARGET
+from odometry_tools.check.scenarios import SLOW, TARGET
 
 YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
 SAME_ANGLE = 5.0  # degrees
@@ -30,10 +30,6 @@ def _rests_at_radians(m):
             and abs(m.start_heading) > SAME_ANGLE)
 
 
-def _rests_at_root(m):
-    return m.rule == 'early' and abs(m.end.way - math.sqrt(GOAL)) < 0.05
-
-
 def _is_only_here(m):
     """Return whether this scenario fails and the first one passes."""
     return m.plain is not None and m.plain.passed and not m.passed
@@ -46,8 +42,8 @@ def _is_as_slow(m):
 
 
 PLACES = (
-    Rule('root', lambda m: m.plain and _rests_at_root(m.plain) and _rests_at_root(m),
-         'At 1.41 m the sum of squares is 2: take its square root'),
+    Rule('root', lambda m: m.rule == 'early' and m.all_at_root,
+         'At 1.41 m the sum of squares is 2, in each scenario: does it lack the square root?'),
     Rule('one_axis', _is_nearest('one_axis'),
          '{moved_x:.2f} m are along x and {moved_y:.2f} along y: one axis alone counts. '
          'Take math.hypot(dx, dy)'),
