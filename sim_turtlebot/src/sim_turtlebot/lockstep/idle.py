@@ -26,6 +26,9 @@ SPIN_TIME = 0.001  # s of wall time
 # After that, sleeps between two checks: a share of the wait so far, so that on a busy machine the
 # checks leave the processor to the nodes; and at most so long (s of wall time).
 SLEEP_SHARE, LONGEST_SLEEP = 0.1, 0.001
+# On a machine so busy that a check comes late, timers may be late, too: a sleep is no poll only if
+# it is longer than so many times the time since the last check.
+LATENESS = 3
 BUDGET_PERIOD = 0.02  # s of wall time between looks at the budgets; one takes as long as a check
 # In a row: a busy machine may leave no other time between two naps of threads that wake in vain.
 CHECKS = 3
@@ -48,6 +51,7 @@ class IdleWaiter:
         self.idle_usage = {}
         self.awaited = []  # those that have not exceeded their budget
         self.stopped = set()  # Processes that are not awaited until they continue
+        self._last_check = 0.0  # when it began (monotonic, s)
 
     def add(self, name, pid, longest_poll=LONGEST_POLL, least_budget=0.0):
         """Wait for one more process; parameters and errors are those of Process.
@@ -68,6 +72,8 @@ class IdleWaiter:
         next_look = begin + BUDGET_PERIOD
         while not is_shutdown_requested():
             check_begin = time.monotonic()
+            lateness = LATENESS * (check_begin - self._last_check)
+            self._last_check = check_begin
             try:
                 self._await_continued()
                 # Before the check: a thread that sleeps later may have received work in between.
@@ -77,7 +83,7 @@ class IdleWaiter:
                 if not busy:
                     before = usage
                     usage, polling = classify(self.awaited, self.idle_usage, check_begin,
-                                              int(only_clock))
+                                              int(only_clock), lateness)
                     polls = {thread: polls.get(thread, sleeps) for thread, sleeps in polling.items()
                              if thread in polls or has_news(thread, usage, before)}
                     if not polls:

@@ -1,13 +1,14 @@
 """Find threads of idle processes that may still have work, since they poll for it by wall time."""
 
 
-def classify(processes, idle_usage, check_begin, receivers):
+def classify(processes, idle_usage, check_begin, receivers, lateness):
     """Tell working threads from those that only poll.
 
     :param processes: Processes, all idle
     :param idle_usage: what this returned as usage when all were last idle
     :param check_begin: when the check began that found them so (monotonic, s)
     :param receivers: how many threads of a process may have run without work for those that poll
+    :param lateness: how long a poll may take (s), if that is longer than a Process's `longest_poll`
     :returns: the usage of the working threads, by Process; and, by thread that polls, how often
         it has slept once it has polled again
     """
@@ -24,7 +25,7 @@ def classify(processes, idle_usage, check_begin, receivers):
             polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
                             for thread in threads if not (
                                 thread in usage[process] or thread.ignored or thread.is_asleep
-                                and thread.sleeps_longer_than(limit, check_begin))})
+                                and thread.sleeps_longer_than(max(limit, lateness), check_begin))})
     return usage, polling
 
 

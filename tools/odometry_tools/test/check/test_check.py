@@ -72,11 +72,11 @@ def test_a_submission_that_kills_its_check_stops_no_other(tmp_path):
     assert 'left out: dora.zip' in ran.stderr
 
 
-@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum, mark):
-    """In the scenarios of one node, which run side by side."""
+@pytest.mark.parametrize('signum, target', [(signal.SIGINT, 'node.py'), (signal.SIGTERM, '')])
+def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum, target, mark):
+    """In the scenarios of one node, or in a class, which run side by side."""
     (tmp_path / 'node.py').write_text(f'open({str(tmp_path / "here")!r}, "w")\nwhile True:\n    pass\n')
-    with Process(ROOT / 'ws', 'check', 'heading', tmp_path / 'node.py') as process:
+    with Process(ROOT / 'ws', 'check', 'heading', tmp_path / target) as process:
         wait_until((tmp_path / 'here').exists, TIMEOUT, lambda: process.output)
         assert process.end(signum, timeout=5.0) == 128 + signum, process.output
     assert not marked(mark)

@@ -1,6 +1,5 @@
 """A process that a check starts can harm neither the check nor the machine."""
 
-import signal
 import sys
 from pathlib import Path
 
@@ -31,10 +30,6 @@ def test_of_a_flood_of_output_the_last_is_kept():
 @pytest.mark.parametrize('program, has_read', [('input()', True), ('import sys; sys.stdin.fileno()', False)])
 def test_one_sees_whether_the_keyboard_was_read(program, has_read):
     assert ended(program).has_read_keyboard == has_read
-
-
-def test_who_ends_its_process_group_ends_itself():
-    assert ended('import os; os.killpg(0, 9)').status == -signal.SIGKILL
 
 
 def test_what_hides_in_another_session_is_found_and_ended():

@@ -1,9 +1,13 @@
-"""Judge a folder of submissions, each in a check process of its own."""
+"""Judge a folder of submissions, each in a check process of its own, one on each processor."""
 
+import concurrent.futures
 import csv
+import os
 import sys
 import tempfile
+import threading
 import time
+from functools import partial
 from pathlib import Path
 
 from odometry_common.parameters import StartError
@@ -14,7 +18,7 @@ from odometry_tools.check.quoting import how_ended, last_line, plain
 from odometry_tools.check.report import COLUMNS
 from odometry_tools.runs.output import complain
 
-TIME_LIMIT = 300.0  # s of wall time for each
+TIME_LIMIT = 600.0  # s of wall time for each
 
 
 def judge_all(options):
@@ -28,13 +32,29 @@ def judge_all(options):
     if others:
         complain(f'no file *.py, and left out: {", ".join(others)}', 'check')
     width = max(map(len, submissions))
-    for name, path in submissions.items():
-        rows = _judge(options, path, name)
+    judged = _judge_in_parallel(options, submissions)
+    for name, rows in zip(submissions, judged):
         failed = [f'{row["scenario"]} {row["rule"]}'.strip() for row in rows
                   if row['verdict'] != 'passed']
         print(f'{name:{width}}  {len(rows) - len(failed)} of {len(rows)} passed  '
               f'{", ".join(failed)}'.rstrip(), flush=True)
         yield rows
+
+
+def _judge_in_parallel(options, submissions):
+    """Yield the rows of each submission, in their order."""
+    processors, is_over = os.sched_getaffinity(0), threading.Event()
+
+    def keep_to_one_processor():
+        os.sched_setaffinity(0, {processors.pop()})  # of this thread, and of what it starts
+
+    with concurrent.futures.ThreadPoolExecutor(
+            len(processors), initializer=keep_to_one_processor) as pool:
+        try:
+            yield from pool.map(partial(_judge, options, is_over),
+                                submissions.values(), submissions)
+        finally:
+            is_over.set()
 
 
 def _submissions_in(folder):
@@ -53,20 +73,18 @@ def _submissions_in(folder):
     return found
 
 
-def _judge(options, path, name):
-    """Judge one submission in a process of its own, and return its rows."""
+def _judge(options, is_over, path, name):
+    """Judge one submission in a process of its own, until an Event; return its rows."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, 'rows.csv')
         scenario_option = ['--scenario', options.scenario] if options.scenario else []
         check = ChildProcess([sys.executable, sys.argv[0], options.exercise, str(path),
                               '--csv', str(file), *scenario_option], [('TMPDIR', folder)])
         end = time.monotonic() + TIME_LIMIT
-        try:
-            while check.status is None and time.monotonic() < end:
-                time.sleep(POLL_PERIOD)
-            status = check.status
-        finally:
-            check.end()  # with all of its descendants
+        while check.status is None and time.monotonic() < end and not is_over.is_set():
+            time.sleep(POLL_PERIOD)
+        status = check.status
+        check.end()  # with all of its descendants
         rows = []
         if file.exists():
             with file.open(encoding='utf-8', newline='') as table:
