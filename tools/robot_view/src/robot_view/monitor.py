@@ -69,6 +69,7 @@ class RobotMonitor:
 
     def reset_distance(self):
         """Let the detector start counting from zero."""
+        self.moved = None  # until it says so
         self._reset.publish()
 
     def put(self, x, y, heading):
