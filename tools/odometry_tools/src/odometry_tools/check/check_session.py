@@ -12,7 +12,7 @@ from moved_distance.distance_counter import DistanceCounter
 from odometry_common.connections import SENDS, ask, is_connected
 from odometry_common.publishing import advertise
 from sim_turtlebot.geometry import about_z
-from std_msgs.msg import Float64
+from std_msgs.msg import Empty, Float64
 
 from odometry_tools.runs.recording import COMMANDS, TOPICS
 from odometry_tools.runs.session import Session
@@ -54,8 +54,11 @@ class CheckSession(Session):
             topic, kind, partial(self._receive, topic), tcp_nodelay=True,
             queue_size=FLOOD if kind is Twist else None) for topic, kind in TOPICS.items()}
         self._placing = advertise('sim_turtlebot/set_pose', PoseStamped)
-        self._publisher = (advertise('cmd_vel', Twist) if self._drives
-                           else advertise('moved_distance', Float64))
+        if self._drives:
+            self._publisher = advertise('cmd_vel', Twist)
+        else:
+            self._publisher = advertise('moved_distance', Float64)
+            rospy.Subscriber('moved_distance/reset', Empty, lambda _: self._counter.reset())
         return self
 
     def prepare(self, scenario, pace):
