@@ -3,13 +3,12 @@
 import math
 import time
 
-from odometry_common.rest import is_slow
-
 from odometry_tools.check.scenarios import ROUTE
 
 PATIENCE = 15.0  # simulated s for a node to begin
 WALL_PATIENCE = 3.0  # s of wall time for a node, which may sleep, to begin or to go on
 REST_TIME = 7.0  # s; a node may rest five seconds between two parts of its drive
+REST_STEP = 1e-4  # m + rad between two odometries
 LIMIT = 120.0  # s of driving
 FARTHEST = 5.0  # m
 MOST_TURNS = 3 * 2 * math.pi  # rad
@@ -38,7 +37,10 @@ class Drive:
         if (run.scenario.interrupt and run.is_driving
                 and max(pose.way, abs(pose.turn)) > INTERRUPT_AFTER):
             return True
-        if not is_slow(pose.linear, pose.angular) or run.commands[-1].moves and (
+        # Its speed would not do: a node may stop whenever odometry is due, and drive in between.
+        before = run.odometry[-2:][0]
+        step = pose.way - before.way + pose.turned - before.turned
+        if step > REST_STEP or run.commands[-1].moves and (
                 pose.time - run.commands[-1].time < REST_TIME
                 or run.status is None and time.monotonic() - run.latest < WALL_PATIENCE):
             self._active = pose.time

@@ -108,7 +108,7 @@ FITS = (
          'You published {fell_from:.2f} m and then {fell_to:.2f}: a distance moved never falls'))
 COMPARED = (
     Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain
-                                 and (m.plain.passed or m.target is None)
+                                 and (m.plain.passed or m.exercise.name == 'two_meters')
                                  and m.rule in ('early', 'ceased', 'elsewhere', 'miscounted')
                                  and _is_as_slow(m)),
          'This base reaches 70 % of your speed, and so does your result: '
