@@ -24,7 +24,6 @@ from sim_turtlebot.lockstep.idle import IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
 from sim_turtlebot.lockstep.threads import Thread
 
-ROUNDS = 100
 CPU_BUDGET = 2.0  # s
 
 
@@ -58,7 +57,7 @@ def start(waiter):
         process.communicate()
 
 
-def ask(waiter, process, rounds=ROUNDS):
+def ask(waiter, process, rounds=100):
     """Ask again and again; each time all has been answered once the process rests."""
     answers = []
     reader = threading.Thread(

@@ -103,7 +103,7 @@ def test_a_fit_needs_a_second_rate():
 
 
 @pytest.mark.parametrize('exercise, node, words', [
-    ('heading', lambda: lambda pose: (0.0, 0.5), 'You turned at 0.5 rad/s throughout, whatever the heading'),
+    ('heading', lambda: lambda pose: (0.0, 0.5), 'You turned at 0.5 rad/s throughout, and no heading stopped you'),
     ('two_meters', without_zero, "came at 1.99 m, and only the base's watchdog stopped the robot, at 2.11 m"),
     ('two_meters', spins_at_the_goal, 'after 6.7 s'),
     ('moved_distance', counting(lambda last, pose: abs(pose.linear) * 0.001), 'times a fixed 0.001 s')])

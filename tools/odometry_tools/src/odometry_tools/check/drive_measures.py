@@ -40,7 +40,7 @@ def measure_drive(m, run):
     m.mux = listed(command.topic for command in m.commands if command.topic != 'cmd_vel')
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
-    m.drives_back = max((command.linear for command in m.moves), default=0.0) <= 0.0
+    m.drives_back = m.drives and max(command.linear for command in m.moves) <= 0.0
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.seconds = 0.0
     m.has_ceased = False
@@ -55,7 +55,7 @@ def measure_drive(m, run):
 def _measure_last_command(m, run):
     """Measure how the commands end: with a zero, in silence, or not at all."""
     last = m.commands[-1]
-    is_turn = abs(last.angular) > abs(last.linear)
+    is_turn = abs(last.angular) > abs(last.linear) or not m.drives
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
     if not last.moves:
         m.stop = _first_after(m.commands, lambda command: command.moves)

@@ -90,7 +90,7 @@ BY_VERDICT = {
         _error_if(_fails_since_last_command), ONE_COMMAND,
         Rule('no_zero', lambda m: not m.is_short,
              'Publish a zero Twist when you are there, and before your node ends')),
-    'early': (ONE_COMMAND, RARE),
+    'early': (ONE_COMMAND,),
     'late': (RARE,), 'unfinished': (RARE, *INPUTS), 'passed_by': INPUTS,
     'interrupt': (
         Rule('hook', lambda m: m.error and m.hook_failed, 'Your shutdown hook failed: {error}'),

@@ -65,7 +65,12 @@ def _compare(all_measures):
     nets = [m.net for m in whole if m.net is not None and m.rate >= 20]
     all_at_root = len(whole) > 1 and all(
         abs(m.share * GOAL - math.sqrt(GOAL)) < AT_ROOT for m in whole)
+    start = all_measures[0].scenario.start
+    rules_at_start = {m.rule for m in whole if m.scenario.start == start}
+    differing = next((m.scenario.name for m in all_measures if m.run.follows_wall), '')
     for m in all_measures:
+        m.rules_at_start = rules_at_start
+        m.differing = differing
         m.all_at_root = all_at_root
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)

@@ -118,10 +118,13 @@ COMPARED = (
          'With odometry 20 times a second it is right; here one message is a step of '
          '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
          'or a fixed time for each message'),
-    Rule('start', lambda m: _is_only_here(m) and m.scenario.name == 'moved_start',
+    Rule('start', lambda m: (_is_only_here(m) and m.scenario.name == 'moved_start'
+                             and m.rule not in m.rules_at_start),
          'In {plain.scenario.name} it is right: the result depends on where the robot starts'),
     # Throughout: no zero came after the first move.
     Rule('constant', lambda m: (m.rule == 'long_way' and len(m.turn_speeds) == 1
                                 and m.commands[-len(m.moves):] == m.moves),
-         'You turned at {moves[0].angular:.2g} rad/s throughout, whatever the heading: '
-         'print the heading in your loop'))
+         'You turned at {moves[0].angular:.2g} rad/s throughout, and no heading stopped you: '
+         'print the heading in your loop'),
+    Rule('differing', lambda m: m.differing,
+         'Two runs of {differing} differ: chance, or the wall\'s clock, may have a part here'))

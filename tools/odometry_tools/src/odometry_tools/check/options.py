@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -95,7 +96,7 @@ def _command_of(path, arguments):
         from odometry_tools.runs.launch_files import nodes_beside_robot
         nodes_beside_robot(str(path), arguments)
         return ['roslaunch', str(path), *arguments]
-    if path.suffix == '.py' and not os.access(path, os.X_OK):
+    if _is_python(path) and not os.access(path, os.X_OK):
         return [sys.executable, str(path), *arguments]
     _check_first_line(path)
     return [str(path), *arguments]
@@ -118,10 +119,18 @@ def _check_first_line(path):
 
 def _node_of(package):
     """Return the node of a package: its only executable Python file, or its only Python file."""
-    files = [path for path in sorted(package.rglob('*.py'))
-             if path.name not in ('setup.py', '__init__.py')]
+    files = [path for path in sorted(package.rglob('*'))
+             if path.name not in ('setup.py', '__init__.py') and _is_python(path)]
     files = [path for path in files if os.access(path, os.X_OK)] or files
     if len(files) != 1:
         raise StartError(
             f'{len(files)} files could be the node of {package.name}: say PACKAGE NODE')
     return files[0]
+
+
+def _is_python(path):
+    """Return whether a file is a Python program, by its name or, if that has no suffix, its #!."""
+    if path.suffix or not path.is_file():
+        return path.suffix == '.py'
+    with path.open('rb') as file:
+        return bool(re.match(rb'#!.*python', file.readline()))

@@ -17,6 +17,11 @@ class Scenario(NamedTuple):
     speed_ratio: float = 1.0  # share of the commanded speed that the base reaches
     interrupt: bool = False  # whether to press Ctrl-C in mid-drive
 
+    @property
+    def start(self):
+        """Where the robot starts: yaw and place."""
+        return self.yaw, self.place
+
 
 class Leg(NamedTuple):
     """A part of the route that the check drives for a detector."""
