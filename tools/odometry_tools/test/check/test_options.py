@@ -15,7 +15,7 @@ def test_the_folder_of_a_package_is_its_node_and_its_modules_are_for_the_node_al
     for name in 'package.xml', 'src/turn', 'src/__init__.py':
         (tmp_path / name).write_text('#!/usr/bin/env python3')
     program = program_of([str(tmp_path), '_x:=1'])
-    assert program.command == [str(tmp_path / 'src/turn'), '_x:=1']
+    assert program.command == [sys.executable, str(tmp_path / 'src/turn'), '_x:=1']
     (name, paths), = program.environment
     assert (name, paths.split(':')[0]) == ('PYTHONPATH', str(tmp_path / 'src'))
     assert str(tmp_path / 'src') not in sys.path
