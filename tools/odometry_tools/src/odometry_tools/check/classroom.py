@@ -19,6 +19,10 @@ from odometry_tools.check.report import COLUMNS
 from odometry_tools.runs.output import complain
 
 TIME_LIMIT = 600.0  # s of wall time for each
+NOT_JUDGED = 'not_judged'
+# One at a time is judged again: what one submission killed, such as all simulators, may have been
+# another's.
+again = threading.Lock()
 
 
 def judge_all(options):
@@ -74,7 +78,16 @@ def _submissions_in(folder):
 
 
 def _judge(options, is_over, path, name):
-    """Judge one submission in a process of its own, until an Event; return its rows."""
+    """Judge one submission, until an Event, and again if that failed; return its rows."""
+    rows = _run_check(options, is_over, path, name)
+    if rows[0]['rule'] == NOT_JUDGED:
+        with again:
+            rows = _run_check(options, is_over, path, name)
+    return rows
+
+
+def _run_check(options, is_over, path, name):
+    """Judge one submission in a process of its own."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, 'rows.csv')
         scenario_option = ['--scenario', options.scenario] if options.scenario else []
@@ -96,5 +109,4 @@ def _judge(options, is_over, path, name):
         reason = (f'the check ended {how_ended(status)}' if status < 0
                   else last_line(plain(check.output)))
     return [{**dict.fromkeys(COLUMNS, ''), 'submission': name, 'exercise': options.exercise,
-             'verdict': 'not judged', 'rule': 'not_judged',
-             'sentence': reason}]
+             'verdict': 'not judged', 'rule': NOT_JUDGED, 'sentence': reason}]
