@@ -12,7 +12,6 @@ from rosgraph.names import is_legal_name
 from odometry_common.parameters import ParameterError, StartError
 
 HELP = {'-h', '--help'}
-BOOLEANS = {'true', 'false'}
 # Name and text of a parameter on the command line.
 GIVEN = re.compile(r'_(?!_)(.*?):=(.*)', re.DOTALL)
 
@@ -48,7 +47,7 @@ def check_command_line(parameters):
     for word in sys.argv[1:]:
         name, is_remapping, other = word.partition(':=')
         # A topic may have the name of a parameter.
-        is_value = other in BOOLEANS or not is_legal_name(other)
+        is_value = not is_legal_name(other) or isinstance(yaml.safe_load(other), bool)
         if not is_remapping or name in names and is_value:
             raise StartError(f'{word!r} is no parameter: write _NAME:=VALUE; see --help')
     for name, text in (given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given):

@@ -26,8 +26,8 @@ SPIN_TIME = 0.001  # s of wall time
 # After that, sleeps between two checks: a share of the wait so far, so that on a busy machine the
 # checks leave the processor to the nodes; and at most so long (s of wall time).
 SLEEP_SHARE, LONGEST_SLEEP = 0.1, 0.001
-# On a machine so busy that a check comes late, timers may be late, too: a sleep is no poll only if
-# it is longer than so many times the time since the last check.
+# On a busy machine a check may come late, and so may a timer: a sleep counts as longer than a poll
+# only if it is also longer than so many times the time between two checks.
 LATENESS = 3
 BUDGET_PERIOD = 0.02  # s of wall time between looks at the budgets; one takes as long as a check
 # In a row: a busy machine may leave no other time between two naps of threads that wake in vain.

@@ -8,7 +8,7 @@ def classify(processes, idle_usage, check_begin, receivers, lateness):
     :param idle_usage: what this returned as usage when all were last idle
     :param check_begin: when the check began that found them so (monotonic, s)
     :param receivers: how many threads of a process may have run without work for those that poll
-    :param lateness: how long a poll may take (s), if that is longer than a Process's `longest_poll`
+    :param lateness: how long a poll may last (s), even if the Process's `longest_poll` is shorter
     :returns: the usage of the working threads, by Process; and, by thread that polls, how often
         it has slept once it has polled again
     """

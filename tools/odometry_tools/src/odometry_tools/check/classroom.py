@@ -20,9 +20,8 @@ from odometry_tools.runs.output import complain
 
 TIME_LIMIT = 600.0  # s of wall time for each
 NOT_JUDGED = 'not_judged'
-# One at a time is judged again: what one submission killed, such as all simulators, may have been
-# another's.
-again = threading.Lock()
+# Second attempts come one at a time: one submission may have killed the simulators of all.
+retry_lock = threading.Lock()
 
 
 def judge_all(options):
@@ -78,23 +77,27 @@ def _submissions_in(folder):
 
 
 def _judge(options, is_over, path, name):
-    """Judge one submission, until an Event, and again if that failed; return its rows."""
-    rows = _run_check(options, is_over, path, name)
-    if rows[0]['rule'] == NOT_JUDGED:
-        with again:
-            rows = _run_check(options, is_over, path, name)
+    """Judge one submission, until an Event, and once more if its check fails; return its rows."""
+    end = time.monotonic() + TIME_LIMIT
+
+    def is_in_time():
+        return time.monotonic() < end and not is_over.is_set()
+
+    rows = _run_check(options, is_in_time, path, name)
+    if rows[0]['rule'] == NOT_JUDGED and is_in_time():
+        with retry_lock:
+            rows = _run_check(options, is_in_time, path, name)
     return rows
 
 
-def _run_check(options, is_over, path, name):
-    """Judge one submission in a process of its own."""
+def _run_check(options, is_in_time, path, name):
+    """Judge one submission in a process of its own, while a function says that it is in time."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, 'rows.csv')
         scenario_option = ['--scenario', options.scenario] if options.scenario else []
         check = ChildProcess([sys.executable, sys.argv[0], options.exercise, str(path),
                               '--csv', str(file), *scenario_option], [('TMPDIR', folder)])
-        end = time.monotonic() + TIME_LIMIT
-        while check.status is None and time.monotonic() < end and not is_over.is_set():
+        while check.status is None and is_in_time():
             time.sleep(POLL_PERIOD)
         status = check.status
         check.end()  # with all of its descendants

@@ -65,19 +65,18 @@ def _compare(all_measures):
     nets = [m.net for m in whole if m.net is not None and m.rate >= 20]
     all_at_root = len(whole) > 1 and all(
         abs(m.share * GOAL - math.sqrt(GOAL)) < AT_ROOT for m in whole)
-    start = all_measures[0].scenario.start
-    rules_at_start = {m.rule for m in whole if m.scenario.start == start}
-    differing = next((m.scenario.name for m in all_measures if m.run.follows_wall), '')
+    reference = all_measures[0]
+    shared = {
+        'plain': reference if len(all_measures) > 1 else None,
+        'rules_at_start': {m.rule for m in whole if m.scenario.start == reference.scenario.start},
+        'all_at_root': all_at_root,
+        'common_fits': common_fits,
+        'factor': next((factor for _, factor in common_fits), None),
+        'turns_by': len(nets) > 1 and numpy.ptp(nets) < SAME_ANGLE * min(map(abs, nets))}
     for m in all_measures:
-        m.rules_at_start = rules_at_start
-        m.differing = differing
-        m.all_at_root = all_at_root
+        vars(m).update(shared)
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)
-        m.plain = all_measures[0] if len(all_measures) > 1 else None
-        m.common_fits = common_fits
-        m.factor = next((factor for _, factor in common_fits), None)
-        m.turns_by = len(nets) > 1 and numpy.ptp(nets) < SAME_ANGLE * min(map(abs, nets))
 
 
 def _verdict_on(m, held):

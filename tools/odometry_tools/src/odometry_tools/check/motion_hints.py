@@ -125,6 +125,4 @@ COMPARED = (
     Rule('constant', lambda m: (m.rule == 'long_way' and len(m.turn_speeds) == 1
                                 and m.commands[-len(m.moves):] == m.moves),
          'You turned at {moves[0].angular:.2g} rad/s throughout, and no heading stopped you: '
-         'print the heading in your loop'),
-    Rule('differing', lambda m: m.differing,
-         'Two runs of {differing} differ: chance, or the wall\'s clock, may have a part here'))
+         'print the heading in your loop'))

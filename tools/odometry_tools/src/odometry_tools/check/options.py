@@ -14,6 +14,7 @@ from roslib.packages import find_node, find_resource
 from odometry_tools.check.scenarios import EXERCISES
 
 ELF = b'\x7fELF'  # how a compiled program begins
+LONGEST_LINE = 256  # bytes that Linux reads of a #! line
 
 
 class Program(NamedTuple):
@@ -104,8 +105,7 @@ def _command_of(path, arguments):
 
 def _check_first_line(path):
     """Raise StartError if the system cannot start a script; its own errors do not say why."""
-    with path.open('rb') as file:
-        line = file.readline()
+    line = _first_line(path)
     if line.startswith(ELF):
         return
     first, words = f'the first line of {path.name}', line[2:].split()
@@ -132,5 +132,9 @@ def _is_python(path):
     """Return whether a file is a Python program, by its name or, if that has no suffix, its #!."""
     if path.suffix or not path.is_file():
         return path.suffix == '.py'
+    return bool(re.match(rb'#!.*python', _first_line(path)))
+
+
+def _first_line(path):
     with path.open('rb') as file:
-        return bool(re.match(rb'#!.*python', file.readline()))
+        return file.readline(LONGEST_LINE)
