@@ -23,10 +23,10 @@ def python(tmp_path_factory):
     """Return a Python with the numpy of PyPI, which has an OpenBLAS of its own."""
     folder = tmp_path_factory.mktemp('numpy')
     for command in ([sys.executable, '-m', 'venv', '--system-site-packages', folder],
-                    [folder / 'bin' / 'python3', '-m', 'pip', 'install', '--quiet', '--ignore-installed', 'numpy']):
+                    [folder / 'bin/python3', '-m', 'pip', 'install', '--quiet', '--ignore-installed', 'numpy']):
         run = Process(*command)
         assert run.wait(300.0) == 0, run.output
-    return folder / 'bin' / 'python3'
+    return folder / 'bin/python3'
 
 
 @pytest.mark.nightly

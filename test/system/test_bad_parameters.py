@@ -71,4 +71,4 @@ def test_a_world_that_cannot_be_used_ends_the_simulator(master, tmp_path):
     """The line names the file and the reason; test_worlds tries many of them."""
     (tmp_path / 'x.urdf').mkdir()
     ended = run_script(SCRIPTS['sim_turtlebot_node.py'].__file__, f'_world:={tmp_path}/x.urdf')
-    assert_refused(ended, f'parameter ~world is \'{tmp_path}/x.urdf\'', 'is a folder')
+    assert_refused(ended, f'parameter ~world is \'{tmp_path}/x.urdf\'', 'is a folder', 'rosparam delete /')

@@ -43,6 +43,9 @@ def test_signals_reach_the_command(signum):
     process = start_guarded('sleep', '1000')
     signal.signal(signum, before)
     wait_until(lambda: command_of(process).name() == 'sleep', 10.0, 'the command')
+    process.send_signal(signal.SIGTSTP)  # Ctrl-Z
+    wait_until(lambda: command_of(process).status() == 'stopped', 10.0, 'the command to stop')
+    process.send_signal(signal.SIGCONT)
     command_of(process).send_signal(signum)
     assert process.wait(10.0 * PATIENCE) == 128 + signum
 

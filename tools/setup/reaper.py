@@ -5,7 +5,8 @@ usage: python3 -I -S reaper.py COMMAND [ARGUMENT...]
 The reaper sends SIGTERM to the command, then to its orphans, then to all descendants at once, and
 finally kills them. It reports a process that it cannot kill, such as another user's, and leaves it
 running. It exits with the status that a shell shows for the command; after a signal with the
-signal's, unless the command exits with 0. ./ws starts it with these signals blocked.
+signal's, unless the command exits with 0. Ctrl-Z stops them all. ./ws starts it with the signals
+that end it blocked.
 
 It imports little, to start in a few hundredths of a second.
 """
@@ -33,7 +34,7 @@ prctl = ctypes.CDLL(None).prctl
 
 def main(command):
     """Run the command and exit as it exits."""
-    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGCHLD, *ENDING])
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGCHLD, signal.SIGTSTP, *ENDING])
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     ending = set(ENDING)
     if signal.getsignal(signal.SIGHUP) == signal.SIG_IGN:  # by nohup
@@ -43,7 +44,10 @@ def main(command):
     pid = _start(command)
     statuses, signum = {}, signal.SIGCHLD
     while pid not in statuses and signum == signal.SIGCHLD:
-        signum = signal.sigwait({signal.SIGCHLD, *ending})
+        signum = signal.sigwait({signal.SIGCHLD, signal.SIGTSTP, *ending})
+        if signum == signal.SIGTSTP:
+            _suspend()
+            signum = signal.SIGCHLD
         _reap(statuses)
     _end_all(statuses)
     if signum == signal.SIGCHLD:
@@ -104,6 +108,16 @@ def _end_all(statuses):
                 _signal(pid, signal.SIGCONT)
         asked.update(pids)
         signal.sigtimedwait([signal.SIGCHLD], ORPHAN_PERIOD)
+
+
+def _suspend():
+    """Stop all descendants and this process, as Ctrl-Z should, until the shell continues it."""
+    pids = _descendants(only_children=False)
+    for pid in pids:
+        _signal(pid, signal.SIGSTOP)
+    os.kill(os.getpid(), signal.SIGSTOP)
+    for pid in pids:
+        _signal(pid, signal.SIGCONT)
 
 
 def _signal(pid, signum):

@@ -79,7 +79,8 @@ may_install() {
     [ -t 0 ] && [ -t 2 ] || return 0
     announce 'packages in .ws/src depend on these system packages:'
     for part; do has_parts "$part" || echo "    $part" >&2; done
-    read -r -p './ws: install them? [Y/n] ' answer && [[ ${answer:-y} == [Yy]* ]]
+    read -r -p './ws: install them? [Y/n] ' answer || answer=no
+    [[ ${answer:-y} == [Yy]* ]] || { announce "to be asked again: rm $WORKSPACE/ready"; return 1; }
 }
 
 # our_packages: the folders that ours leads to; catkin_make adds a CMakeLists.txt.

@@ -58,7 +58,7 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
         node_help.warn_of_unknown(parameters)
         main()
     except StartError as error:
-        _failures.append((EXIT_BAD_PARAMETER, f'{error}\n'))
+        _failures.append((EXIT_BAD_PARAMETER, f'{error}{node_help.how_to_forget(error)}\n'))
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
     except OSError as error:
@@ -140,8 +140,11 @@ def _start(name, init_node_options):
 
 def _wait_for_master(interrupted):
     """Wait for the master; rospy itself exits with a traceback if it has parameters to upload."""
-    if rosgraph.is_master_online() or interrupted:
-        return
+    try:
+        if rosgraph.is_master_online() or interrupted:
+            return
+    except ValueError as error:  # the URI
+        raise StartError(error) from None
     print(f'Unable to register with master node [{rosgraph.get_master_uri()}]: master may '
           'not be running yet. Will keep trying.', file=sys.stderr)
     while not (interrupted or rosgraph.is_master_online()):

@@ -50,6 +50,8 @@ def check_command_line(parameters):
         is_value = not is_legal_name(other) or isinstance(yaml.safe_load(other), bool)
         if not is_remapping or name in names and is_value:
             raise StartError(f'{word!r} is no parameter: write _NAME:=VALUE; see --help')
+        if not (name.startswith('_') or is_legal_name(other)):
+            raise StartError(f'{word!r}: {other!r} is no name that ROS allows')
     for name, text in (given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given):
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
@@ -57,3 +59,10 @@ def check_command_line(parameters):
             raise ParameterError(
                 f'~{name}', text, 'a value that ROS can store: a string, a number with '
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
+
+
+def how_to_forget(error):
+    """Return how to remove a value from the master, for a ParameterError; '' if it is not there."""
+    if not (isinstance(error, ParameterError) and rospy.core.is_initialized()):
+        return ''
+    return f'; it stays until rosparam delete {rospy.resolve_name(error.name)}'

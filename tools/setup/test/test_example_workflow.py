@@ -30,7 +30,7 @@ def checkout(tmp_path_factory):
 @pytest.mark.nightly
 @pytest.mark.parametrize('distance, passes', [('1.0', True), ('1.1', False)])
 def test_the_workflow_tells_a_node_that_stops_from_one_that_drives_on(checkout, distance, passes):
-    node = checkout / '.ws/src' / 'one_metre/src/one_metre.py'
+    node = checkout / '.ws/src/one_metre/src/one_metre.py'
     original = (EXAMPLE / 'src/one_metre.py').read_text()
     assert 'DISTANCE = 1.0 ' in original
     node.write_text(original.replace('DISTANCE = 1.0 ', f'DISTANCE = {distance} '))

@@ -48,7 +48,7 @@ def test_a_locale_that_is_not_installed_is_no_matter():
 def test_who_cannot_write_the_clone_runs_what_is_built(checkout, read_only):
     """Until something is missing: then one line says who is to install it, and how."""
     as_reader(checkout, RUN_MINE)
-    (checkout / '.ws/src' / 'mine/new.h').touch()
+    (checkout / '.ws/src/mine/new.h').touch()
     read_only()
     ended = as_reader(checkout, RUN_MINE)
     assert './ws: ' not in ended.stderr and 'hello from pybullet' in ended.stdout, ended.output

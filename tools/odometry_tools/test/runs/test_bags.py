@@ -32,7 +32,7 @@ def test_of_several_odometries_the_user_has_to_choose(tmp_path):
 
 def test_only_the_odometry_needs_the_right_type(tmp_path):
     path = record(tmp_path / 'odd.bag', metre())
-    for topic in ('/cmd_vel', '/base_pose_ground_truth'):
+    for topic in '/cmd_vel', '/base_pose_ground_truth':
         record(path, [Float64()], topic, 'a')
     run = read_run(path)
     assert run.ground_truth is None and not len(run.commands)

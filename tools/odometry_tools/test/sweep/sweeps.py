@@ -11,7 +11,7 @@ from odometry_tests.processes import run
 from odometry_tests.scripts import ROOT
 
 TIMEOUT = 120.0  # s
-WS, SCRIPT = (ROOT / 'ws', 'sweep'), (sys.executable, ROOT / 'tools/odometry_tools' / 'script/sweep.py')
+WS, SCRIPT = (ROOT / 'ws', 'sweep'), (sys.executable, ROOT / 'tools/odometry_tools/script/sweep.py')
 
 
 sweep = partial(run, *WS, cwd=ROOT, timeout=TIMEOUT)

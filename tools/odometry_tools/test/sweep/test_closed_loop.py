@@ -18,7 +18,7 @@ def test_distances_and_headings_count_from_the_start():
     """At a speed at which no wheel slips for a moment, which may turn the robot a little; errors are minus the target."""
     slow = {'distance': 0.1, 'speed': 0.1}
     here, there = run('move', slow), run('move', {**slow, 'x': 3.0, 'y': -2.0, 'yaw': 2.0})
-    for name in ('moved', 'true_distance', 'sideways', 'heading'):
+    for name in 'moved', 'true_distance', 'sideways', 'heading':
         assert there[name] == pytest.approx(here[name], abs=2e-3), name
     assert here['ended'] == 'arrived'
     assert here['moved_error'] == here['moved'] - 0.1 and here['true_error'] == here['true_distance'] - 0.1

@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import sys
+import tempfile
 from unittest import mock
 
 import pytest
@@ -31,7 +32,7 @@ def packages(tmp_path, monkeypatch):
         (folder / name).chmod(0o755)
     (folder / 'plain.py').touch()
     example = shutil.copytree(ROOT / 'docs/example', tmp_path / 'example')
-    for file in (example / 'package.xml', example / 'launch/one_metre.launch'):
+    for file in example / 'package.xml', example / 'launch/one_metre.launch':
         file.write_text(re.sub('(<name>|pkg=")one_metre', r'\1example', file.read_text()))
     monkeypatch.setenv('ROS_PACKAGE_PATH', f'{folder}:{example}:{os.environ["ROS_PACKAGE_PATH"]}')
 
@@ -105,10 +106,13 @@ def test_a_node_that_cannot_be_started_is_not_waited_for():
 
 
 def test_ctrl_c_ends_runs_that_would_go_on_for_long(mark):
-    """With all that they have started, and one line."""
-    with Process(*SCRIPT, 'guest', 'nodes.launch', '--until', '1e5', '--set', 'end=never', '--seeds', '3') as sweeping:
+    """With all that they have started, one line, and no file."""
+    with tempfile.TemporaryDirectory() as temporary, \
+            Process(*SCRIPT, 'guest', 'nodes.launch', '--until', '1e5', '--set', 'end=never', '--seeds', '3',
+                    env={'TMPDIR': temporary}) as sweeping:
         wait_until(lambda: 'node.py' in str([one.info for one in marked(mark)]), TIMEOUT, 'a node')
         assert sweeping.end(timeout=TIMEOUT) == 130, sweeping.output
+        wait_until(lambda: not os.listdir(temporary), TIMEOUT, 'no file')
     assert re.fullmatch(r'sweep: interrupted after 0 of 3 runs, which are in \S+', sweeping.stderr), sweeping.stderr
     wait_until(lambda: not marked(mark), TIMEOUT, lambda: f'an end of {marked(mark)}')
 

@@ -23,10 +23,10 @@ def test_a_table_has_a_block_for_each_metric_and_a_line_for_each_combination():
     assert table('move', settings).count('kp 1') == len(SHOWN['move'])
 
 
-@pytest.mark.parametrize('limit, size, run', [
-    ('sideways_worst', 0.2, 2), ('time_p5', 0.1, 2), ('not_arrived', 3, 0)])
-def test_a_limit_is_for_the_size_of_a_metric(limit, size, run):
-    assert Combination('kp 1', rows([0.1, 0.1, -0.2], 'late')).size_of(limit) == (pytest.approx(size), run)
+@pytest.mark.parametrize('limit, figure, size, run', [
+    ('sideways_worst', '|sideways|_worst', 0.2, 2), ('time_p5', '|time|_p5', 0.1, 2), ('not_arrived', 'not_arrived', 3, 0)])
+def test_a_limit_is_for_the_size_of_a_metric(limit, figure, size, run):
+    assert Combination('kp 1', rows([0.1, 0.1, -0.2], 'late')).size_of(limit) == (figure, pytest.approx(size), run)
 
 
 def test_the_picture_has_a_diagram_for_each_metric_and_a_line_for_each_combination():

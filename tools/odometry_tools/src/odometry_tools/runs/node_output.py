@@ -25,7 +25,8 @@ class NodeOutput:
 
     def lines(self):
         """Return all lines but empty ones."""
-        text = os.pread(self._file, os.fstat(self._file).st_size, 0).decode(errors='replace')
+        size = os.fstat(self._file).st_size
+        text = os.pread(self._file, size, 0).decode(errors='replace')
         return [line for line in map(str.strip, text.splitlines()) if line]
 
     def complaint_of(self, node):

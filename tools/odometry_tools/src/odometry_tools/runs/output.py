@@ -24,8 +24,8 @@ class Line:
     def show(self, text, now):
         """Show the text, at `now` seconds."""
         if self._live:
-            # A text that wraps would leave a line behind at each update.
-            fitting = text[:shutil.get_terminal_size().columns - 1]
+            # A text that wraps would leave a line behind at each update. Its end has the figures.
+            fitting = text[1 - shutil.get_terminal_size().columns:]
             print(f'{REWRITE}{fitting}', end='', flush=True)
         elif now >= self._next:
             self._next = now + self._period

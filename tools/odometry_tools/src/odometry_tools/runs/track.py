@@ -30,7 +30,8 @@ class Track(NamedTuple):
 
         None if they have no messages of the same time.
         """
-        start, end = max(self.time[0], other.time[0]), min(self.time[-1], other.time[-1])
+        start = max(self.time[0], other.time[0])
+        end = min(self.time[-1], other.time[-1])
         if start > end:
             return None
         frame = other.at(start).then(self.at(start).inverse())

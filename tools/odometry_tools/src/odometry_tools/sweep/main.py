@@ -112,15 +112,16 @@ def _exceeds_limits(campaign, combinations, folder, report):
     """
     cases, worst = [], {}  # the numbers of runs, once each, in order
     for limit, most in campaign.limits.items():
-        lines = []
+        lines, sizes = [], {}  # by number of a combination's worst run
         for index, combination in enumerate(combinations):
-            size, run = combination.size_of(limit)
+            figure, size, run = combination.size_of(limit)
             if not size <= most:
-                lines.append(f'{limit} is {size:.6g}, over its limit of {most:g}, '
+                lines.append(f'{figure} is {size:.6g}, over its limit of {most:g}, '
                              f'with {combination.name}')
                 complain(lines[-1], PROGRAM)
-                if len(lines) == 1:
-                    worst[index * campaign.seeds + run + 1] = limit
+                sizes[index * campaign.seeds + run + 1] = size
+        if sizes:
+            worst[max(sizes, key=sizes.get)] = limit
         cases.append(junit.Case(campaign.subject.name, limit, '; '.join(lines), 'limit'))
     if report:
         junit.write(report, SUITE, cases)

@@ -60,13 +60,13 @@ class Combination(NamedTuple):
                             for row in self.rows])
 
     def size_of(self, limit):
-        """Return what a limit bounds, and the index of its worst run."""
+        """Return what a limit bounds, in words and as a number, and the index of the worst run."""
         if limit == NOT_ARRIVED:
             late = self.values(NOT_ARRIVED)
-            return late.sum(), int(late.argmax())
+            return limit, late.sum(), int(late.argmax())
         metric, _, name = limit.rpartition('_')
         sizes = abs(self.values(metric))
-        return statistics(sizes)[name], int(sizes.argmax())
+        return f'|{metric}|_{name}', statistics(sizes)[name], int(sizes.argmax())
 
 
 def statistics(values):

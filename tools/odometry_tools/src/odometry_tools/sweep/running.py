@@ -6,6 +6,7 @@ import contextlib
 import itertools
 import logging
 import multiprocessing
+import multiprocessing.util
 import os
 import signal
 
@@ -60,6 +61,7 @@ def on_this_machine(campaign, jobs=None):
     """
     usual = campaign.subject.jobs_per_processor * len(os.sched_getaffinity(0))
     processes = min(jobs or usual, campaign.count)
+    multiprocessing.util.get_temp_dir()  # for all: a process that is killed would leave its own
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(
             processes, multiprocessing.get_context('fork'), _reset_signals) as executor:
