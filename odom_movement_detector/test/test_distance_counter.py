@@ -43,7 +43,7 @@ def test_a_driver_without_stamps_is_judged_by_arrival(counter, pause):
     ([*(number * 0.02 for number in range(50)), *[60.0] * 100], 0.014),  # a minute without network
 ])
 def test_messages_without_stamps_that_arrive_in_a_burst_are_all_counted(counter, arrivals, step):
-    assert drive_along(counter, [NO_STAMP] * len(arrivals), step, arrivals) == []
+    assert not drive_along(counter, [NO_STAMP] * len(arrivals), step, arrivals)
     assert counter.distance == pytest.approx((len(arrivals) - 1) * step)
 
 
@@ -52,7 +52,7 @@ def test_stamps_in_bunches_of_any_size_lose_nothing(counter, bunch):
     """At 50 Hz, after an even second; forty messages come 0.8 s after those before."""
     even = [number / 50 for number in range(-51, 0)]
     bunched = [number // bunch * bunch / 50 + number % bunch * 1e-4 for number in range(9 * bunch)]
-    assert drive_along(counter, even + bunched, 0.7 / 50) == []
+    assert not drive_along(counter, even + bunched, 0.7 / 50)
 
 
 def test_a_faster_row_of_messages_is_soon_the_usual_one():
@@ -77,7 +77,7 @@ def test_a_late_message_counts_nothing_unless_time_has_started_again(counter, me
 
 
 def test_two_robots_on_one_topic_do_not_add_up():
-    for offset in (0.01, 0.025, 0.0499, -0.02, -1.0):
+    for offset in 0.01, 0.025, 0.0499, -0.02, -1.0:
         counter = DistanceCounter()
         for number in range(200):
             counter.add(number * 0.005, 0, 10 + number * PERIOD, arrival=0.0)

@@ -74,7 +74,7 @@ def talk(clock, ns):
 
 def test_commands_come_at_ten_hertz_from_the_first_odometry_on(talk):
     talk.clock.advance(*[PERIOD] * 30)
-    assert talk.answers.messages == []
+    assert not talk.answers.messages
     talk.begin()
     talk.face(30.0, 0.5 * math.radians(60))
     talk.answers.clear()

@@ -11,7 +11,7 @@ from sim_turtlebot.timeline import Timeline
 
 SPEED = 0.1  # m/s
 PERIOD = 0.05  # s between two odometries at 20 Hz
-TICK = 2 * math.pi * WHEEL_RADIUS / TICKS_PER_TURN  # m
+TICK = math.tau * WHEEL_RADIUS / TICKS_PER_TURN  # m
 
 
 def motion(x=0.0, y=0.0, yaw=0.0, linear=STILL, angular=STILL):

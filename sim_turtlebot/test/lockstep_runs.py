@@ -16,7 +16,7 @@ from odometry_tests.waiting import Recorder, wait_until
 from sim_turtlebot.lockstep.lockstep import Lockstep
 from std_srvs.srv import Trigger
 
-CLIENTS_FOLDER = ROOT / 'sim_turtlebot' / 'test'
+CLIENTS_FOLDER = ROOT / 'sim_turtlebot/test'
 RUN_TIME = 60.0  # s
 NOT_AWAITED = 'lockstep does not wait for'
 UNPACED = '_real_time_factor:=0'

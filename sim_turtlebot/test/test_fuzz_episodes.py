@@ -18,7 +18,7 @@ from sim_turtlebot.simulation import Simulation
 
 NOISE = {'wheel_slip': 0.05, 'wheel_noise': 0.02, 'gyro_noise': 0.02, 'gyro_drift': 0.01,
          'scan': True, 'scan_noise': 0.01, 'scan_beams': 8}
-ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
+ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
 CRATE = """<sdf version="1.6"><world name="w"><model name="crate"><pose>0.5 0.4 0.1 0 0 0</pose>
 <link name="crate"><inertial><mass>0.3</mass><inertia><ixx>0.002</ixx><ixy>0</ixy><ixz>0</ixz>
 <iyy>0.002</iyy><iyz>0</iyz><izz>0.002</izz></inertia></inertial><collision name="crate"><geometry>

@@ -51,7 +51,7 @@ def test_rotations_are_those_of_tf(outer, inner, vector):
     assert rotate(inverse(outer), rotate(outer, vector)) == close(vector, scale=1e5)
     assert height_of_z(outer) == pytest.approx(matrix[2, 2], abs=1e-14)
     yaw = tf.euler_from_quaternion(outer)[2]
-    assert math.remainder(yaw_of(outer) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-12)
+    assert math.remainder(yaw_of(outer) - yaw, math.tau) == pytest.approx(0, abs=1e-12)
 
 
 @given(rotations, st.floats(-0.7, 0.7), angles, st.sampled_from([1, -1]))

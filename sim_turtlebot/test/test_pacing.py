@@ -74,7 +74,7 @@ def test_a_machine_that_keeps_pace_is_not_told_of(wall, pace):
     for pause in [3600, *[1] * 50]:
         machine.run(5, pace)
         wall.now += pause
-    assert machine.said == []
+    assert not machine.said
 
 
 def test_a_machine_that_has_caught_up_is_told_of_and_then_warned_of_again(wall):

@@ -7,7 +7,7 @@ from odometry_tests.scripts import ROOT
 from odometry_tests.simulation import Simulation
 from sim_turtlebot.geometry import yaw_of
 
-ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
+ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
 WALL, RADIUS = 2.0, 0.18  # m: the face of its wall, and the robot
 STOPPING = 1.0  # s, more than enough to stand
 STEP_RATE = 240  # Hz
@@ -21,7 +21,7 @@ def distance_between(a, b):
 
 def total_turn(motions):
     yaws = [yaw_of(motion.orientation) for motion in motions]
-    return sum(math.remainder(later - sooner, 2 * math.pi) for sooner, later in zip(yaws, yaws[1:]))
+    return sum(math.remainder(later - sooner, math.tau) for sooner, later in zip(yaws, yaws[1:]))
 
 
 @pytest.mark.parametrize('source', ['world', 'encoder'])

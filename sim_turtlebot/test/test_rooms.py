@@ -5,7 +5,7 @@ import re
 import pytest
 from odometry_tests.scripts import ROOT
 
-PACKAGE = ROOT / 'sim_turtlebot' / 'src' / 'sim_turtlebot'
+PACKAGE = ROOT / 'sim_turtlebot/src/sim_turtlebot'
 IMPORT = re.compile(r'^ *(?:from|import) (?:sim_turtlebot\.)?(\w+)', re.MULTILINE)
 OTHERS = {path.stem for path in PACKAGE.iterdir()} | {'rospy', 'rosgraph', 'tf', 'tf2_ros'}
 MAY_IMPORT = {'physics': {'physics', 'geometry', 'kobuki'}, 'robot': {'robot', 'geometry', 'kobuki'},

@@ -13,7 +13,7 @@ from sensor_msgs.msg import LaserScan
 from sim_turtlebot.kobuki import DEPTH_CAMERA as CAMERA
 from sim_turtlebot.robot.scanner import Scanner
 
-WORLDS = ROOT / 'sim_turtlebot' / 'worlds'
+WORLDS = ROOT / 'sim_turtlebot/worlds'
 CLOSE = 0.01  # m
 FAR = math.inf
 TOO_CLOSE = -math.inf
@@ -47,7 +47,7 @@ def test_robots_see_each_other():
 
 def test_to_look_changes_nothing():
     ends = []
-    for look in (False, True):
+    for look in False, True:
         simulation = Simulation((0.0, 0.0, 0.0), (0.0, 1.0, 0.0),
                                 world=str(WORLDS / 'room.urdf'))
         scanner = Scanner(simulation.robot.body, settings_of(scan_noise=0.01))
@@ -65,14 +65,13 @@ def test_noise_is_as_wide_as_it_is_said_to_be():
     noises = []
     for seed, index, number in [(0, 0, 0), (0, 0, 1), (-1, 0, 0), (0, 1, 0)]:
         simulation = Simulation(world=str(WORLDS / 'room.urdf'))
-        settings = settings_of(scan_beams=2000, scan_noise=0.02, seed=seed)
-        scanner = Scanner(simulation.robot.body, settings, index)
+        scanner = Scanner(simulation.robot.body, settings_of(scan_beams=2000, scan_noise=0.02, seed=seed), index)
         noises.append(scanner.scan(number) - true)
         assert (scanner.scan(number) - true == noises[-1]).all(), 'repeated'
         assert noises[-1].mean() == pytest.approx(0.0, abs=0.002)
         assert noises[-1].std() == pytest.approx(0.02, rel=0.1)
     correlations = numpy.corrcoef(noises) - numpy.eye(len(noises))
-    assert numpy.abs(correlations).max() < 0.1
+    assert abs(correlations).max() < 0.1
 
 
 def test_noise_takes_no_range_beyond_its_limits():

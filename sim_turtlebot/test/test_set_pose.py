@@ -18,7 +18,7 @@ from sim_turtlebot.robot.poses import checked_pose
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
-ROOM = str(ROOT / 'sim_turtlebot' / 'worlds' / 'room.urdf')
+ROOM = str(ROOT / 'sim_turtlebot/worlds/room.urdf')
 LEVEL = about_z(0.0)
 ON_ITS_SIDE = math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)
 THERE = 3.0, -1.0, 1.2  # m, m, rad

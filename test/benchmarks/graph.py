@@ -81,7 +81,7 @@ def beside_ring(options, graph):
 @contextlib.contextmanager
 def _ring():
     with contextlib.ExitStack() as stack:
-        for role in ('robot', 'detector', 'mover'):
+        for role in 'robot', 'detector', 'mover':
             stack.enter_context(Process('python3', RING, role))
         run = advertise('/ring/run', Float64)
         ran = stack.enter_context(contextlib.closing(Recorder('/ring/ran', Float64)))

@@ -16,7 +16,7 @@ MORE = '...'  # what a document has for the rest of an output
 TYPED = re.compile(r'(\./ws (demo|check|sweep)|ros(run|launch|topic))\b(?! (pub|one_metre|--replay))[^|]*$')
 DRIVES = '## Make a map'  # in docs/navigation.md; its commands need one another
 CAMPAIGN = 'launch/navigation/campaign.yaml'
-NAVIGATION = ROOT / '.ws/devel' / 'lib/move_base'
+NAVIGATION = ROOT / '.ws/devel/lib/move_base'
 TIMEOUT = 60.0  # s
 SEEDS = re.compile(r'(--seeds) \d+')  # too many for a test
 

@@ -10,7 +10,7 @@ from odometry_tests.tutorial import Truth, simulator_in_step
 from odometry_tests.waiting import Recorder, wait_until
 from sim_turtlebot.kobuki import DEPTH_CAMERA
 
-NODE = sys.executable, ROOT / 'docs/example' / 'src/stop_before_wall.py'
+NODE = sys.executable, ROOT / 'docs/example/src/stop_before_wall.py'
 DISTANCE = 1.0  # m
 CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
 END = 5.0  # m, where the corridor ends

@@ -42,7 +42,7 @@ def test_the_robot_drives_when_nothing_can_be_logged(master, fault, tmp_path):
             start('odom_movement_detector', 'odom_movement_detector.py') as counter:
         moved.wait_for(lambda m: m.data > 0.05, 30.0,
                        lambda: f'movement; {robot.output} {counter.output} {driver.output}')
-        for process in (driver, counter, robot):
+        for process in driver, counter, robot:
             assert process.end() == 0, process.output
 
 

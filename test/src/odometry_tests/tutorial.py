@@ -44,7 +44,7 @@ def heading(message):
     orientation = message.pose.pose.orientation
     # A quaternion and its negative are the same orientation.
     yaw = 2 * math.atan2(orientation.z, orientation.w)
-    return math.degrees(math.remainder(yaw, 2 * math.pi))
+    return math.degrees(math.remainder(yaw, math.tau))
 
 
 class Truth(Recorder):

@@ -65,7 +65,7 @@ def test_a_heading_goes_on_beyond_half_a_turn():
     """A plot of it has no jumps, and the target is that turn of it which is nearest."""
     trace = PathTrace()
     turns = [math.radians(degrees) for degrees in range(0, 721, 10)]
-    follow(trace, [PlanarPose(0.0, 0.0, math.remainder(yaw, 2 * math.pi)) for yaw in turns])
+    follow(trace, [PlanarPose(0.0, 0.0, math.remainder(yaw, math.tau)) for yaw in turns])
     trace.add_history(None, 90.0)
     _, moved, true, heading, target = trace.history.array()[-1]
     assert heading == pytest.approx(720)

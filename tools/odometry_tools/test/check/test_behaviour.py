@@ -61,7 +61,7 @@ CASES = {
         'asin': (turning(lambda yaw: RIGHT_ANGLE - math.asin(math.sin(yaw))), {'moved_start': 'long_way half_circle'}),
         'degrees wrapped by pi': (turning(lambda yaw: math.remainder(error_of(yaw), 0.1)), 'elsewhere'),
         'for five seconds': (lambda: lambda pose: (0.0, 0.31 if pose.time < 5 else 0.0), {
-            'moved_start': 'elsewhere start', 'slow_base': 'elsewhere open_loop'}),
+            'moved_start': 'elsewhere turns_by', 'slow_base': 'elsewhere open_loop'}),
         'wrong derivative': (wrong_derivative, dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
         'by': (turn_by, dict.fromkeys(('moved_start', 'slow_base'), 'elsewhere turns_by')),
         'high gain': (turning(error_of, 10.0), {'odom_5hz': 'rings gain_high'}),

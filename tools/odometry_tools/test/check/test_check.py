@@ -86,7 +86,7 @@ def test_a_signal_ends_a_check_and_all_of_its_processes(tmp_path, signum, target
     ('heading', ['rotate_robot', 'rotate.py']), *(pytest.param(*case, marks=pytest.mark.nightly) for case in [
         ('moved_distance', ['odom_movement_detector', 'odom_movement_detector.py']),
         ('two_meters', ['test_movement', 'test_movement.py']),
-        ('two_meters', [ROOT / 'docs/example' / 'src/one_metre.py', '_distance:=2'])])])
+        ('two_meters', [ROOT / 'docs/example/src/one_metre.py', '_distance:=2'])])])
 def test_our_nodes_pass_everything(tmp_path, exercise, words):
     """The ports by PACKAGE NODE, and the example of the documents; CI reads it."""
     file = tmp_path / 'junit.xml'

@@ -23,7 +23,7 @@ STILL = 2.0  # s at the end of a run, in which the heading should stay
 LONGEST_PERIOD = 1.0  # s; a zero may be two periods of the loop late, but no longer ones
 FLIPS = 4  # changes of sign allowed in those RINGING s
 CEASED = 0.55  # s without a command, a little less than the watchdog's
-FITS = 0.04  # m between where the node stopped and where a mistake stops
+FITS = 0.06  # m between where the node stopped and where a mistake stops
 
 
 def measure_drive(m, run):
@@ -42,9 +42,9 @@ def measure_drive(m, run):
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
     m.drives_back = m.drives and max(command.linear for command in m.moves) <= 0.0
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
+    m.fastest = max((abs(command.linear) for command in m.moves), default=0.0)
     m.seconds = 0.0
     m.has_ceased = False
-    m.stop = None
     if m.moves:
         _measure_last_command(m, run)
     m.drove_again = False
@@ -95,8 +95,7 @@ def measure_distance(m, run):
     if not run.pace.lockstep:
         m.bound += PACED_SLACK * run.pace.real_time_factor
     m.share = m.end.way / GOAL
-    speeds = [abs(command.linear) for command in m.moves]
-    m.step = max(speeds, default=0.0) / m.rate
+    m.step = m.fastest / m.rate
     m.is_short = m.end.way < GOAL - CLOSE
     m.reached = f'{m.end.way:.2f} m'
     has_come_to_rest = is_slow(m.end.linear, m.end.angular)
@@ -119,8 +118,8 @@ def _measure_stop(m, run):
     from_start = math.dist(m.end[1:3], m.start[1:3])
     is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT
     m.passed = is_slow(m.end.linear) and not m.is_short and (is_in_time or is_back)
-    if not is_in_time and is_back:
-        m.reached = f'{from_start:.2f} m from the start, {m.reached} of way,'
+    if m.end.way - from_start > CLOSE:
+        m.reached = f'{from_start:.2f} m from the start ({m.reached} of way)'
     m.moved_x = abs(m.at_stop.x - m.start.x)
     m.moved_y = abs(m.at_stop.y - m.start.y)
     # How far the robot stopped from where each mistake stops.

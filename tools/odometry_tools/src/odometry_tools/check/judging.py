@@ -1,6 +1,5 @@
 """Judge runs: the first rule that holds is the verdict; a hint follows where one is proven."""
 
-import math
 from typing import NamedTuple
 
 import numpy
@@ -18,7 +17,7 @@ WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
 SAME_ANGLE = 0.1  # share of a turn by which another one may be larger
-AT_ROOT = 0.05  # m between where the robot rests and the root of the goal
+ALIKE = 0.1  # m between the places where the robot rests in all scenarios
 
 
 class Verdict(NamedTuple):
@@ -62,19 +61,21 @@ def _compare(all_measures):
     has_slow_odometry = any(m.rate < 20 for m in all_measures)
     common_fits = set.intersection(*fits) if fits and has_slow_odometry else set()
     whole = [m for m in all_measures if m.run.interrupted is None]
-    nets = [m.net for m in whole if m.net is not None and m.rate >= 20]
-    all_at_root = len(whole) > 1 and all(
-        abs(m.share * GOAL - math.sqrt(GOAL)) < AT_ROOT for m in whole)
+    # A timed turn is shorter on a slow base.
+    nets = [m.net for m in whole
+            if m.net is not None and m.rate >= 20 and m.scenario.speed_ratio == 1]
+    shares = [m.share for m in whole]
     reference = all_measures[0]
     shared = {
         'plain': reference if len(all_measures) > 1 else None,
         'rules_at_start': {m.rule for m in whole if m.scenario.start == reference.scenario.start},
-        'all_at_root': all_at_root,
+        'all_alike': len(whole) > 1 and numpy.ptp(shares) * GOAL < ALIKE,
         'common_fits': common_fits,
-        'factor': next((factor for _, factor in common_fits), None),
-        'turns_by': len(nets) > 1 and numpy.ptp(nets) < SAME_ANGLE * min(map(abs, nets))}
+        'factor': next((factor for _, factor in common_fits), None)}
     for m in all_measures:
         vars(m).update(shared)
+        m.turns_by = len(nets) > 1 and m.net is not None and (
+            numpy.ptp([*nets, m.net]) < SAME_ANGLE * min(map(abs, nets)))
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)
 

@@ -34,8 +34,8 @@ def measure(run, exercise):
     m.passed = False
     m.is_short = True
     m.at = m.mux = m.follows = ''
-    m.share = m.own_period = 0.0
-    m.fits = m.net = None
+    m.share = m.own_period = m.fastest = 0.0
+    m.fits = m.net = m.stop = None
     _read_output(m, quoting.plain(run.output))
     _measure_messages(m)
     _read_graph(m, run.publishes, run.subscribes)

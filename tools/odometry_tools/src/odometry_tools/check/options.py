@@ -124,7 +124,8 @@ def _node_of(package):
     files = [path for path in files if os.access(path, os.X_OK)] or files
     if len(files) != 1:
         raise StartError(
-            f'{len(files)} files could be the node of {package.name}: say PACKAGE NODE')
+            f'{len(files)} Python files could be the node of {package.name}: '
+            'put it into .ws/src, and say PACKAGE NODE')
     return files[0]
 
 

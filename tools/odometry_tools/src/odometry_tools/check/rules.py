@@ -3,15 +3,17 @@
 Causes are in hints.py.
 """
 
+from sim_turtlebot.kobuki import MAX_LINEAR_SPEED
+
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
 
 BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 
 
-def _exits_at_goal(m):
-    """Return whether a node reached its goal and then exited with a status of its choice."""
-    return m.status > 0 and not m.error and not m.is_short
+def _exits_when_done(m):
+    """Return whether a node stopped, or was there, and then exited with a status of its choice."""
+    return m.status > 0 and not m.error and (m.stop or not m.is_short)
 
 
 def _rests_elsewhere(m):
@@ -19,7 +21,7 @@ def _rests_elsewhere(m):
 
 
 START = (
-    Rule('crash', lambda m: m.status and m.run.interrupted is None and not _exits_at_goal(m),
+    Rule('crash', lambda m: m.status and m.run.interrupted is None and not _exits_when_done(m),
          'your node ended {how}{at}'),
     Rule('no_node', lambda m: not m.run.nodes and m.status is None,
          'your process registered no node within 20 s'),
@@ -40,7 +42,7 @@ DRIVE = (
          explains=True),
     Rule('all_zero', lambda m: not m.moves,
          'from ({start.x:.1f}, {start.y:.1f}), heading {start_heading:.0f} degrees, '
-         'all of your commands were zero'),
+         'all commands that arrived were zero'),
     Rule('before_start', lambda m: (m.moves and not (m.has_moved or m.stop)
                                     and m.moves[-1].time <= 0.0),
          'your last command, {last_word}, came before simulated time began, '
@@ -71,10 +73,10 @@ DISTANCE = (
          'still with {last_word}'),
     Rule('drove_on', lambda m: m.pause,
          'you sent zero at {pause.way:.2f} m, and then drove on; '
-         'the robot {stays} at {end.way:.2f} m'),
+         'the robot {stays} at {reached}'),
     Rule('late', lambda m: True,
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, '
-         'where {bound:.1f} s are allowed; the robot {stays} at {end.way:.2f} m'))
+         'where {bound:.1f} s are allowed; the robot {stays} at {reached}'))
 HEADING = (
     Rule('only_drove', lambda m: m.drives and not m.turns,
          'you only drove the robot; this exercise turns it', explains=True),
@@ -132,6 +134,10 @@ NOTES = (
          'your detector commands the robot, too, which the check drives'),
     Rule('ground_truth', lambda m: '/base_pose_ground_truth' in m.run.subscribes,
          'your node listens to /base_pose_ground_truth, which no real robot has: use /odom'),
+    Rule('keyboard', lambda m: m.run.has_read_keyboard and m.hint != 'keyboard',
+         'your node reads the keyboard, which a launch file cannot offer'),
+    Rule('fast', lambda m: m.fastest > MAX_LINEAR_SPEED,
+         'you commanded {fastest:.2g} m/s; this base reaches 0.7'),
     Rule('reverse', lambda m: m.exercise.name == 'two_meters' and m.passed and m.drives_back,
          'you drove backwards: a positive linear.x is forwards'),
     Rule('mux', lambda m: m.mux,

@@ -52,6 +52,7 @@ class Runner:
             if run.unawaited:  # on a busy machine a node may seem busy once
                 run = self._run(scenario, Pace(True, self._factor))
             self._unawaited = run.unawaited
+            self._is_stubborn &= not run.unawaited
         if self._unawaited:
             run = self._run(scenario, Pace(False, SLOWEST if is_slow else self._factor or FASTEST))
             run.unawaited = self._unawaited
@@ -143,6 +144,8 @@ class Runner:
         node.interrupt()
         has_ended = (_ends_at_once(node, run)
                      or not self._is_stubborn and self._ends_in_time(node, run.pace))
+        if self._is_stubborn and not (has_ended or run.scenario.interrupt):
+            return  # an earlier run waited for long
         run.answers = not has_ended and any(map(self._session.ask, run.nodes))
         run.ends = has_ended or node.status is not None and not run.answers
         run.leaves_process = run.ends and not has_ended
