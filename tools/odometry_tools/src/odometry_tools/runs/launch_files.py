@@ -3,7 +3,6 @@
 import contextlib
 import os
 
-import rospkg
 from odometry_common.parameters import StartError
 from rosgraph.names import ns_join
 from roslaunch.config import load_config_default
@@ -35,11 +34,12 @@ def refused(name):
     """Turn each error into a StartError about a launch file, in one line."""
     try:
         yield
-    except rospkg.ResourceNotFound as error:
-        raise StartError(f'{name}: there is no package {error.args[0]}') from None
     except Exception as error:  # noqa: BLE001
         # $(eval) and $(find) may raise any.
-        raise StartError(f'{name}: {" ".join(str(error).split()) or repr(error)}') from None
+        text, lists_folders, _ = str(error).partition('ROS path [')
+        reason = " ".join(text.split()) or repr(error)
+        missing = 'there is no package ' if lists_folders else ''
+        raise StartError(f'{name}: {missing}{reason}') from None
 
 
 def path_of(package, name):
