@@ -30,7 +30,8 @@ class Campaign(NamedTuple):
     @property
     def combinations(self):
         """An iterator over every combination of the values: dictionaries by parameter."""
-        return (dict(zip(self.values, row)) for row in itertools.product(*self.values.values()))
+        rows = itertools.product(*self.values.values())
+        return (dict(zip(self.values, row)) for row in rows)
 
     @property
     def names(self):

@@ -58,7 +58,8 @@ class Launched(NamedTuple):
 
         from odometry_tools.runs.launch_files import path_of, refused
         UNTIL.check(self.until)
-        if not isinstance(self.launch, list) or [*map(type, self.launch)] != [str, str]:
+        is_pair = isinstance(self.launch, list) and [*map(type, self.launch)] == [str, str]
+        if not is_pair:
             raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
         with refused(self.name):
             path = path_of(*self.launch)
