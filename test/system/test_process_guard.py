@@ -43,10 +43,12 @@ def test_signals_reach_the_command(signum):
     process = start_guarded('sleep', '1000')
     signal.signal(signum, before)
     wait_until(lambda: command_of(process).name() == 'sleep', 10.0, 'the command')
+    command = command_of(process)
     process.send_signal(signal.SIGTSTP)  # Ctrl-Z
-    wait_until(lambda: command_of(process).status() == 'stopped', 10.0, 'the command to stop')
+    # The reaper stops last: only then does a shell continue it.
+    wait_until(lambda: command.status() == command.parent().status() == 'stopped', 10.0, 'both to stop')
     process.send_signal(signal.SIGCONT)
-    command_of(process).send_signal(signum)
+    command.send_signal(signum)
     assert process.wait(10.0 * PATIENCE) == 128 + signum
 
 
