@@ -13,6 +13,7 @@ UNKNOWN = (
     Rule('', lambda m: True,
          'We do not know why: print the {quantity} in your loop, and look at the picture'))
 WATCHDOG = 0.6  # s
+MANY = 500  # failures of a callback; the output that is kept may hold no more
 
 
 def hint_for(m):
@@ -32,7 +33,8 @@ def _ended_with_error(m):
 
 def _only_input_fails(m):
     """Return whether the callback that is the node's only input failed for most messages."""
-    return len(m.inputs_of_robot) == 1 and m.failures > m.rate * m.run.now / 2
+    most_messages = m.rate * m.run.now / 2
+    return len(m.inputs_of_robot) == 1 and m.failures > min(most_messages, MANY)
 
 
 def _died_unnoticed(m):
