@@ -112,11 +112,13 @@ def _end_all(statuses):
 
 def _suspend():
     """Stop all descendants and this process, as Ctrl-Z should, until the shell continues it."""
-    pids = _descendants(only_children=False)
-    for pid in pids:
-        _signal(pid, signal.SIGSTOP)
+    stopped = set()
+    while running := set(_descendants(only_children=False)) - stopped:  # some may start others
+        for pid in running:
+            _signal(pid, signal.SIGSTOP)
+        stopped |= running
     os.kill(os.getpid(), signal.SIGSTOP)
-    for pid in pids:
+    for pid in stopped:
         _signal(pid, signal.SIGCONT)
 
 

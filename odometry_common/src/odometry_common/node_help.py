@@ -1,5 +1,6 @@
 """Help text, checks of the command line, and warnings about unknown names."""
 
+import contextlib
 import os
 import re
 import sys
@@ -9,6 +10,7 @@ import rospy
 import yaml
 from rosgraph.names import is_legal_name
 
+from odometry_common.connections import NO_ANSWER
 from odometry_common.parameters import ParameterError, StartError
 
 HELP = {'-h', '--help'}
@@ -50,8 +52,6 @@ def check_command_line(parameters):
         is_value = not is_legal_name(other) or isinstance(yaml.safe_load(other), bool)
         if not is_remapping or name in names and is_value:
             raise StartError(f'{word!r} is no parameter: write _NAME:=VALUE; see --help')
-        if not (name.startswith('_') or is_legal_name(other)):
-            raise StartError(f'{word!r}: {other!r} is no name that ROS allows')
     for name, text in (given.groups() for given in map(GIVEN.fullmatch, sys.argv[1:]) if given):
         try:
             xmlrpc.client.dumps((yaml.safe_load(text),))
@@ -62,7 +62,9 @@ def check_command_line(parameters):
 
 
 def how_to_forget(error):
-    """Return how to remove a value from the master, for a ParameterError; '' if it is not there."""
-    if not (isinstance(error, ParameterError) and rospy.core.is_initialized()):
-        return ''
-    return f'; it stays until rosparam delete {rospy.resolve_name(error.name)}'
+    """Return how to remove the value of a ParameterError from the master; '' if it is not there."""
+    if isinstance(error, ParameterError) and rospy.core.is_initialized():
+        with contextlib.suppress(*NO_ANSWER):
+            if rospy.has_param(error.name):
+                return f'; it stays until rosparam delete {rospy.resolve_name(error.name)}'
+    return ''

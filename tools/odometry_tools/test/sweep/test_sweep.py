@@ -43,7 +43,7 @@ def test_a_limit_that_does_not_hold_is_one_line_and_status_1_and_its_worst_run(t
     file.write_text('tutorial: move\nseeds: 2\nset: {distance: 0.1, speed: [0.2, 0.3]}\n'
                     'limits: {moved_error_p95: 0.001, not_arrived: 0}\n')
     run = sweep('--campaign', file, '--junit', report, status=1)
-    *_, line = run.stderr.splitlines()
+    _, line = run.stderr.splitlines()
     assert re.fullmatch(r'sweep: \|moved_error\|_p95 is .*, over its limit of 0.001, with speed 0.3', line), line
     assert re.fullmatch(r'(?s).*\nrun [34] .*\nthe same, to the last bit', run.stdout), run.output
     picture = ROOT / re.findall('^picture +(.*)$', run.stdout, re.MULTILINE)[-1]

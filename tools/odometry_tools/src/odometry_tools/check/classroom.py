@@ -84,9 +84,10 @@ def _judge(options, is_over, path, name):
         return time.monotonic() < end and not is_over.is_set()
 
     rows = _run_check(options, is_in_time, path, name)
-    if rows[0]['rule'] == NOT_JUDGED and is_in_time():
+    if rows[0]['rule'] == NOT_JUDGED:
         with retry_lock:
-            rows = _run_check(options, is_in_time, path, name)
+            if is_in_time():
+                rows = _run_check(options, is_in_time, path, name)
     return rows
 
 

@@ -33,8 +33,8 @@ def _ended_with_error(m):
 
 def _only_input_fails(m):
     """Return whether the callback that is the node's only input failed for most messages."""
-    most_messages = m.rate * m.run.now / 2
-    return len(m.inputs_of_robot) == 1 and m.failures > min(most_messages, MANY)
+    half_of_messages = m.rate * m.run.now / 2
+    return len(m.inputs_of_robot) == 1 and m.failures > min(half_of_messages, MANY)
 
 
 def _died_unnoticed(m):

@@ -37,7 +37,7 @@ def refused(name):
     except Exception as error:  # noqa: BLE001
         # $(eval) and $(find) may raise any.
         text, lists_folders, _ = str(error).partition('ROS path [')
-        reason = " ".join(text.split()) or repr(error)
+        reason = ' '.join(text.split()) or repr(error)
         missing = 'there is no package ' if lists_folders else ''
         raise StartError(f'{name}: {missing}{reason}') from None
 
