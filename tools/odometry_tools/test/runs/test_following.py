@@ -3,8 +3,6 @@
 import math
 
 import pytest
-from odometry_tests.messages import odometry
-from odometry_tools.runs.following import Ticks
 from odometry_tools.runs.tutorials import TUTORIALS, follow
 from sim_turtlebot.geometry import about_z
 from sim_turtlebot.robot.odometry import STILL, Motion
@@ -40,17 +38,3 @@ def test_a_robot_that_does_not_arrive_is_late_or_has_fallen(orientation, ended):
 def test_overshoot_is_beyond_the_target_but_not_behind_the_robot(target, yaws, overshoot):
     metrics = metrics_of(TUTORIALS['rotate']({'target': target}), [Motion(STILL, about_z(yaw), STILL, STILL) for yaw in yaws])
     assert metrics['overshoot'] == pytest.approx(overshoot, abs=0.01)
-
-
-@pytest.mark.parametrize('late', [-30, -1, 0, 1, 30])
-def test_each_odometry_goes_with_the_truth_of_its_moment(monkeypatch, late):
-    """Though the messages of one topic arrive later."""
-    monkeypatch.setattr('odometry_tools.runs.following.rospy.Subscriber', lambda *_, **__: None)
-    ticks = Ticks()
-    for tick in range(-30, 80):
-        for topic, number in ('odom', tick), ('base_pose_ground_truth', tick - late):
-            if number in range(50):
-                ticks.add(topic, odometry(x=number, stamp=0.05 * number))
-    for number in range(50):
-        stamp, seen, true = ticks.next(0.0)
-        assert (stamp, seen.position[0], true.position[0]) == pytest.approx((0.05 * number, number, number))

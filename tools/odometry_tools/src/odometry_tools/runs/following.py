@@ -6,8 +6,8 @@ import socket
 import sys
 import threading
 import time
-from functools import partial
 
+import message_filters
 import rospy
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
@@ -19,6 +19,7 @@ from odometry_tools.runs.tutorials import ARRIVED, TUTORIALS, follow, motion_in
 
 PROGRESS_PERIOD = 0.1  # s of wall time
 LINE_PERIOD = 2.0  # s of simulated time
+MOST_APART = 1000  # messages of one topic before that of the other
 SUMMARIES = {'move': 'moved distance  {moved:.3f} m, summed from /odom\n'
                      'true distance   {true_distance:.3f} m, in the simulated world',
              'rotate': 'heading         {heading:.2f} degrees, from /odom\n'
@@ -31,12 +32,12 @@ def follow_robot(options, launch, page_port):
     :param page_port: HeldPort of the page; None without one
     """
     join(launch, 'demo')
-    recording, ticks = Recording(), Ticks()
+    recording, ticks = Recording(), _subscribe()
     launch.wait_for(lambda: recording.is_connected(*ROBOT_TOPICS, 'cmd_vel'),
                     'the nodes do not answer')
     unpause = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
     launch.wait_for(lambda: is_answered(unpause), 'the robot stays paused')
-    launch.wait_for(ticks.have_begun, 'the robot sends no odometry')
+    launch.wait_for(lambda: not ticks.empty(), 'the robot sends no odometry')
     wall_start = time.monotonic()
     if page_port:
         launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
@@ -62,34 +63,15 @@ def follow_robot(options, launch, page_port):
     return has_arrived
 
 
-class Ticks:
-    """Odometry and ground truth of the same moment, whichever arrives first."""
-
-    def __init__(self):
-        """Subscribe."""
-        self._incomplete = {}  # messages by stamp and topic
-        self._complete = queue.Queue()
-        self._lock = threading.Lock()
-        for topic in ROBOT_TOPICS:
-            rospy.Subscriber(topic, Odometry, partial(self.add, topic), tcp_nodelay=True)
-
-    def add(self, topic, message):
-        """Take a message."""
-        stamp = message.header.stamp.to_nsec()
-        with self._lock:
-            tick = self._incomplete.setdefault(stamp, {})
-            tick[topic] = motion_in(message)
-            if len(tick) == 2:
-                del self._incomplete[stamp]
-                self._complete.put((message.header.stamp.to_sec(), *map(tick.get, ROBOT_TOPICS)))
-
-    def have_begun(self):
-        """Return whether there is one."""
-        return not self._complete.empty()
-
-    def next(self, timeout):
-        """Return stamp (s), odometry and ground truth; raise queue.Empty after a time (s)."""
-        return self._complete.get(timeout=timeout)
+def _subscribe():
+    """Return a queue of stamp (s), odometry and ground truth of each moment."""
+    ticks = queue.Queue()
+    subscribers = [message_filters.Subscriber(topic, Odometry, tcp_nodelay=True)
+                   for topic in ROBOT_TOPICS]
+    message_filters.TimeSynchronizer(subscribers, MOST_APART).registerCallback(
+        lambda *messages: ticks.put((messages[0].header.stamp.to_sec(),
+                                     *map(motion_in, messages))))
+    return ticks
 
 
 def _with_progress(loop, ticks, line, launch):
@@ -98,7 +80,7 @@ def _with_progress(loop, ticks, line, launch):
     while True:
         launch.check()
         try:
-            tick = ticks.next(PROGRESS_PERIOD)
+            tick = ticks.get(timeout=PROGRESS_PERIOD)
         except queue.Empty:
             continue
         yield tick
