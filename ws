@@ -41,9 +41,13 @@ $only_set_up || [ $# != 0 ] || { usage; exit 1; }
 [[ ! ${1:-} =~ ^(demo|test|bench|sweep|check)$ ]] || unset ROS_HOSTNAME ROS_IP ROS_NAMESPACE
 [ -z "$host" ] || { unset ROS_HOSTNAME; export ROS_IP=$host; }
 set_up "$@"
-! $only_set_up || exit 0
 cd "$OLDPWD"
 export ODOMETRY_ROOT=$ROOT
+if $only_set_up; then
+    [[ ${1:-demo} =~ ^(demo|test|bench|sweep|check|shell)$ ]] ||
+        bash "$ROOT/tools/setup/enter.bash" which -- "$1" >/dev/null || refuse "there is no command $1"
+    exit 0
+fi
 case $1 in
     demo) script=tools/odometry_tools/script/demo.py ;;
     bench) script=test/benchmarks/run_bench.py ;;

@@ -35,7 +35,6 @@ def test_a_node_warns_once_of_what_it_does_not_know_and_of_others_who_command_it
             node.wait_for_output(f'{ns}cmd_vel is published by {" and ".join(names)}: stop all but one')
         assert (one.end(), two.end()) == (0, 0)
     assert len(warnings(one, 'is published by')) == len(warnings(two, 'is published by')) == 1
-    unknown, = warnings(one, 'unknown: ~distence; the parameters of this node are ')
-    assert unknown.endswith('~distance, ~speed, ~relative, ~exit_when_done, ~timeout')
+    unknown, = warnings(one, f'unknown: ~distence; it stays until rosparam delete {names[1]}/distence; the ')
+    assert unknown.endswith('parameters of this node are ~distance, ~speed, ~relative, ~exit_when_done, ~timeout')
     assert len(warnings(two, 'unknown: ~tolerence; ')) == 1, two.stderr
-    assert rospy.get_param(f'{names[1]}/distence') == 5, 'it stays, as everywhere in ROS'

@@ -34,7 +34,7 @@ case ${address,,} in
 family, *_, address = socket.getaddrinfo(sys.argv[1], 0)[0]
 socket.socket(family).bind(address)' "$address" 2>/dev/null ||
             echo "./ws: $variable=$address is not an address of this machine, so other nodes cannot reach yours: \
-unset it" >&2 ;;
+unset it, or give --host one that ip -br address lists" >&2 ;;
 esac
 unset -f enter; unset setup variable address
 [ $# = 0 ] || type -P -- "$1" >/dev/null || { echo "./ws: there is no command $1" >&2; exit 2; }

@@ -11,7 +11,7 @@ import rosgraph
 import rospy
 
 from odometry_common import node_help
-from odometry_common.parameters import Parameters, StartError
+from odometry_common.parameters import ParameterError, Parameters, StartError
 from odometry_common.process_setup import (
     go_without_logs_if_necessary,
     open_output,
@@ -58,7 +58,8 @@ def run_node(name, main, documentation, parameters=NO_PARAMETERS, **init_node_op
         node_help.warn_of_unknown(parameters)
         main()
     except StartError as error:
-        _failures.append((EXIT_BAD_PARAMETER, f'{error}{node_help.how_to_forget(error)}\n'))
+        stays = node_help.how_to_forget(error.name) if isinstance(error, ParameterError) else ''
+        _failures.append((EXIT_BAD_PARAMETER, f'{error}{stays}\n'))
     except (rospy.ROSInterruptException, KeyboardInterrupt):
         pass
     except OSError as error:

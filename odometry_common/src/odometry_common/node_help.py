@@ -14,6 +14,7 @@ from odometry_common.connections import NO_ANSWER
 from odometry_common.parameters import ParameterError, StartError
 
 HELP = {'-h', '--help'}
+LAUNCHED = '__log:='  # only roslaunch gives it
 # Name and text of a parameter on the command line.
 GIVEN = re.compile(r'_(?!_)(.*?):=(.*)', re.DOTALL)
 
@@ -35,8 +36,8 @@ def warn_of_unknown(parameters):
     names = {f'~{name}' for name, value in given if not isinstance(value, dict)}
     unknown = sorted(names - {*parameters.names})
     if unknown:
-        rospy.logwarn(f'unknown: {", ".join(unknown)}; the parameters of this node are '
-                      f'{", ".join(parameters.names) or "none"}')
+        rospy.logwarn(f'unknown: {", ".join(unknown)}{how_to_forget(unknown[0])}; '
+                      f'the parameters of this node are {", ".join(parameters.names) or "none"}')
 
 
 def check_command_line(parameters):
@@ -61,10 +62,14 @@ def check_command_line(parameters):
                 'at most 32 bits or a decimal point, true or false, or a list of them') from None
 
 
-def how_to_forget(error):
-    """Return how to remove the value of a ParameterError from the master; '' if it is not there."""
-    if isinstance(error, ParameterError) and rospy.core.is_initialized():
+def how_to_forget(name):
+    """Return how to remove a parameter from the master; '' if it is not there.
+
+    Not of a launch file's node, whose parameters each roslaunch sets again.
+    """
+    is_launched = any(word.startswith(LAUNCHED) for word in sys.argv)
+    if rospy.core.is_initialized() and not is_launched:
         with contextlib.suppress(*NO_ANSWER):
-            if rospy.has_param(error.name):
-                return f'; it stays until rosparam delete {rospy.resolve_name(error.name)}'
+            if rospy.has_param(name):
+                return f'; it stays until rosparam delete {rospy.resolve_name(name)}'
     return ''

@@ -33,10 +33,13 @@ def has_folder(config):
 
 def _path_of(argument, root):
     name, *case = argument.split('::')
-    found = [] if Path(name).exists() else [
-        path for pattern in (f'{name}.py', name) for folder in TESTS
-        for path in root.glob(f'{folder}/**/{pattern}')]
-    return '::'.join([str(found[0]) if found else name, *case])
+    if Path(name).exists():
+        return argument
+    found = [path for pattern in (f'{name}.py', name) for folder in TESTS
+             for path in root.glob(f'{folder}/**/{pattern}')]
+    if not found:
+        raise pytest.UsageError(f'there is no test {name}')
+    return '::'.join([str(found[0]), *case])
 
 
 def pytest_xdist_auto_num_workers(config):

@@ -53,10 +53,10 @@ def test_help_and_one_line_for_what_makes_no_sense_make_nothing(fresh, arguments
 
 
 @pytest.mark.parametrize('command, hint', [
-    ('foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
+    ('foo', ''), ('--set-up foo', ''), ('rqt_plot', ': Debian has no rqt. ./ws rosrun robot_view view.py draws plots, too')])
 def test_a_command_that_is_not_there(command, hint):
-    ended = run(ROOT / 'ws', command, status=2)
-    assert ended.output.strip() == f'./ws: there is no command {command}{hint}'
+    ended = run(ROOT / 'ws', *command.split(), status=2)
+    assert ended.output.strip() == f'./ws: there is no command {command.split()[-1]}{hint}'
 
 
 @pytest.mark.parametrize('variable, status, answer', [

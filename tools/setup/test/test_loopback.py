@@ -57,7 +57,8 @@ def test_an_address_of_another_network_is_named_and_stops_no_demo(setting):
     """As a lab's ~/.bashrc leaves it; the demo has a ROS master of its own."""
     named = run('env', '--unset=ROS_HOSTNAME', setting, ROOT / 'ws', 'true')
     assert named.output.strip() == (
-        f'./ws: {setting} is not an address of this machine, so other nodes cannot reach yours: unset it')
+        f'./ws: {setting} is not an address of this machine, so other nodes cannot reach yours: unset it, '
+        'or give --host one that ip -br address lists')
     with hold_port() as port:
         demo = run('env', '--unset=ROS_HOSTNAME', setting, f'ROS_MASTER_URI=http://localhost:{port}',
                    ROOT / 'ws', 'demo', '--distance', '0.1', '--real-time-factor', '0', timeout=60.0)

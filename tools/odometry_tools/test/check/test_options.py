@@ -22,7 +22,7 @@ def test_the_folder_of_a_package_is_its_node_and_its_modules_are_for_the_node_al
 
 
 def test_a_package_with_several_nodes_asks_for_one():
-    with pytest.raises(StartError, match='3 Python files could be the node of example: put it into .ws/src, and say'):
+    with pytest.raises(StartError, match='3 Python files could be the node of example: say PACKAGE NODE, with'):
         program_of([str(ROOT / 'docs/example')])
 
 

@@ -41,7 +41,7 @@ def test_the_command_line_and_a_file_say_the_same(written):
 @pytest.mark.parametrize('arguments, line', [
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
     (['guest', 'a.launch', '--set', 'max-speed=1'], 'argument --until: a launch file needs it'),
-    (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'),
+    (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'), (['move', '--set', 'speed='], 'is not NAME=VALUE,VALUE,...'),
     (['move', '--set', f'speed={"[" * 1000}'], "[[' contains a value that is not YAML"),
     (['move', '--set', 'speed=1', '--set', 'speed=2'], 'a parameter is set twice'),
     (['move', '--campaign', 'x.yaml'], 'the file of --campaign or --replay sets tutorial, --seeds')])

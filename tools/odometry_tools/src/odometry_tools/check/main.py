@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import shlex
 import socket
 import sys
 import time
@@ -79,7 +80,8 @@ def _judge(options, program):
                 for scenario in options.scenarios]
     report.show(verdicts, {name: folder for name, folder in folders.items() if folder})
     failed = [verdict.scenario for verdict in verdicts if not verdict.has_passed]
-    example = (f' See one: ./ws check {options.exercise} {words} --scenario {failed[0]} --view'
+    command = report.plain(shlex.join([options.exercise, *options.node]))
+    example = (f' See one: ./ws check {command} --scenario {failed[0]} --view'
                if failed and not not_begun and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts

@@ -125,7 +125,7 @@ def _node_of(package):
     if len(files) != 1:
         raise StartError(
             f'{len(files)} Python files could be the node of {package.name}: '
-            'put it into .ws/src, and say PACKAGE NODE')
+            'say PACKAGE NODE, with the package in .ws/src')
     return files[0]
 
 

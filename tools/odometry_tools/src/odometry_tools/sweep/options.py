@@ -70,7 +70,7 @@ def make_parser():
 
 def _values(text):
     name, separator, values = text.partition('=')
-    if not separator:
+    if not (separator and values.strip()):
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
         return name, yaml.safe_load(f'[{values}]')
