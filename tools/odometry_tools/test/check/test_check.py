@@ -28,7 +28,7 @@ def found_in(row):
 
 
 @pytest.mark.parametrize('exercise, node, scenario', [
-    ('heading', 'tutorial_rotate', 'interrupt'), ('heading', 'ramp', 'plain'), ('two_meters', 'right_resets_odometry', 'moved_start'),
+    ('heading', 'tutorial_rotate', 'interrupt'), ('heading', 'quaternion_itself', 'plain'), ('heading', 'ramp', 'plain'), ('two_meters', 'right_resets_odometry', 'moved_start'),
     ('two_meters', 'callback_beats_hook', 'interrupt'), ('two_meters', 'queue_text', 'plain'), ('two_meters', 'type_of_input', 'slow_base'),
     ('moved_distance', 'once_a_second', 'odom_5hz')])
 def test_a_node_gets_its_verdict(tmp_path, exercise, node, scenario):

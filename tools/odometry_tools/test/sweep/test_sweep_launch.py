@@ -74,7 +74,13 @@ def test_how_a_run_ended_is_a_column(words, ends):
     assert found == ends
     assert printed.count('not arrived') == sum(end not in ('arrived', 'until') for end in ends), printed
     if ends == ['crashed']:
-        assert 'not arrived     1 of 1, with all runs; the first is run 1\n' in printed, printed
+        assert 'not arrived     1 of 1, with all runs; the first is run 1: node has ended with status 1; last error printed: ' in printed, printed
+
+
+def test_a_sweep_runs_where_no_home_can_be_written(monkeypatch):
+    monkeypatch.setenv('HOME', '/dev/null')
+    _, ends = swept('tidy.launch', '--until', '0.1')
+    assert ends == ['until']
 
 
 def test_a_node_that_crashes_at_some_seeds_does_so_again_to_the_byte():
@@ -159,6 +165,8 @@ def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
     ('guest nodes.launch', {'scan_rate': [5], 'clock_rate': [10], 'odom_rate': [20]},
      'parameter ~clock_rate is 10, but must be a number 0 or from ~odom_rate (20) to 1000 Hz'),
     ('guest typed.launch', {'type': ['node.py'], 'time': [2]}, 'parameter time cannot be set in a sweep of typed'),
+    ('guest nodes.launch', {'end': ['done', 'a:=b']}, "end is 'a:=b', but roslaunch passes no value that is"),
+    ('guest nodes.launch', {'end': ['']}, "end is '', but"),
     ('guest eval.launch', {}, 'eval.launch: division by zero'),
     ('guest remote.launch', {}, 'node node, guest/node.py, is for the machine other, where'),
     ('guest robot.launch', {}, 'robot.launch: a node has the name of the robot, sim_turtlebot: give it another'),

@@ -10,6 +10,9 @@ from odometry_tools.check.rule import Rule, first
 UNKNOWN = (
     Rule('', lambda m: m.is_silent,
          'We do not know why: print a line before you publish, to see whether it is reached'),
+    Rule('', lambda m: m.plain is None,
+         'We do not know why: print the {quantity} in your loop, look at the picture, '
+         'or leave out --scenario: the others may show it'),
     Rule('', lambda m: True,
          'We do not know why: print the {quantity} in your loop, and look at the picture'))
 WATCHDOG = 0.6  # s
@@ -41,6 +44,10 @@ def _died_unnoticed(m):
     return _only_input_fails(m) or m.has_dead_thread or m.status == 0 and m.ends_with_error
 
 
+def _never_works(m):
+    return _only_input_fails(m) and not (m.plain and m.plain.passed)
+
+
 def _fails_since_last_command(m):
     messages = m.rate * (m.run.now - m.commands[-1].time)
     return m.has_late_dead_thread or m.failures == m.late_failures > messages / 2
@@ -55,7 +62,8 @@ INPUTS = (
          'You subscribe to {wrong_inputs}, which is not the type that the robot sends, '
          'so nothing arrives'),
     Rule('input', lambda m: m.status is None and m.inputs and not m.inputs_of_robot,
-         'You listen to {inputs}; the robot sends, for example, /odom'))
+         'You listen to {inputs}; there is, for example, {likely_input}'))
+BLIND = _error_if(_never_works)
 LAST_WORDS = Rule('last_words', lambda m: m.said and m.status is not None, 'It said last: {said}')
 ONE_COMMAND = Rule(
     'one_command', lambda m: len(m.moves) <= 5 and m.silence > WATCHDOG,
@@ -93,7 +101,10 @@ BY_VERDICT = {
         Rule('no_zero', lambda m: not m.is_short,
              'Publish a zero Twist when you are there, and before your node ends')),
     'early': (ONE_COMMAND,),
-    'late': (RARE,), 'unfinished': (RARE, *INPUTS), 'passed_by': INPUTS,
+    'late': (RARE,),
+    'unfinished': (RARE, BLIND, *INPUTS),
+    'passed_by': (BLIND, *INPUTS),
+    'long_way': (BLIND,),
     'interrupt': (
         Rule('hook', lambda m: m.error and m.hook_failed, 'Your shutdown hook failed: {error}'),
         Rule('shutdown_roscpp', lambda m: m.run.is_cpp,

@@ -90,6 +90,9 @@ def _read_graph(m, publishes, subscribes):
     # A node that drives need not listen.
     m.inputs = quoting.listed(heard) or ('nothing so far' if m.exercise.route else '')
     m.inputs_of_robot = heard & INPUTS.keys()
+    types = {subscribes[topic] for topic in heard}
+    likely = (topic for topic, kind in INPUTS.items() if kind in types)
+    m.likely_input = next(likely, '/odom')
     m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
                                     for topic in heard & INPUTS.keys()
                                     if subscribes[topic] not in ('', '*', INPUTS[topic]))

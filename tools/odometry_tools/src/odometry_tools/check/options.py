@@ -3,6 +3,7 @@
 import argparse
 import os
 import re
+import shlex
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -87,7 +88,8 @@ def program_of(words):
         raise StartError(
             f'there is no package {first} in this workspace: is it in .ws/src?') from None
     if not found:
-        raise StartError(f'the package {first} has no executable file and no launch file {node}')
+        raise StartError(f'the package {first} has no executable file and no launch file {node}; '
+                         'chmod +x makes a file executable')
     return Program(_command_of(Path(found[0]), others))
 
 
@@ -112,7 +114,8 @@ def _check_first_line(path):
     if not (line.startswith(b'#!') and words):
         raise StartError(f'{first} must be #!/usr/bin/env python3, so that it can be executed')
     if line.endswith(b'\r\n'):
-        raise StartError(f'{first} ends as on Windows: sed -i "s/\\r$//" {path.name}')
+        raise StartError(f'{first} ends as on Windows: '
+                         f'sed -i "s/\\r$//" {shlex.quote(str(path))}')
     if not os.path.exists(words[0]):
         raise StartError(f'{first} names {os.fsdecode(words[0])}, which is not on this machine')
 

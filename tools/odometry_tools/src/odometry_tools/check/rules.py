@@ -32,7 +32,7 @@ START = (
          'as time.time() does, or chance. '
          'rospy.get_time() follows the robot', explains=True),
     Rule('silent', lambda m: m.is_silent,
-         'your node published nothing on {topic}'),
+         'nothing from your node arrived on {topic}'),
     Rule('not_finite', lambda m: not m.is_finite,
          'you published what is not a number (nan or inf) on {topic}'))
 DRIVE = (

@@ -78,7 +78,10 @@ class Run:
         self.begin = None  # when time began (s of wall time); odometry before it is not of this run
         self.latest = -math.inf  # when the latest command came (monotonic, s)
         self.over = False
-        self.odometry, self.commands, self.moved, self.messages = [], [], [], []
+        self.odometry = []
+        self.commands = []
+        self.moved = []
+        self.messages = []
         self.start = 0  # index of the first odometry after the last reset of it
         self.legs = []  # of the route: name, begin and end (s)
         self.unawaited = None  # why lockstep cannot wait for the node, if so

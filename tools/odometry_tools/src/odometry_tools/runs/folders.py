@@ -44,13 +44,16 @@ def path_in_errors(path):
         raise OSError(error.errno, error.strerror, str(path)) from None
 
 
-def use_writable_logs():
-    """If ROS cannot write its home or its logs, use a new temporary folder; report one for logs."""
-    failed = {variable: error for variable, folder in (
+def use_writable_logs(folder=None):
+    """If ROS cannot write its home or its logs, use another folder; report one for logs.
+
+    :param folder: to use then; None: a new temporary one
+    """
+    failed = {variable: error for variable, path in (
         ('ROS_HOME', rospkg.get_ros_home()), ('ROS_LOG_DIR', rospkg.get_log_dir()))
-        if (error := _error_of_writing(folder))}
+        if (error := _error_of_writing(path))}
     if failed:
-        folder = tempfile.mkdtemp(prefix='ros-')
+        folder = folder or tempfile.mkdtemp(prefix='ros-')
         os.environ.update({variable: folder for variable in failed}, MPLCONFIGDIR=folder)
     if 'ROS_LOG_DIR' in failed:
         complain(f'logs are in {folder}: {failed["ROS_LOG_DIR"]}')

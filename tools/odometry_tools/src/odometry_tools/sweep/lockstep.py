@@ -16,7 +16,7 @@ from std_msgs.msg import Float64
 
 from odometry_tools.runs.bags import read_messages
 from odometry_tools.runs.folders import use_writable_logs
-from odometry_tools.runs.output import RunError
+from odometry_tools.runs.output import RunError, complain
 from odometry_tools.runs.recorded_run import read_run
 from odometry_tools.runs.recording import leave_picture
 from odometry_tools.runs.session import Session
@@ -47,6 +47,8 @@ def replay(folder, number):
     use_writable_logs()
     with Session() as session:
         metrics, bag, targets = run_nodes(session, subject, parameters)
+    if why := metrics.get('why'):
+        complain(why, 'sweep')
     print(f'{f"run {number}":16}{"sweep":24}nodes in lockstep')
     for name in names:
         print(f'{name:16}{kept[name]:24}{metrics[name]}')
@@ -67,13 +69,13 @@ def run_nodes(session, subject, parameters, folder=None):
     seed = robot.pop('seed')
     if subject.kind == LAUNCH:
         session.simulate(robot)
-        bag, ended = record(session, subject.nodes(parameters), seed, subject.until, folder)
-        return {**_launch_metrics(bag), 'ended': ended}, bag, {}
+        bag, ended, why = record(session, subject.nodes(parameters), seed, subject.until, folder)
+        return {**_launch_metrics(bag), 'ended': ended, 'why': why}, bag, {}
     robot['clock_rate'] = read_settings(parameters).odom_rate  # these nodes need no finer one
     session.simulate(robot)
     line = yaml.safe_dump(parameters, default_flow_style=True, width=math.inf).strip()
     nodes = 'odometry_tools', 'replay.launch', {'tutorial': subject.kind, 'params': line}
-    bag, _ = record(session, nodes, seed, subject.run(parameters)['time'], folder)
+    bag, *_ = record(session, nodes, seed, subject.run(parameters)['time'], folder)
     targets = TUTORIALS[subject.kind](parameters).targets
     return tutorial_metrics(subject.kind, parameters, bag), bag, targets
 

@@ -71,13 +71,16 @@ def _sweep(campaign, runs, report):
 
 def with_progress(runs, total):
     """Yield each run but None, and print how many are done and how long the others will take."""
-    done, start, line = 0, time.monotonic(), Line(LINE_PERIOD, first=LINE_PERIOD)
+    done = 0
+    start = time.monotonic()
+    line = Line(LINE_PERIOD, first=LINE_PERIOD)
     for run in runs:
         passed = max(time.monotonic() - start, 1e-3)
         if run is not None:
             done += 1
             yield run
-            rate, end = done / passed, passed * total / done
+            rate = done / passed
+            end = total / rate
         text = f'{bar(done / total)} {done} of {total} runs'
         if done:
             pace = f'{rate:.1f} a second' if rate >= 1 else f'{1 / rate:.1f} s each'
@@ -90,8 +93,10 @@ def _report(campaign, combinations, folder):
     for number, combination in enumerate(combinations):
         late = combination.values(NOT_ARRIVED)
         if late.any():
+            first = int(late.argmax())
+            run = number * campaign.seeds + first + 1
             print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; '
-                  f'the first is run {number * campaign.seeds + late.argmax() + 1}')
+                  f'the first is run {run}{combination.why(first)}')
     for name, rows in combinations:
         if campaign.subject.kind == LAUNCH and not any(row['commands'] for row in rows):
             print(f'no commands     reached the robot, with {name}: '
@@ -117,7 +122,7 @@ def _exceeds_limits(campaign, combinations, folder, report):
             figure, size, run = combination.size_of(limit)
             if not size <= most:
                 lines.append(f'{figure} is {size:.6g}, over its limit of {most:g}, '
-                             f'with {combination.name}')
+                             f'with {combination.name}{combination.why(run)}')
                 complain(lines[-1], PROGRAM)
                 sizes[index * campaign.seeds + run + 1] = size
         if sizes:

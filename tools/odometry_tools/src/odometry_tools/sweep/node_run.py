@@ -6,7 +6,7 @@ import rospy
 
 from odometry_tools.runs.launch import CHECK_PERIOD, Launch
 from odometry_tools.runs.launch_files import SIMULATOR
-from odometry_tools.runs.output import RunError, complain
+from odometry_tools.runs.output import RunError
 from odometry_tools.runs.recording import ROBOT_TOPICS, Recording
 from odometry_tools.runs.session import forget
 from odometry_tools.runs.starting import Starting, registered
@@ -20,7 +20,7 @@ END_TIMEOUT = 20.0  # s of wall time; rospy takes a tenth of a second
 
 
 def record(session, nodes, seed, end, folder=None):
-    """Run nodes until a simulated time `end` (s); return the bag's path, and how the run ended.
+    """Run nodes until a simulated time `end` (s); return the bag's path, how they ended, and why.
 
     All that the nodes do up to that time is recorded, and nothing after it. They leave
     no process, no registration and no parameter.
@@ -45,22 +45,21 @@ def record(session, nodes, seed, end, folder=None):
         restless = _send_while_time_stands_still(recording)
         _await_ends(launch, starting.nodes)
         statuses, bag = launch.statuses(), recording.close()
-        crashed = [name for name, status in statuses.items() if status != 0]
-        for name in crashed:
-            complain(launch.end_of(name), 'sweep')
+        crashed = [launch.end_of(name) for name, status in statuses.items() if status != 0]
     forget(f'/{name}' for name in registered() - nodes_before)
     session.master.setParam('/', parameters)
     if not bag:
         raise RunError('the run is not recorded')
     ended = statuses.keys()
     if crashed:
-        return bag, CRASHED
+        return bag, CRASHED, '; '.join(crashed)
+    unawaited = session.unawaited(lines_before)
     # A node that ends may send a zero.
-    if restless - ended or late or launch.respawning & ended or session.unawaited(lines_before):
-        return bag, NOT_AWAITED
+    if restless - ended or late or launch.respawning & ended or unawaited:
+        return bag, NOT_AWAITED, '; '.join(f'{name} {why}' for name, why in unawaited.items())
     if not launch.required:
-        return bag, UNTIL
-    return bag, ARRIVED if launch.required <= ended else LATE
+        return bag, UNTIL, ''
+    return bag, ARRIVED if launch.required <= ended else LATE, ''
 
 
 def _advance(session, launch, end):

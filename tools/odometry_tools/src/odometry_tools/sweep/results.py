@@ -59,6 +59,11 @@ class Combination(NamedTuple):
         return numpy.array([row['ended'] not in ENDS if metric == NOT_ARRIVED else row[metric]
                             for row in self.rows])
 
+    def why(self, run):
+        """Return why the nodes of the run with this index ended badly, after a colon, or ''."""
+        reason = self.rows[run].get('why')
+        return f': {reason}' if reason else ''
+
     def size_of(self, limit):
         """Return what a limit bounds, in words and as a number, and the index of the worst run."""
         if limit == NOT_ARRIVED:

@@ -11,6 +11,7 @@ import tempfile
 import threading
 from pathlib import Path
 
+from odometry_tools.runs.folders import use_writable_logs
 from odometry_tools.runs.output import RunError
 from odometry_tools.sweep.lockstep import run_nodes
 
@@ -63,6 +64,7 @@ def _serve(connection):
             contextlib.redirect_stderr(io.StringIO()), \
             contextlib.suppress(EOFError, ConnectionError, KeyboardInterrupt):
         os.environ['ROS_LOG_DIR'] = logs  # else each run leaves a log
+        use_writable_logs(logs)
         try:
             _answer(connection)
         except (RunError, OSError) as error:

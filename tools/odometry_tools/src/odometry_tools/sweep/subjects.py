@@ -1,6 +1,7 @@
 """The subject of a sweep: a tutorial, without ROS, or a user's launch file, in lockstep."""
 
 import difflib
+import re
 from typing import NamedTuple
 
 from odometry_common.parameters import Parameter, StartError
@@ -20,6 +21,7 @@ NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'sc
              'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
              'publish_tf', 'cpu_budget'}
 ROBOT = {row.name[1:]: row for row in PARAMETERS.rows}
+AS_IT_IS = re.compile(r'\S(.*\S)?')  # of other values roslaunch takes a part, or its default
 TAKEN = {*ROBOT, *METRICS[LAUNCH], 'run', 'ended'}
 
 
@@ -66,6 +68,12 @@ class Launched(NamedTuple):
             names = get_args([path])
         arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in TAKEN else name for name in names]
         _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
+        for name in [name for name in values if name not in ROBOT]:
+            for value in map(str, values[name]):
+                if ':=' in value or not AS_IT_IS.fullmatch(value):
+                    raise StartError(
+                        f'{name} is {value!r}, but roslaunch passes no value that is empty, '
+                        'has := or a line end, or begins or ends with a space')
         first = {name: several[0] for name, several in values.items()}
         others = [{**first, name: value} for name in values if name not in ROBOT
                   for value in values[name][1:]]
