@@ -45,6 +45,7 @@ def _died_unnoticed(m):
 
 
 def _never_works(m):
+    """Return whether the only callback fails, and not only where the first scenario passes."""
     return _only_input_fails(m) and not (m.plain and m.plain.passed)
 
 

@@ -6,7 +6,8 @@ from odometry_tools.check.rule import Rule
 from odometry_tools.check.scenarios import GOAL, SLOW, TARGET
 
 YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
-SAME_ANGLE, WHOLE_TURN = 5.0, 10.0  # degrees
+SAME_ANGLE = 5.0  # degrees
+BOTH_WAYS = 10.0  # degrees by which the longer and the shorter way may differ from a whole turn
 AT_ROOT = 0.05  # m between where the robot rests and the root of the goal
 # Degrees, if the target or the yaw has the wrong unit.
 DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578
@@ -77,7 +78,7 @@ ANGLES = (
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('longer_way', lambda m: (m.rule == 'long_way' and not m.is_short
-                                 and abs(m.turned + m.shortest - 360) < WHOLE_TURN),
+                                 and abs(m.turned + m.shortest - 360) < BOTH_WAYS),
          'That is the longer way round: wrap the error to -180..180 degrees, and turn by its sign'),
     Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
          'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),
