@@ -67,8 +67,10 @@ def test_a_node_with_a_bad_value_ends_with_one_line_and_status_2(master, script,
     assert_refused(ended, f'parameter {row.name} is {text!r}, but must be ')
 
 
-def test_a_world_that_cannot_be_used_ends_the_simulator(master, tmp_path):
+@pytest.mark.parametrize('by_roslaunch', [[], ['__log:=']])
+def test_a_world_that_cannot_be_used_ends_the_simulator(master, tmp_path, by_roslaunch):
     """The line names the file and the reason; test_worlds tries many of them."""
     (tmp_path / 'x.urdf').mkdir()
-    ended = run_script(SCRIPTS['sim_turtlebot_node.py'].__file__, f'_world:={tmp_path}/x.urdf')
-    assert_refused(ended, f'parameter ~world is \'{tmp_path}/x.urdf\'', 'is a folder', 'rosparam delete /')
+    ended = run_script(SCRIPTS['sim_turtlebot_node.py'].__file__, f'_world:={tmp_path}/x.urdf', *by_roslaunch)
+    assert_refused(ended, f'parameter ~world is \'{tmp_path}/x.urdf\'', 'is a folder')
+    assert ('rosparam delete /' in ended.stderr) != bool(by_roslaunch), ended.stderr

@@ -10,7 +10,7 @@ from odometry_tools.check.rule import Rule, first
 UNKNOWN = (
     Rule('', lambda m: m.is_silent,
          'We do not know why: print a line before you publish, to see whether it is reached'),
-    Rule('', lambda m: m.plain is None,
+    Rule('', lambda m: m.plain is None and m.run.odometry,
          'We do not know why: print the {quantity} in your loop, look at the picture, '
          'or leave out --scenario: the others may show it'),
     Rule('', lambda m: True,
@@ -45,8 +45,9 @@ def _died_unnoticed(m):
 
 
 def _never_works(m):
-    """Return whether the only callback fails, and not only where the first scenario passes."""
-    return _only_input_fails(m) and not (m.plain and m.plain.passed)
+    """Return whether the only callback fails, all commands are the same, and nothing passes."""
+    speeds = {(command.linear, command.angular) for command in m.moves}
+    return len(speeds) == 1 and _only_input_fails(m) and not (m.plain and m.plain.passed)
 
 
 def _fails_since_last_command(m):

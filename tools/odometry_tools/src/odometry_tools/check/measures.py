@@ -91,7 +91,7 @@ def _read_graph(m, publishes, subscribes):
     m.inputs = quoting.listed(heard) or ('nothing so far' if m.exercise.route else '')
     m.inputs_of_robot = heard & INPUTS.keys()
     types = {subscribes[topic] for topic in heard}
-    likely = (topic for topic, kind in INPUTS.items() if kind in types)
+    likely = (topic for topic, kind in INPUTS.items() if kind in types and topic != m.topic)
     m.likely_input = next(likely, '/odom')
     m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
                                     for topic in heard & INPUTS.keys()

@@ -78,7 +78,7 @@ ANGLES = (
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('longer_way', lambda m: (m.rule == 'long_way' and not m.is_short
-                                 and abs(m.turned + m.shortest - 360) < BOTH_WAYS),
+                                 and abs(abs(m.net) + m.shortest - 360) < BOTH_WAYS),
          'That is the longer way round: wrap the error to -180..180 degrees, and turn by its sign'),
     Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
          'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),

@@ -93,7 +93,7 @@ def _report(campaign, combinations, folder):
     for number, combination in enumerate(combinations):
         late = combination.values(NOT_ARRIVED)
         if late.any():
-            first = int(late.argmax())
+            first = late.argmax()
             run = number * campaign.seeds + first + 1
             print(f'not arrived     {late.sum()} of {late.size}, with {combination.name}; '
                   f'the first is run {run}{combination.why(first)}')

@@ -58,8 +58,8 @@ def make_parser():
                         help='a YAML file with tutorial, seeds, set and limits, instead of these')
     parser.add_argument('--junit', metavar='FILE', help='write a case for each limit, for CI')
     machine.add_argument('--jobs', type=int, metavar='N',
-                         help='processes (default: one for each processor, '
-                              'with a launch file two)')
+                         help='processes (default: 1 per processor, '
+                              '2 per processor with a launch file)')
     machine.add_argument('--cluster', metavar='tcp://HOST:PORT',
                          help='run on a Dask cluster')
     source.add_argument('--replay', nargs=2, metavar=('DIR', 'RUN'),

@@ -21,7 +21,7 @@ NEEDS_ROS = {'clock_rate', 'timeout', 'exit_when_done', 'tolerance', 'scan', 'sc
              'scan_beams', 'scan_fov', 'scan_range_min', 'scan_range_max', 'scan_noise',
              'publish_tf', 'cpu_budget'}
 ROBOT = {row.name[1:]: row for row in PARAMETERS.rows}
-AS_IT_IS = re.compile(r'\S(.*\S)?')  # of other values roslaunch takes a part, or its default
+AS_IT_IS = re.compile(r'\S(.*\S)?')  # how roslaunch passes a value unchanged
 TAKEN = {*ROBOT, *METRICS[LAUNCH], 'run', 'ended'}
 
 
@@ -68,12 +68,7 @@ class Launched(NamedTuple):
             names = get_args([path])
         arguments = [f'{LAUNCH_ARGUMENT}{name}' if name in TAKEN else name for name in names]
         _check_values(self, values, {**dict.fromkeys(arguments), **ROBOT})
-        for name in [name for name in values if name not in ROBOT]:
-            for value in map(str, values[name]):
-                if ':=' in value or not AS_IT_IS.fullmatch(value):
-                    raise StartError(
-                        f'{name} is {value!r}, but roslaunch passes no value that is empty, '
-                        'has := or a line end, or begins or ends with a space')
+        _check_text({name: values[name] for name in values if name not in ROBOT})
         first = {name: several[0] for name, several in values.items()}
         others = [{**first, name: value} for name in values if name not in ROBOT
                   for value in values[name][1:]]
@@ -110,6 +105,16 @@ class Launched(NamedTuple):
         return (*self.launch, {name.replace(LAUNCH_ARGUMENT, '', 1):
                                str(value).lower() if isinstance(value, bool) else value
                                for name, value in parameters.items() if name not in ROBOT})
+
+
+def _check_text(values):
+    """Raise StartError for an argument that roslaunch would cut, or replace by its default."""
+    for name, several in values.items():
+        for value in map(str, several):
+            if ':=' in value or not AS_IT_IS.fullmatch(value):
+                raise StartError(
+                    f'{name} is {value!r}, but roslaunch passes no value that is empty, '
+                    'has := or a line end, or begins or ends with a space')
 
 
 def _check_values(subject, values, known, left_out=frozenset()):
