@@ -66,10 +66,11 @@ class TestMovement:
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
             speed = 0.0
-        if self._speed is None and speed == 0:
-            rospy.loginfo(f'moved_distance is {message.data:.3f} m already: nothing to drive. '
-                          'Reset it (rostopic pub -1 /moved_distance/reset std_msgs/Empty), '
-                          'or set _relative:=true')
+        else:
+            if self._speed is None and speed == 0:
+                rospy.loginfo(f'moved_distance is {message.data:.3f} m already: nothing to drive. '
+                              'Reset it (rostopic pub -1 /moved_distance/reset std_msgs/Empty), '
+                              'or set _relative:=true')
         self._command(speed)
         if speed != 0:
             self._rest.reset()

@@ -24,6 +24,7 @@ from catkin_pkg.topological_order import topological_order_packages
 
 WORKSPACE, SOURCES = Path(sys.argv[2]), re.compile(sys.argv[3])
 DEVEL = WORKSPACE / 'devel'
+MODULES = 'devel/lib/python3/dist-packages'
 # Without PWD, CMake would resolve the links in the path of its folder. Without a build type it
 # would not optimise: gmapping, amcl and move_base then take several times as long.
 BUILD = ('cd "$1" && . "$0/devel/setup.bash" && '
@@ -67,11 +68,16 @@ def checksum(folder):
     for place, _, files in walk(folder):
         for name in sorted(files):
             path = os.path.join(place, name)
-            if SOURCES.fullmatch(name):
+            if SOURCES.fullmatch(name) and os.path.isfile(path):  # not Emacs's lock, a broken link
                 total.update(os.fsencode(path) + b'\0' + Path(path).read_bytes())
             elif name.endswith('.py'):
                 total.update(os.fsencode(path) + b'\0')
     return total.hexdigest()
+
+
+def is_utf8(path):
+    """Return whether a path is UTF-8; other bytes of it are surrogates in Python."""
+    return os.fsencode(path).decode(errors='replace') == path
 
 
 def names_of_depends(package):
@@ -86,6 +92,8 @@ def read_packages():
     taken = {parse_package(folder).name: folder for folder in sys.argv[4:]}
     for folder in find_packages():
         try:
+            if not is_utf8(folder):
+                raise InvalidPackage('its path is not UTF-8, and catkin reads no other')
             package = parse_package(folder, warnings=[])
             if package.name in taken:
                 raise InvalidPackage(
@@ -116,17 +124,21 @@ def build():
         depends = sorted(names_of_depends(package))
         keys[package.name] = checksums[folder] + ''.join(
             hashlib.sha256(keys[name].encode()).hexdigest() for name in depends if name in keys)
-        error = build_package(folder, places[folder], keys[package.name])
+        place = places[folder]
+        error = build_package(folder, place, keys[package.name])
+        if module := module_of_ours(place):
+            error = f'its Python module {module} is one of ours, too: rename it'
+        elif subprocess.run(['bash', '-c', LINK, place, DEVEL], check=False).returncode:
+            error = error or f'see {WORKSPACE}/setup.log'
         if error:
             missing = ', '.join(name for name in depends if name in failed)
             reason = f'it depends on {missing}' if missing else error
             errors.append(f'{package.name} is not built, or only in part: {reason}')
             failed.add(package.name)
-        subprocess.run(['bash', '-c', LINK, places[folder], DEVEL], check=True)
     subprocess.run(['find', DEVEL, '-xtype', 'l', '-delete'], check=True)  # links to what is gone
     (DEVEL / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
     lines = [' '.join(error.split()).rstrip(':') + '\n' for error in errors]
-    (WORKSPACE / 'left_out').write_text(''.join(lines))
+    (WORKSPACE / 'left_out').write_text(''.join(lines), errors='replace')
 
 
 def build_package(folder, place, key):
@@ -150,6 +162,16 @@ def build_package(folder, place, key):
     return error[1] or error[2]
 
 
+def module_of_ours(place):
+    """Return the name of a Python module that ours have and a package has built, too, or None."""
+    modules = Path(place, MODULES)
+    for path in modules.rglob('*.py'):
+        twin = DEVEL.parent / MODULES / path.relative_to(modules)
+        if twin.exists() and not twin.is_symlink():  # the links are to the user's packages
+            return path.relative_to(modules).parts[0]
+    return None
+
+
 def depends():
     """Print Debian's packages for all dependencies; standard input has the names that apt knows.
 
@@ -163,7 +185,7 @@ def depends():
         needed.update(dict.fromkeys(names_of_depends(package), package.name))
         lists = Path(folder, 'CMakeLists.txt')
         # catkin_create_pkg mentions it in a comment.
-        if lists.exists() and 'gtest' in re.sub('#.*', '', lists.read_text(errors='replace')):
+        if lists.is_file() and 'gtest' in re.sub('#.*', '', lists.read_text(errors='replace')):
             needed['gtest'] = 'catkin'  # its catkin_add_gtest() has no effect without that
     for name in sorted(needed.keys() - taken.keys() - {'catkin'}):
         parts = known.intersection(table.get(name, ()))

@@ -2,14 +2,17 @@
 
 import http.client
 import xmlrpc.client
+from xml.parsers.expat import ExpatError
 
 import rospy
 
 ANSWER_TIMEOUT = 5.0  # s; a suspended node does not answer
 ANSWER = 2  # its index in (status, message, answer)
 SENDS = 'o'
-# The errors of a call to a node that is shutting down, or has gone.
-NO_ANSWER = OSError, http.client.HTTPException, xmlrpc.client.Error
+# The errors of a call to a node that is shutting down, or has gone, even if a web server has its
+# port now.
+NO_ANSWER = OSError, http.client.HTTPException, xmlrpc.client.Error, ExpatError
+BAD_URI = ValueError, OverflowError  # the master takes any that begins with http://
 
 
 class _Transport(xmlrpc.client.Transport):
@@ -32,7 +35,7 @@ def ask(uri, call, *arguments):
     try:
         with node_at(uri) as node:
             return getattr(node, call)(rospy.get_name(), *arguments)[ANSWER]
-    except NO_ANSWER:
+    except (*NO_ANSWER, *BAD_URI):
         return None
 
 

@@ -1,5 +1,8 @@
 """Log lines and ~warning about robots that fall or stop, and about the pace."""
 
+import math
+import time
+
 import rospy
 from std_msgs.msg import String
 
@@ -15,6 +18,7 @@ class Reports:
         """Take the robots, all upright."""
         self._robots, self._settings = robots, settings
         self._fallen = set()  # robots
+        self._timeout_lines = {}  # when the last such line was written (monotonic, s), by robot
         self._publisher = rospy.Publisher('~warning', String, queue_size=10, latch=True)
         self._warnings = {}  # texts by cause
         self.warn('', '')
@@ -42,13 +46,19 @@ class Reports:
         for robot in self._robots:
             if robot.timed_out:  # a Kobuki's driver logs that, too
                 robot.timed_out = False
-                topic = rospy.resolve_name(robot.namespace + 'cmd_vel')
-                rospy.logwarn_throttle(TIMEOUT_LINE_PERIOD, (
-                    f'the base stops: no command on {topic} for '
-                    f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)'))
+                self._report_timeout(robot)
             if is_upright(robot.ground_truth.orientation) == (robot in self._fallen):
                 self._fallen ^= {robot}
                 self._report_fall(robot)
+
+    def _report_timeout(self, robot):
+        """Warn that the watchdog has stopped a robot, but not each time."""
+        now = time.monotonic()
+        if now > self._timeout_lines.get(robot, -math.inf) + TIMEOUT_LINE_PERIOD:
+            self._timeout_lines[robot] = now
+            topic = rospy.resolve_name(robot.namespace + 'cmd_vel')
+            rospy.logwarn(f'the base stops: no command on {topic} for '
+                          f'{self._settings.cmd_vel_timeout:g} s (~cmd_vel_timeout)')
 
     def _report_fall(self, robot):
         """Warn of a robot that has tipped over, or withdraw that."""

@@ -76,8 +76,9 @@ def set_up(checkout, before=''):
 
 
 def make_package(folder, module):
-    """Make a package of the folder's name, whose hello.py greets from a module that it imports."""
+    """Make a package of the folder's name, whose hello.py greets from a module that it imports; return the folder."""
     folder.mkdir(parents=True)
     for name, content in (('package.xml', MANIFEST), ('CMakeLists.txt', CMAKE), ('hello.py', HELLO)):
         (folder / name).write_text(content.format(name=folder.name, module=module))
     (folder / 'hello.py').chmod(0o755)
+    return folder

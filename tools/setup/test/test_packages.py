@@ -82,15 +82,23 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
         make_package(student / name, 'pybullet')
         replace(student / name / file, old, new)
     (student / 'uncompiled/x.cpp').write_text('int x() { return 1 }')
+    (student / 'uncompiled/.#x.cpp').symlink_to('me@laptop')  # Emacs's lock
     replace(student / 'waiting/CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS unconfigured)')
+    make_package(student / 'latin', 'pybullet').rename(student / os.fsdecode(b'latin \xe9'))
+    copied = shutil.copytree(checkout / 'test_movement', student / 'copied')
+    for file in 'package.xml', 'CMakeLists.txt':
+        replace(copied / file, 'test_movement', 'copied')
+    reasons = {**{name: reason for name, *_, reason in BAD}, 'copied': 'module straight_drive is one of ours',
+               'latin': 'its path is not UTF-8'}
     for building in (['./ws: building the packages ...'], []):
         run = in_checkout(checkout, RUN_MINE)
         assert run.stdout.startswith('hello from pybullet\n'), run.output
         shown = run.stderr.splitlines()
         assert shown[:len(building)] == building
-        assert run.stderr.count('./ws: ') == len(building) + len(BAD), run.stderr
-        for name, *_, reason in BAD:
+        assert run.stderr.count('./ws: ') == len(building) + len(reasons), run.stderr
+        for name, reason in reasons.items():
             assert any(re.search(rf'\b{name}\b.*: .*{reason}', line) for line in shown), (name, run.stderr)
+    assert not (checkout / '.ws/devel/lib/python3/dist-packages/straight_drive/__init__.py').is_symlink()
     made = (checkout / '.ws/build/src+mine/CMakeCache.txt').stat()
     (student / 'uncompiled/x.cpp').write_text('int x() { return 1; }')
     run = in_checkout(checkout, RUN_MINE)

@@ -1,5 +1,6 @@
 """Find the processes of nodes, by their XML-RPC addresses or as roslaunch starts them."""
 
+import contextlib
 import os
 import socket
 import time
@@ -19,27 +20,30 @@ NAME = '__name:='  # in the command line of a node that roslaunch has started
 def pids_at(addresses):
     """Return the id of the process that serves each address, by name.
 
-    None: this process cannot see it, since it is on another machine or belongs to another user. 0:
-    nothing serves the address, as after a node was killed.
+    None: this process cannot see it, since it is on another machine or belongs to another user, or
+    no machine can have the address. 0: nothing serves it, as after a node was killed.
     """
-    parsed = {name: urlparse(address) for name, address in addresses.items()}
-    local = {name: address for name, address in parsed.items()
-             if is_local_address(address.hostname)}
+    local = {}
+    for name, address in addresses.items():
+        with contextlib.suppress(ValueError):
+            host, port = urlparse(address).hostname, urlparse(address).port
+            if is_local_address(host):
+                local[name] = host, port
     end = time.monotonic() + ENDING_TIME
     while True:
         listening = {connection.laddr: connection
                      for connection in psutil.net_connections('tcp')
                      if connection.status == psutil.CONN_LISTEN}
-        pids = {name: _pid_at(address, listening) for name, address in local.items()}
+        pids = {name: _pid_at(*address, listening) for name, address in local.items()}
         if None not in pids.values() or time.monotonic() > end:
             return {**dict.fromkeys(addresses), **pids}
         time.sleep(LOOK_PERIOD)
 
 
-def _pid_at(address, listening):
-    ips = {ip for *_, (ip, *_) in socket.getaddrinfo(address.hostname, None)}
-    return next((_opener_of(listening[ip, address.port]) for ip in (*ips, *ANY_IP)
-                 if (ip, address.port) in listening), 0)
+def _pid_at(host, port, listening):
+    ips = {ip for *_, (ip, *_) in socket.getaddrinfo(host, None)}
+    return next((_opener_of(listening[ip, port]) for ip in (*ips, *ANY_IP)
+                 if (ip, port) in listening), 0)
 
 
 def _opener_of(connection):

@@ -9,6 +9,7 @@ import yaml
 from odometry_tests.processes import run
 from odometry_tools.runs.folders import new_folder
 from odometry_tools.runs.launch import Launch
+from odometry_tools.runs.launch_files import load, path_of
 from odometry_tools.runs.options import parse
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.ports import usual_master_port
@@ -32,6 +33,19 @@ def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):
     monkeypatch.setattr('odometry_tools.runs.folders.RUNS', tmp_path / 'runs')
     folders = [new_folder() for _ in range(3)]
     assert [folder.name for folder in folders] == ['now', 'now_2', 'now_3']
+
+
+def test_a_folder_of_runs_that_cannot_be_made_is_an_error(tmp_path, monkeypatch):
+    (tmp_path / 'disk').symlink_to('unmounted')
+    monkeypatch.setattr('odometry_tools.runs.folders.RUNS', tmp_path / 'disk')
+    with pytest.raises(FileExistsError):
+        new_folder()
+
+
+def test_all_nodes_of_a_launch_file_are_in_its_namespace(monkeypatch):
+    monkeypatch.setenv('ROS_NAMESPACE', '/lab')
+    config = load(path_of('odometry_launch', 'move_two_meters.launch'), [])
+    assert {node.namespace for node in config.nodes} == {'/lab/'}
 
 
 @pytest.mark.parametrize('arguments', [

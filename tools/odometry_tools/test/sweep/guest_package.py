@@ -16,7 +16,7 @@ for number in range(10):
     publisher.publish(command)
     rate.sleep()
     if end == 'crash' and number == 5 or end == 'chance' and int(1e4 * odometry.pose.pose.position.x) % 4 == 3:
-        raise ValueError('on purpose')
+        raise ValueError('on \\x1b[31mpurpose')
     while end == 'busy' and not rospy.is_shutdown():
         pass
 if end == 'never':

@@ -17,14 +17,6 @@ def written(tmp_path):
     return write
 
 
-def test_every_combination_is_run_with_every_seed_once():
-    campaign = Campaign(Tutorial('rotate'), 2, {'kp': [1], 'rate': [5, 10]}, {})
-    runs = [tuple(run.values()) for run in campaign.runs()]
-    assert runs == [(1, 5, 0), (1, 5, 1), (1, 10, 0), (1, 10, 1)] and campaign.count == 4
-    assert campaign.names == ['rate 5', 'rate 10']
-    assert campaign._replace(values={'kp': [1], 'x': [0]}).names == ['all runs']
-
-
 def test_the_command_line_and_a_file_say_the_same(written):
     """In a file a single value needs no list; the file that a sweep leaves can be run again."""
     values = {'wheel_slip': [0, '1e-2'], 'gyro': [True], 'odometry_source': ['encoder']}
@@ -35,8 +27,14 @@ def test_the_command_line_and_a_file_say_the_same(written):
                     'limits': {'sideways_p95': 0.5}})
     campaign = campaign._replace(limits={'sideways_p95': 0.5})
     assert parse(['--campaign', str(file)]).campaign == campaign
-    campaign.check()
+    campaign.checked()
 
+
+def test_a_number_may_have_an_exponent(written):
+    """YAML reads 1e-2 as a string."""
+    numbers = {'seeds': '1e1', 'limits': {'sideways_p95': '1e-2'}}
+    campaign = read_campaign(written({'tutorial': 'move', **numbers})).checked()
+    assert (campaign.seeds, campaign.limits) == (10, {'sideways_p95': 0.01})
 
 @pytest.mark.parametrize('arguments, line', [
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
@@ -66,7 +64,7 @@ def test_an_option_that_makes_no_sense_gets_one_line(capsys, arguments, line):
     ({'tutorial': 'move', 'limits': {'time_p5': -1}}, 'limit time_p5 is -1, but must be a number from 0')])
 def test_a_file_that_makes_no_sense_gets_one_line(written, content, line):
     with pytest.raises(StartError) as refusal:
-        read_campaign(written(content)).check()
+        read_campaign(written(content)).checked()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1
 

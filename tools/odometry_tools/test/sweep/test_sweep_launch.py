@@ -77,6 +77,11 @@ def test_how_a_run_ended_is_a_column(words, ends):
         assert 'not arrived     1 of 1, with all runs; the first is run 1: node has ended with status 1; last error printed: ' in printed, printed
 
 
+def test_the_end_of_a_run_may_have_an_exponent():
+    """In a file; YAML reads 1e1 as a string."""
+    assert Launched(['guest', 'nodes.launch'], '1e1').checked({}).until == 10.0
+
+
 def test_a_sweep_runs_where_no_home_can_be_written(monkeypatch):
     monkeypatch.setenv('HOME', '/dev/null')
     _, ends = swept('tidy.launch', '--until', '0.1')
@@ -175,6 +180,6 @@ def test_a_sweep_in_which_no_command_reaches_the_robot_says_so():
     (f'{ROOT}/docs/example/launch/one_metre.launch x', {}, 'there is no package /')])
 def test_a_launch_file_that_cannot_be_swept_is_one_line(launched, values, line):
     with pytest.raises(StartError) as refusal:
-        Campaign(Launched(launched.rsplit(' ', 1), 1.0), 1, values, {}).check()
+        Campaign(Launched(launched.rsplit(' ', 1), 1.0), 1, values, {}).checked()
     assert line in str(refusal.value)
     assert len(str(refusal.value).splitlines()) == 1

@@ -74,7 +74,7 @@ def _find_ip(host, port):
     """Return a free address of the host; viser would silently take another port."""
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
-    except OSError:
+    except (OSError, UnicodeError):  # UnicodeError: an empty label, or one of over 63 characters
         raise ParameterError('~host', host, ADDRESSES) from None
     family, *_, address = min(found)
     try:

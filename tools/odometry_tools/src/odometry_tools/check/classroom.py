@@ -14,9 +14,10 @@ from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import is_package
 from odometry_tools.check.processes import POLL_PERIOD, ChildProcess
-from odometry_tools.check.quoting import how_ended, last_line, plain
+from odometry_tools.check.quoting import how_ended, last_line
 from odometry_tools.check.report import COLUMNS
 from odometry_tools.runs.output import complain
+from odometry_tools.runs.plain_text import plain
 
 TIME_LIMIT = 600.0  # s of wall time for each
 NOT_JUDGED = 'not_judged'

@@ -23,7 +23,7 @@ def measure_detector(m, run):
     times, published = numpy.append(-numpy.inf, times), numpy.append(0.0, published)
     _, first, _ = run.legs[0]
     ends = numpy.array([first, *(end for *_, end in run.legs)])
-    # A leg ends at rest, so the last message before its end has all of it, even at 1 Hz.
+    # A leg ends at rest, so the last message before its end has all of it, even at half a hertz.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])
     sums = {}
@@ -126,5 +126,5 @@ def _note_numbers(m, legs, counted, right):
     right_by_leg = numpy.diff(right, prepend=0.0)
     worst = int(abs(by_leg - right_by_leg).argmax())
     m.leg = ['before the robot moved', *legs][worst]
-    m.leg_counted = by_leg[worst]
+    m.leg_counted = round(by_leg[worst], 2) + 0.0  # not -0.0
     m.leg_right = right_by_leg[worst]

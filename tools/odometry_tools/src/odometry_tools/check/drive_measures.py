@@ -161,7 +161,10 @@ def measure_heading(m, run):
 
 
 def _measure_swings(m, run):
-    """Measure the speeds of the commands, and how often their sign changes."""
+    """Measure the speeds of the commands, and how often their sign changes.
+
+    `chatter` is their size (rad/s) since the first change, if it is always the same.
+    """
     swings = [command for command in m.moves if command.swings]
     flips = [
         after.time for before, after in zip(swings, swings[1:])
@@ -169,6 +172,9 @@ def _measure_swings(m, run):
     m.flips = len(flips)
     late_flips = [time for time in flips if time > run.now - RINGING]
     m.rings = len(late_flips) > FLIPS
+    sizes = {round(abs(command.angular), 3) for command in m.moves
+             if flips and command.time >= flips[0]}
+    m.chatter = sizes.pop() if len(sizes) == 1 else 0.0
     m.turn_speeds = {round(command.angular, 3) for command in m.moves}
     speeds = [abs(command.angular) for command in m.moves]
     m.step = math.degrees(statistics.median(speeds or [0.0])) / m.rate

@@ -14,7 +14,7 @@ FARTHEST = 5.0  # m
 MOST_TURNS = 3 * 2 * math.pi  # rad
 MOST_SWINGS = 60  # changes of direction; a controller that settles makes a few
 INTERRUPT_AFTER = 0.5  # m or rad
-LEG_REST = 1.6  # s; a detector that publishes once a second does so while the robot rests
+LEG_REST = 2.6  # s; a detector that counts every two seconds does so while the robot rests
 
 
 class Drive:

@@ -7,9 +7,9 @@ import numpy
 from odometry_tools.check import rules
 from odometry_tools.check.hints import hint_for
 from odometry_tools.check.measures import measure
-from odometry_tools.check.quoting import plain
 from odometry_tools.check.rule import Rule, first
 from odometry_tools.check.scenarios import GOAL
+from odometry_tools.runs.plain_text import plain
 
 PASSED = Rule('passed', None, '')
 # The word beside the scenario, by rule; for other rules FAILED.

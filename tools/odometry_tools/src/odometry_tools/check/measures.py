@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from odometry_tools.check import quoting
 from odometry_tools.check.detector import measure_detector
 from odometry_tools.check.drive_measures import measure_distance, measure_drive, measure_heading
+from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 
 # Messages of rospy and of roslaunch.
@@ -36,7 +37,7 @@ def measure(run, exercise):
     m.at = m.mux = m.follows = ''
     m.share = m.own_period = m.fastest = 0.0
     m.fits = m.net = m.stop = None
-    _read_output(m, quoting.plain(run.output))
+    _read_output(m, plain(run.output))
     _measure_messages(m)
     _read_graph(m, run.publishes, run.subscribes)
     if exercise.route and m.is_finite:

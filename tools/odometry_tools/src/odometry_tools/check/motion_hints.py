@@ -43,6 +43,11 @@ def _is_as_slow(m):
     return any(before and abs(now / before - SLOW) < 0.02 for now, before in pairs)
 
 
+def _counts_as(m, other):
+    """Return whether a detector counted the same share of the way as in another scenario."""
+    return abs(m.share - other.share) < 0.02
+
+
 PLACES = (
     Rule('root', lambda m: (m.rule == 'early' and m.all_alike
                            and abs(m.share * GOAL - math.sqrt(GOAL)) < AT_ROOT),
@@ -84,6 +89,11 @@ ANGLES = (
          'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),
     Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and m.follows in YAW and m.gain > 2,
          'Your gain is {gain:.1f}: lower it towards 0.5'),
+    # A controller that is clamped in one scenario has other commands in the first.
+    Rule('chatter', lambda m: (m.rule == 'rings' and m.chatter
+                              and m.plain and m.plain.chatter == m.chatter),
+         'From the first change on it was {chatter:.2g} rad/s, or minus that: '
+         'make it proportional to the error, or stop within a tolerance'),
     # From heading 0 a turn by 90 degrees is one to 90.
     Rule('turns_by', lambda m: m.turns_by and m.is_settled and abs(m.start_heading) > SAME_ANGLE,
          'You turn by {net:.0f} degrees wherever you start; '
@@ -127,7 +137,8 @@ COMPARED = (
          '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
          'or a fixed time for each message'),
     Rule('start', lambda m: (_is_only_here(m) and m.scenario.name == 'moved_start'
-                             and m.rule not in m.rules_at_start),
+                             and m.rule not in m.rules_at_start
+                             and not (m.exercise.route and _counts_as(m, m.plain))),
          'In {plain.scenario.name} it is right: the result depends on where the robot starts'),
     # Throughout: no zero came after the first move.
     Rule('constant', lambda m: (m.rule == 'long_way' and len(m.turn_speeds) == 1

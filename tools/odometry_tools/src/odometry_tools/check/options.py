@@ -4,6 +4,7 @@ import argparse
 import os
 import re
 import shlex
+import subprocess
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -12,10 +13,13 @@ import rospkg
 from odometry_common.parameters import StartError
 from roslib.packages import find_node, find_resource
 
+from odometry_tools.check.quoting import last_line
 from odometry_tools.check.scenarios import EXERCISES
+from odometry_tools.runs.plain_text import plain
 
 ELF = b'\x7fELF'  # how a compiled program begins
 LONGEST_LINE = 256  # bytes that Linux reads of a #! line
+LAUNCH_READER = 'odometry_tools.runs.launch_files'
 
 
 class Program(NamedTuple):
@@ -96,13 +100,23 @@ def program_of(words):
 def _command_of(path, arguments):
     """Return the command (a list) that starts a file."""
     if path.suffix == '.launch':
-        from odometry_tools.runs.launch_files import nodes_beside_robot
-        nodes_beside_robot(str(path), arguments)
+        _check_launch_file(path, arguments)
         return ['roslaunch', str(path), *arguments]
     if _is_python(path) and not os.access(path, os.X_OK):
         return [sys.executable, str(path), *arguments]
     _check_first_line(path)
     return [str(path), *arguments]
+
+
+def _check_launch_file(path, arguments):
+    """Raise StartError if a launch file cannot run beside a robot.
+
+    Another process reads it, since roslaunch runs Python code in it: $(eval ...), and rad(...).
+    """
+    reader = subprocess.run([sys.executable, '-m', LAUNCH_READER, str(path), *arguments],
+                            check=False, capture_output=True, text=True, errors='replace')
+    if reader.returncode:
+        raise StartError(last_line(plain(reader.stderr)))
 
 
 def _check_first_line(path):

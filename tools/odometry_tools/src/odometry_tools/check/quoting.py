@@ -1,16 +1,8 @@
-"""Quote a node's output: the same in each report, and without control characters."""
+"""Find what to quote in a node's output."""
 
 import re
 import signal
 
-# Terminal escapes and control characters; log stamps; addresses, ports and process ids.
-CHANGING = [(re.compile(pattern), by) for pattern, by in (
-    (r'\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)?|\x1b\[[0-?]*[ -/]*[@-~]|\x1b.?', ''),
-    (r'[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]', ''),
-    (r'(\[ *\w+\] )?\[\d+\.\d+(, \d+\.\d+)?\]: ', ''),
-    (r'0x[0-9a-fA-F]+', '0x...'),
-    (r'(localhost|\d+\.\d+\.\d+\.\d+):\d+', r'\1:...'),
-    (r'\b(pid|process) \d+', r'\1 ...'))]
 # A line counts as Python's error only after a `File` line; a syntax error has no `Traceback`.
 TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*)(?:: (.*))?$',
                        re.MULTILINE)
@@ -18,13 +10,6 @@ PLACE = re.compile(r'File "([^"]+)", line (\d+)')
 NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
 DIED = re.compile(r'process has died \[pid \S+, exit code (-?\d+)')  # printed by roslaunch
 MOST = 200  # characters of a quoted line
-
-
-def plain(text):
-    """Return a text without terminal escapes and without what differs from run to run."""
-    for pattern, by in CHANGING:
-        text = pattern.sub(by, text)
-    return text
 
 
 def error_in(output):

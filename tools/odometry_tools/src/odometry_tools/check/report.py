@@ -7,12 +7,12 @@ import textwrap
 
 import rosbag
 
-from odometry_tools.check.quoting import plain
 from odometry_tools.check.scenarios import GOAL
 from odometry_tools.runs import junit
 from odometry_tools.runs.figure import make_figure
 from odometry_tools.runs.folders import RUNS
 from odometry_tools.runs.output import complain
+from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.recorded_run import BagError, read_run
 from odometry_tools.runs.recording import ROBOT_TOPICS
 

@@ -28,10 +28,11 @@ RUNS = Path(os.environ.get('ODOMETRY_RUNS') or find_runs())
 def new_folder(name=''):
     """Make a new folder in RUNS, named by the time; several may start in the same second."""
     name += time.strftime('%Y-%m-%d_%H-%M-%S')
+    RUNS.mkdir(parents=True, exist_ok=True)
     for number in itertools.count(1):
         folder = RUNS / (name if number == 1 else f'{name}_{number}')
         with contextlib.suppress(FileExistsError):
-            folder.mkdir(parents=True)
+            folder.mkdir()
             return folder
 
 

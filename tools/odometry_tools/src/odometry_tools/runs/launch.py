@@ -21,6 +21,7 @@ from roslaunch.pmon import ProcessListener, start_process_monitor
 from odometry_tools.runs.launch_files import load, name_of, path_of
 from odometry_tools.runs.node_output import NodeOutput
 from odometry_tools.runs.output import RunError
+from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.ports import next_port, usual_master_port
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
@@ -101,6 +102,8 @@ class Launch(ProcessListener):
         concurrent.futures.wait([self._started])
         self.terminate()
         self._monitor.join()
+        roslaunch.pmon._pmons.remove(self._monitor)  # else each Launch would stay in memory
+        self._output.close()
         if not self._beside:
             self.port.close()
 
@@ -136,7 +139,8 @@ class Launch(ProcessListener):
         """Return how a node ended, in one line; after an exception, with the last one printed."""
         status = self._ended[name]
         error = self._output.last_exception() if status == 1 else ''
-        return self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}'
+        return plain(
+            self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}')
 
     def statuses(self):
         """Return the exit codes of nodes that have ended, by name; roslaunch notices it late."""

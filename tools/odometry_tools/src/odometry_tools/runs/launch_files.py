@@ -1,7 +1,11 @@
-"""Read launch files, as roslaunch does."""
+"""Read launch files, as roslaunch does.
+
+As a program: usage: launch_files.py FILE ARGUMENT..., prints why they cannot run beside a robot.
+"""
 
 import contextlib
 import os
+import sys
 
 from odometry_common.parameters import StartError
 from rosgraph.names import ns_join
@@ -53,3 +57,10 @@ def path_of(package, name):
 def name_of(node):
     """Return the name of a node in a configuration, as roslaunch names its process."""
     return ns_join(node.namespace, node.name).lstrip('/')
+
+
+if __name__ == '__main__':
+    try:
+        nodes_beside_robot(sys.argv[1], sys.argv[2:])
+    except StartError as refusal:
+        sys.exit(str(refusal))

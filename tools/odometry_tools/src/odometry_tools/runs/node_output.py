@@ -23,6 +23,10 @@ class NodeOutput:
         """Add a line of this process."""
         os.write(self._file, f'{line}\n'.encode())
 
+    def close(self):
+        """Forget the output."""
+        os.close(self._file)
+
     def lines(self):
         """Return all lines but empty ones."""
         size = os.fstat(self._file).st_size

@@ -8,7 +8,7 @@ from urllib.parse import urlparse
 from rosgraph.rosenv import DEFAULT_MASTER_PORT
 
 HOST = 'localhost'
-NEXT_PORTS = 100  # to try after the first
+NEXT_PORTS, LAST_PORT = 100, 2**16 - 1  # to try after the first
 
 
 class HeldPort:
@@ -32,7 +32,8 @@ class HeldPort:
 
 def next_port(first):
     """Return the first HeldPort from a number on, or any for 0; raise OSError if none is free."""
-    numbers = range(first, first + NEXT_PORTS) if first else [0] * NEXT_PORTS
+    last = min(first + NEXT_PORTS, LAST_PORT)
+    numbers = range(first, last + 1) if first else [0] * NEXT_PORTS
     for number in numbers:
         try:
             return HeldPort(number)

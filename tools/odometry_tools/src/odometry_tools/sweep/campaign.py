@@ -51,24 +51,33 @@ class Campaign(NamedTuple):
             for seed in range(self.seeds):
                 yield {**combination, 'seed': seed}
 
-    def check(self):
-        """Raise StartError, with one line for the user, if the campaign cannot be run."""
-        SEEDS.check(self.seeds)
-        if not 1 <= self.count <= MAX_RUNS:
-            raise StartError(f'there are {self.count} runs, but must be 1 to {MAX_RUNS}')
-        self.subject.check(self.values)
+    def checked(self):
+        """Return the campaign with its numbers converted: YAML reads 1e-2 as a string.
+
+        :raises StartError: with one line for the user, if the campaign cannot be run
+        """
+        campaign = self._replace(seeds=SEEDS.check(self.seeds))
+        if not 1 <= campaign.count <= MAX_RUNS:
+            raise StartError(f'there are {campaign.count} runs, but must be 1 to {MAX_RUNS}')
+        subject = self.subject.checked(self.values)
+        self._check_worlds()
+        known = dict.fromkeys([NOT_ARRIVED, *(
+            f'{metric}_{name}' for metric in METRICS[subject.kind] for name in STATISTICS)])
+        for name in self.limits:
+            choose(name, known, f'unknown limit {name}')
+        limits = {name: Parameter(f'limit {name}', 0.0, '', '', 'from 0').check(limit)
+                  for name, limit in self.limits.items()}
+        return campaign._replace(subject=subject, limits=limits)
+
+    def _check_worlds(self):
+        """Raise StartError if the first robot of the sweep cannot be in one of the worlds."""
         for world in filter(None, self.values.get('world', [])):
-            try:  # with the first robot of the sweep in it
+            try:
                 Simulation(read_settings({**next(self.combinations), 'world': world}))
             except WorldFileError as error:
                 raise ParameterError('~world', world, error) from None
             if warning := left_out(world):
                 complain(warning, 'sweep')
-        known = dict.fromkeys([NOT_ARRIVED, *(
-            f'{metric}_{name}' for metric in METRICS[self.subject.kind] for name in STATISTICS)])
-        for name, limit in self.limits.items():
-            choose(name, known, f'unknown limit {name}')
-            Parameter(f'limit {name}', 0.0, '', '', 'from 0').check(limit)
 
 
 def read_campaign(path):
@@ -94,7 +103,6 @@ def read_campaign(path):
 
 def absolute_worlds(values):
     """Return the values with absolute world paths: nodes and a replay run in other folders."""
-    return {name: [os.path.abspath(value) if value and isinstance(value, str) else value
-                   for value in several]
-            if name == 'world' else several
-            for name, several in values.items()}
+    worlds = [os.path.abspath(world) if world and isinstance(world, str) else world
+              for world in values.get('world', [])]
+    return {**values, 'world': worlds} if worlds else values

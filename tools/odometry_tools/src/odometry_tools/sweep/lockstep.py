@@ -33,13 +33,14 @@ def replay(folder, number):
     :raises RunError: if the result differs, or there is none
     :raises StartError: if there is no such run
     """
-    campaign = read_campaign(Path(folder, CAMPAIGN_FILE))
-    campaign.check()
+    campaign = read_campaign(Path(folder, CAMPAIGN_FILE)).checked()
     subject, names = campaign.subject, [*METRICS[campaign.subject.kind], 'ended']
     try:
         with open(Path(folder, FILE), newline='', encoding='utf-8') as file:
             row, = (row for row in csv.DictReader(file) if row['run'] == number)
         kept = {name: row[name] for name in names}
+        if None in kept.values():
+            raise ValueError('the row ends early')
         parameters = next(itertools.islice(campaign.runs(), int(number) - 1, None))
     except (OSError, KeyError, ValueError, StopIteration, csv.Error):
         raise StartError(

@@ -33,8 +33,7 @@ def _run():
         from odometry_tools.sweep.lockstep import replay
         replay(*options.replay)
         return 0
-    campaign = options.campaign
-    campaign.check()
+    campaign = options.campaign.checked()
     if options.junit:
         junit.begin(options.junit)
     with (on_cluster(options.cluster) if options.cluster

@@ -33,11 +33,12 @@ class Tutorial(NamedTuple):
     kind = name = property(lambda self: self.tutorial)
     jobs_per_processor = 1
 
-    def check(self, values):
-        """Raise StartError if this cannot run with these values: lists by parameter."""
+    def checked(self, values):
+        """Return this; raise StartError if it cannot run with these values: lists by parameter."""
         tutorial = choose(self.kind, TUTORIALS, f'there is no tutorial {self.kind!r}')
         rows = {**{row.name[1:]: row for row in tutorial.PARAMETERS}, **ROBOT}
         _check_values(self, values, rows, NEEDS_ROS)
+        return self
 
     def run(self, parameters):
         """Run without ROS; return the metrics by name."""
@@ -54,12 +55,12 @@ class Launched(NamedTuple):
     jobs_per_processor = 2  # half of a run is waiting, for its nodes to start and to end
     name = property(lambda self: self.launch[1])
 
-    def check(self, values):
-        """Raise StartError if this cannot run with these values: lists by parameter."""
+    def checked(self, values):
+        """Return this with a number as `until`; StartError as for Tutorial.checked()."""
         from roslaunch.arg_dump import get_args
 
         from odometry_tools.runs.launch_files import path_of, refused
-        UNTIL.check(self.until)
+        until = UNTIL.check(self.until)
         is_pair = isinstance(self.launch, list) and [*map(type, self.launch)] == [str, str]
         if not is_pair:
             raise StartError(f'launch is {self.launch!r}, but must be [package, file]')
@@ -74,6 +75,7 @@ class Launched(NamedTuple):
                   for value in values[name][1:]]
         for parameters in [first, *others]:
             self._check_nodes(path, parameters)
+        return self._replace(until=until)
 
     def _check_nodes(self, path, parameters):
         """Raise StartError if a node of the launch file cannot run beside the robot."""
