@@ -63,6 +63,7 @@ def test_the_master_forgets_a_node_that_has_ended(master, disabled):
         line = log.wait_for(lambda m: m.name == name and 'waiting for' in m.msg)
         assert (line.topics == []) == disabled, line
         assert node.end() == 0
+    assert 'counting' not in node.output, 'nothing has come'
     with pytest.raises(rosgraph.MasterError):
         rosgraph.Master('/test').lookupNode(name)
 

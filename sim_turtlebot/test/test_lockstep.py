@@ -27,12 +27,6 @@ def test_steps_from_outside_move_the_robot_as_lockstep_does_by_itself():
     assert stamps == [f'{message.header.stamp.to_sec():.9f}' for message in stepped['/odom']]
 
 
-def test_only_a_paused_simulation_can_be_stepped():
-    with simulator_in_step():
-        answer, = step(1)
-    assert (answer.success, answer.message) == (False, 'call ~pause_physics first')
-
-
 def test_a_mover_that_is_killed_does_not_stop_the_time():
     with simulator_in_step(UNPACED) as simulation, detector(), \
             mover('_distance:=100') as driver:

@@ -124,9 +124,6 @@ def test_the_walls_and_boxes_of_the_room_arrive_late_too(simulated_time):
     assert first.action == Marker.DELETEALL
     assert {(shape.type, shape.header.frame_id) for shape in shapes} == {(Marker.CUBE, 'world')}
     assert len({shape.id for shape in shapes}) == 7
-    wall = shapes[0]
-    assert (wall.pose.position.x, wall.pose.position.y, wall.pose.position.z) == pytest.approx((2.05, 0, 0.25))
-    assert (wall.color.r, wall.color.g, wall.color.b, wall.color.a) == pytest.approx((0.85, 0.82, 0.75, 1))
 
 
 def test_a_shape_stands_where_the_file_puts_it(tmp_path):

@@ -29,7 +29,6 @@ def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
     distances = [message.data for message in moved.messages]
     steps = [after - before for before, after in zip(distances, distances[1:])]
     assert max(steps) < LONGEST_STEP, 'a jump was counted'
-    assert min(steps) >= 0, 'distance was lost'
 
 
 def test_the_launch_ends_when_the_simulator_dies(master):

@@ -7,7 +7,6 @@ are the packages of this project.
 """
 
 import hashlib
-import os
 import re
 import shutil
 import signal
@@ -19,10 +18,10 @@ from pathlib import Path
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import yaml
-from catkin_pkg.package import InvalidPackage, parse_package
 from catkin_pkg.topological_order import topological_order_packages
+from manifests import names_of_depends, read_packages
 
-WORKSPACE, SOURCES = Path(sys.argv[2]), re.compile(sys.argv[3])
+WORKSPACE, SOURCES, OURS = Path(sys.argv[2]), re.compile(sys.argv[3]), sys.argv[4:]
 DEVEL = WORKSPACE / 'devel'
 MODULES = 'devel/lib/python3/dist-packages'
 # Without PWD, CMake would resolve the links in the path of its folder. Without a build type it
@@ -30,89 +29,18 @@ MODULES = 'devel/lib/python3/dist-packages'
 BUILD = ('cd "$1" && . "$0/devel/setup.bash" && '
          'cmake -DCMAKE_BUILD_TYPE=Release "${@:2}" && make -k -j"$(nproc)"')
 # The folders of a package's own devel space are linked into the common one, set-up files are not.
-LINK = 'shopt -s nullglob; for folder in "$0"/devel/*/; do cp -rsf "$folder" "$1"; done'
+LINK = 'shopt -s nullglob; for folder in "$0"/devel/*/; do cp -rsf "$folder" "$1" || exit; done'
 ERROR = re.compile(
     r'CMake Error.*\n\s*((?:.+\n)+)'
     r'|(\S+: (?:fatal )?error: .*'
     r'|.*\bld: .*(?:undefined reference|cannot find).*)')
-IGNORED = {'AMENT_IGNORE', 'CATKIN_IGNORE', 'COLCON_IGNORE'}
-KINDS = 'buildtool_depends', 'build_depends', 'build_export_depends', 'exec_depends', 'test_depends'
-
-
-def walk(top):
-    """Yield each folder once with the names in it, even if links form circles."""
-    seen = set()
-    for folder, folders, files in os.walk(top, followlinks=True):
-        real = os.path.realpath(folder)
-        if real in seen:
-            folders.clear()
-        else:
-            seen.add(real)
-            folders[:] = sorted(name for name in folders if not name.startswith('.'))
-            yield folder, folders, files
-
-
-def find_packages():
-    """Yield the folders of packages in .ws/src."""
-    for folder, folders, files in walk(WORKSPACE / 'src'):
-        if IGNORED.intersection([*folders, *files]):
-            folders.clear()
-        elif 'package.xml' in files:
-            folders.clear()
-            yield folder
-
-
-def checksum(folder):
-    """Return a checksum of a package: its sources, and the names of its scripts."""
-    total = hashlib.sha256()
-    for place, _, files in walk(folder):
-        for name in sorted(files):
-            path = os.path.join(place, name)
-            if SOURCES.fullmatch(name) and os.path.isfile(path):  # not Emacs's lock, a broken link
-                total.update(os.fsencode(path) + b'\0' + Path(path).read_bytes())
-            elif name.endswith('.py'):
-                total.update(os.fsencode(path) + b'\0')
-    return total.hexdigest()
-
-
-def is_utf8(path):
-    """Return whether a path is UTF-8; other bytes of it are surrogates in Python."""
-    return os.fsencode(path).decode(errors='replace') == path
-
-
-def names_of_depends(package):
-    """Return the names of a package's dependencies whose conditions hold."""
-    return {depend.name for kind in KINDS for depend in getattr(package, kind)
-            if depend.evaluated_condition}
-
-
-def read_packages():
-    """Return valid packages and checksums by folder, all names, and a line for each left out."""
-    packages, checksums, errors = {}, {}, []
-    taken = {parse_package(folder).name: folder for folder in sys.argv[4:]}
-    for folder in find_packages():
-        try:
-            if not is_utf8(folder):
-                raise InvalidPackage('its path is not UTF-8, and catkin reads no other')
-            package = parse_package(folder, warnings=[])
-            if package.name in taken:
-                raise InvalidPackage(
-                    f'{taken[package.name]} has the name {package.name}, too: rename yours')
-            package.evaluate_conditions({'ROS_VERSION': '1', 'ROS_PYTHON_VERSION': '3'})
-            checksums[folder] = checksum(folder)
-        except Exception as error:  # noqa: BLE001
-            reason = str(error).partition("package.xml':")[2] or error
-            errors.append(f'left out {os.path.relpath(folder, WORKSPACE.parent)}: {reason}')
-        else:
-            packages[folder], taken[package.name] = package, folder
-    return packages, checksums, taken, errors
 
 
 def build():
     """Build what has changed, from nothing, and write the errors to the file left_out."""
-    packages, checksums, _, errors = read_packages()
+    packages, checksums, _, errors = read_packages(WORKSPACE, SOURCES, OURS)
     places = {
-        folder: WORKSPACE / 'build' / os.path.relpath(folder, WORKSPACE).replace('/', '+')
+        folder: WORKSPACE / 'build' / str(Path(folder).relative_to(WORKSPACE)).replace('/', '+')
         for folder in packages}
     for place in {*(WORKSPACE / 'build').glob('src*')} - {*places.values()}:
         shutil.rmtree(place)
@@ -178,7 +106,7 @@ def depends():
     A name that rosdep's table lacks, such as Debian's own, is only reported.
     """
     known = {*sys.stdin.read().split()}
-    packages, _, taken, _ = read_packages()
+    packages, _, taken, _ = read_packages(WORKSPACE, SOURCES, OURS)
     table = yaml.safe_load(Path(__file__).with_name('rosdep.yaml').read_text())
     needed = {}
     for folder, package in packages.items():

@@ -23,7 +23,7 @@ from page_client import ROBOTS, PageClient, open_page, published
 
 @pytest.fixture(scope='module')
 def view(master):
-    with published('/strange'), viewing('__ns:=/strange') as running, open_page(running):
+    with published('/strange'), viewing('__ns:=/strange', patient=True) as running, open_page(running):
         yield running
     assert 'Traceback' not in running.output
 
@@ -94,7 +94,7 @@ def test_only_listed_robots_are_driven(view, commands, value):
 def test_while_no_robot_is_listed_none_is_driven(master):
     """The page is there before the first robot, and the root of the namespace is no robot."""
     recorder = Recorder('/left/robot_1/cmd_vel', Twist)
-    with viewing('__ns:=left') as view, contextlib.closing(PageClient(view.port)) as page:
+    with viewing('__ns:=left', patient=True) as view, contextlib.closing(PageClient(view.port)) as page:
         page.show()
         for _ in range(10):
             page.hold('forward')

@@ -92,6 +92,12 @@ def test_a_port_that_is_taken_is_refused():
         read_address({'port': other.getsockname()[1]})
 
 
+@pytest.mark.parametrize('host', ['a..b', 64 * 'a'])
+def test_a_name_that_no_host_can_have_is_refused(host):
+    with pytest.raises(ParameterError, match='~host'):
+        read_address({'host': host})
+
+
 def test_without_its_guard_the_page_does_not_start(monkeypatch):
     """As with a version of viser that starts its server in another way."""
     serve = server.serve

@@ -1,8 +1,8 @@
 """What the words of a command name."""
 
+import os
 import re
 import sys
-from pathlib import Path
 
 import pytest
 from odometry_common.parameters import StartError
@@ -38,7 +38,10 @@ def test_a_script_that_the_system_cannot_start_says_why(tmp_path, line, complain
         program_of([str(path)])
 
 
-def test_a_package_and_a_node_are_those_of_rosrun_wherever_one_stands(monkeypatch):
-    monkeypatch.chdir(ROOT)  # where a folder has the name of the package
-    command = program_of(['rotate_robot', 'rotate.py']).command
-    assert (len(command), Path(command[0]).name) == (1, 'rotate.py')
+def test_code_in_a_launch_file_does_not_run_in_this_process(tmp_path):
+    """As roslaunch runs it when it reads a file."""
+    path = tmp_path / 'evil.launch'
+    path.write_text('<launch><rosparam>x: !radians "len(__import__(\'os\').environ.setdefault(\'EVIL\', \'1\'))"'
+                    '</rosparam></launch>')
+    assert program_of([str(path)]).command == ['roslaunch', str(path)]
+    assert 'EVIL' not in os.environ
