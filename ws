@@ -4,7 +4,7 @@
 #   ./ws demo              drive a simulated TurtleBot 2 two metres
 #   ./ws test              run the tests, with -m nightly the long ones
 #   ./ws bench             measure speed and delay, each as a ratio to its limit
-#   ./ws sweep             run a tutorial many times without ROS
+#   ./ws sweep             run a tutorial, or your own nodes, many times
 #   ./ws check             judge your own node for a tutorial
 #   ./ws shell             open a shell in the workspace
 #   ./ws --set-up COMMAND  only install what that command needs

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Run a tutorial many times, over a grid of parameter values and seeds, without ROS."""
+"""Run a tutorial, or a launch file, many times, over a grid of parameter values and seeds."""
 
 from odometry_tools.sweep.main import main
 

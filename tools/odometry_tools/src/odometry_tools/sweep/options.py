@@ -41,8 +41,8 @@ def make_parser():
     """Return the parser of the command line."""
     parser = argparse.ArgumentParser(
         prog='./ws sweep', allow_abbrev=False,
-        description='Run a tutorial many times, over a grid of parameter values and seeds, '
-        'without ROS. It uses all processors, prints statistics, and saves the metrics '
+        description='Run a tutorial, or a launch file, many times, over a grid of parameter '
+        'values and seeds. It uses all processors, prints statistics, and saves the metrics '
         'of each run in the folder runs.')
     source, machine = (parser.add_mutually_exclusive_group() for _ in range(2))
     parser.add_argument('what', nargs='*', metavar='move|rotate|PACKAGE FILE',
