@@ -96,7 +96,10 @@ BY_VERDICT = {
         *INPUTS,
         Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
              'Your node advertises no topic')),
-    'all_zero': (KEYBOARD, _error_if(_only_input_fails), NOT_THERE, LAST_WORDS, *INPUTS),
+    'all_zero': (
+        KEYBOARD, _error_if(_only_input_fails), NOT_THERE, LAST_WORDS, *INPUTS,
+        Rule('ended_itself', lambda m: m.status == 0,
+             'Your node ended by itself: look at what ends it, such as the condition of a loop')),
     'before_start': (ONE_COMMAND,),
     'ceased': (
         _error_if(_fails_since_last_command), ONE_COMMAND,
