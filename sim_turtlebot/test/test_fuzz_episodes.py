@@ -11,8 +11,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from odometry_tests.fuzzing import any_number
 from odometry_tests.scripts import ROOT
-from odometry_tests.simulation import lean, settings_of
-from sim_turtlebot.geometry import about_z
+from odometry_tests.simulation import settings_of
+from sim_turtlebot.geometry import about_z, height_of_z
 from sim_turtlebot.robot.multiplexer import INPUTS
 from sim_turtlebot.simulation import Simulation
 
@@ -24,7 +24,7 @@ CRATE = """<sdf version="1.6"><world name="w"><model name="crate"><pose>0.5 0.4 
 <iyy>0.002</iyy><iyz>0</iyz><izz>0.002</izz></inertia></inertial><collision name="crate"><geometry>
 <box><size>0.2 0.2 0.2</size></box></geometry></collision></link></model></world></sdf>"""
 SHARE = 5  # of the other random sequences; the physics takes long
-LARGEST_LEAN = 25.0  # degrees, with the wheels up against another robot
+UPRIGHT = 0.9  # least height_of_z(): with the wheels up against another robot
 LOWEST, HIGHEST = -0.001, 0.05  # m, of the footprint
 SECOND = 240  # steps
 
@@ -57,7 +57,7 @@ def play(simulation, episode, stride=math.inf):
             truth = robot.ground_truth
             assert all(math.isfinite(number) for part in (*truth, *robot.odometry, *robot.wheels) for number in part)
             assert truth.position[2] >= LOWEST
-            assert has_dropped or lean(truth) <= LARGEST_LEAN and truth.position[2] <= HIGHEST
+            assert has_dropped or height_of_z(truth.orientation) > UPRIGHT and truth.position[2] <= HIGHEST
 
     for name, robot, *arguments in [*episode, ('run', 0, 0)]:
         look()

@@ -1,11 +1,9 @@
 """Commands to robots, and their poses."""
 
-import math
 
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, Twist, Vector3
+from odometry_common.orientation import yaw_from_orientation
 from sim_turtlebot.geometry import about_z
-
-from odometry_tests.tutorial import heading
 
 
 def twist(forwards, left=0.0):
@@ -16,7 +14,7 @@ def place(message):
     """Return x, y (m) and yaw (rad) of an Odometry, rounded to a hundredth."""
     position = message.pose.pose.position
     return tuple(round(number, 2) + 0.0 for number in
-                 (position.x, position.y, math.radians(heading(message))))
+                 (position.x, position.y, yaw_from_orientation(message.pose.pose.orientation)))
 
 
 def pose(x, y, z=0.0, yaw=0.0, orientation=None, frame='world'):

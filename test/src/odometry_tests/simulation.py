@@ -1,9 +1,7 @@
 """The simulated robots without ROS, with a record of what they did."""
 
-import math
 from typing import NamedTuple
 
-from sim_turtlebot.geometry import rotate
 from sim_turtlebot.robot.odometry import true_motion
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation as SteppedRobots
@@ -42,8 +40,3 @@ class Simulation(SteppedRobots):
     def drive(self, linear, angular, duration):
         self.robot.command(linear, angular)
         return self.run(duration)
-
-
-def lean(motion):
-    """Return by how many degrees a robot is not upright."""
-    return math.degrees(math.acos(min(1.0, rotate(motion.orientation, (0.0, 0.0, 1.0))[2])))

@@ -5,6 +5,7 @@ from functools import partial
 
 import rosgraph
 from nav_msgs.msg import Odometry
+from odometry_common.orientation import yaw_from_orientation
 from odometry_common.rest import is_slow
 
 from odometry_tests.processes import rosrun
@@ -41,10 +42,7 @@ def is_at_rest(message):
 
 def heading(message):
     """Return the yaw (degrees, from -180 to 180) of an Odometry on level ground."""
-    orientation = message.pose.pose.orientation
-    # A quaternion and its negative are the same orientation.
-    yaw = 2 * math.atan2(orientation.z, orientation.w)
-    return math.degrees(math.remainder(yaw, math.tau))
+    return math.degrees(yaw_from_orientation(message.pose.pose.orientation))
 
 
 class Truth(Recorder):

@@ -1,6 +1,8 @@
 """The demo's command line; what a demo waits for, where it records, where its master is."""
 
+import os
 import re
+import signal
 import threading
 import time
 
@@ -16,10 +18,14 @@ from odometry_tools.runs.ports import usual_master_port
 
 
 def test_a_master_that_is_suspended_ends_a_wait(monkeypatch):
+    """Also if the handler of a signal is not done when it looks again."""
+    launch = Launch('odometry_launch', 'sim.launch', {})
+    signal.signal(signal.SIGUSR1, lambda *_: time.sleep(0.2))
+    threading.Timer(0.01, os.kill, [os.getpid(), signal.SIGUSR1]).start()
     monkeypatch.setattr(Launch, 'check', lambda self: None)
     monkeypatch.setattr('odometry_tools.runs.launch.START_TIMEOUT', 0.1)
     with pytest.raises(RunError, match='^no answer within 0.1 s; '):
-        Launch('odometry_launch', 'sim.launch', {}).wait_for(threading.Event().wait, 'no answer')
+        launch.wait_for(threading.Event().wait, 'no answer')
 
 
 def test_a_real_time_signal_has_no_name():

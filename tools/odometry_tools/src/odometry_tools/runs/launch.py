@@ -103,6 +103,7 @@ class Launch(ProcessListener):
         self.terminate()
         self._monitor.join()
         roslaunch.pmon._pmons.remove(self._monitor)  # else each Launch would stay in memory
+        roslaunch.core.clear_printerrlog_handlers()
         self._output.close()
         if not self._beside:
             self.port.close()
@@ -161,7 +162,8 @@ class Launch(ProcessListener):
 
     def wait_for(self, condition, complaint):
         """Return once a condition holds; raise RunError if it fails, or after START_TIMEOUT."""
-        end, outcome = time.monotonic() + START_TIMEOUT, queue.SimpleQueue()
+        # No SimpleQueue: its get() waits for ever if a signal's handler ends after the timeout.
+        end, outcome = time.monotonic() + START_TIMEOUT, queue.Queue()
         # On a thread, since a suspended master or node never answers.
         threading.Thread(target=_wait, args=[condition, outcome], daemon=True).start()
         while time.monotonic() < end:
