@@ -1,6 +1,7 @@
 """A master and a paused simulator in lockstep, kept while nodes run one after the other."""
 
 import contextlib
+import os
 import re
 import tempfile
 
@@ -34,6 +35,7 @@ class Session:
 
     def __enter__(self):
         """Start the master, and become a node; RunError: it does not answer."""
+        os.environ.setdefault('PYTHONHASHSEED', '0')  # nodes have the members of a set in one order
         with contextlib.ExitStack() as stack:
             stack.enter_context(self._master)
             join(self._master, 'session')
