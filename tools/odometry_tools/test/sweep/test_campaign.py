@@ -37,6 +37,7 @@ def test_a_number_may_have_an_exponent(written):
     assert (campaign.seeds, campaign.limits) == (10, {'sideways_p95': 0.01})
 
 @pytest.mark.parametrize('arguments, line', [
+    ([], 'choose a tutorial, move or rotate'),
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),
     (['guest', 'a.launch', '--set', 'max-speed=1'], 'argument --until: a launch file needs it'),
     (['move', '--set', 'speed'], 'is not NAME=VALUE,VALUE,...'), (['move', '--set', 'speed='], 'is not NAME=VALUE,VALUE,...'),

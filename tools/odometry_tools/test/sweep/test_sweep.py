@@ -53,15 +53,6 @@ def test_a_limit_that_does_not_hold_is_one_line_and_status_1_and_its_worst_run(t
     assert held.get('name') == 'not_arrived' and held.find('failure') is None
 
 
-@pytest.mark.parametrize('arguments, line', [
-    ([], './ws sweep: error: choose a tutorial'),
-    (['--replay', '/no/such', '1'], 'sweep: /no/such/campaign.yaml cannot be read')])
-def test_what_makes_no_sense_gets_one_line_and_status_2(arguments, line):
-    """Before anything is run; test_campaign has the others."""
-    run = sweep(*arguments, status=2)
-    assert run.stdout == '' and run.stderr.splitlines()[-1].startswith(line), run.stderr
-
-
 def test_ctrl_c_keeps_what_is_done():
     with Terminal(ROOT, {**os.environ, 'TERM': 'xterm'}) as terminal:
         terminal.type(' '.join(['./ws sweep', *MANY]))

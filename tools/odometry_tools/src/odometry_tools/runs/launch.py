@@ -19,7 +19,7 @@ from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
 
 from odometry_tools.runs.launch_files import load, name_of, path_of
-from odometry_tools.runs.node_output import NodeOutput
+from odometry_tools.runs.node_output import NodeOutput, how_ended
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.ports import next_port, usual_master_port
@@ -140,8 +140,8 @@ class Launch(ProcessListener):
         """Return how a node ended, in one line; after an exception, with the last one printed."""
         status = self._ended[name]
         error = self._output.last_exception() if status == 1 else ''
-        return plain(
-            self._output.complaint_of(name) or f'{name} has ended{_how(status)}{error}')
+        said = self._output.complaint_of(name)
+        return plain(said or f'{name} has ended{how_ended(status)}{error}')
 
     def statuses(self):
         """Return the exit codes of nodes that have ended, by name; roslaunch notices it late."""
@@ -162,7 +162,7 @@ class Launch(ProcessListener):
 
     def wait_for(self, condition, complaint):
         """Return once a condition holds; raise RunError if it fails, or after START_TIMEOUT."""
-        # No SimpleQueue: its get() waits for ever if a signal's handler ends after the timeout.
+        # SimpleQueue.get() would wait for ever if a signal's handler ended after its timeout.
         end, outcome = time.monotonic() + START_TIMEOUT, queue.Queue()
         # On a thread, since a suspended master or node never answers.
         threading.Thread(target=_wait, args=[condition, outcome], daemon=True).start()
@@ -190,13 +190,3 @@ def _wait(condition, outcome):
         outcome.put(None)
     except Exception as error:  # noqa: BLE001
         outcome.put(error)
-
-
-def _how(status):
-    """Describe an exit code."""
-    if status is None:
-        return ' before it started'
-    if status < 0:
-        names = {signum.value: signum.name for signum in signal.Signals}
-        return f' by {names.get(-status, f"signal {-status}")}'
-    return f' with status {status}' if status else ''

@@ -2,6 +2,7 @@
 
 import os
 import re
+import signal
 
 from odometry_common.native_output import redirected_output
 
@@ -46,3 +47,13 @@ class NodeOutput:
     def last_lines(self):
         """Return the last lines, each after a line break."""
         return '\n'.join(['', *self.lines()[-LAST_LINES:]])
+
+
+def how_ended(status):
+    """Describe an exit code."""
+    if status is None:
+        return ' before it started'
+    if status < 0:
+        names = {signum.value: signum.name for signum in signal.Signals}
+        return f' by {names.get(-status, f"signal {-status}")}'
+    return f' with status {status}' if status else ''
