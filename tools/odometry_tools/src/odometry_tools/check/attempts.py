@@ -84,10 +84,10 @@ def run_until_sure(runner, scenario):
     if run.unawaited and not m.passed:
         runner.confirmed.add(m.rule)
     is_complete = run.interrupted is None and not m.is_silent and m.is_finite
-    if not (m.passed or run.unawaited) and attempts == 1 and is_complete:
-        if runner.follows_wall is None:
-            runner.follows_wall = not run.is_like(runner.run_again(scenario))
-        run.follows_wall = runner.follows_wall
+    is_sure = m.passed or run.unawaited or attempts > 1 or runner.follows_wall is False
+    if is_complete and not is_sure:
+        run.follows_wall = not run.is_like(runner.run_again(scenario))
+        runner.follows_wall = runner.follows_wall or run.follows_wall
     return run
 
 

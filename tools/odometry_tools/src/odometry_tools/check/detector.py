@@ -9,6 +9,7 @@ TOLERANCE = 0.05, 0.01  # from the true distance; a detector may leave out small
 # From sums that fit less exactly: a displacement may come from speeds, and a sum of displacements
 # grows by up to two metres with a message that arrives just before, or after, the end of a leg.
 INEXACT = {'displacement': TOLERANCE, 'displacements': (0.05, 0.1)}
+FALL = 0.05  # m by which no later message may say less
 BY_SPEED = 'speed', 'signed_speed', 'backwards'
 
 
@@ -35,11 +36,13 @@ def measure_detector(m, run):
     right = sums.pop('right')
     by_speed = {name: sums.pop(name) for name in BY_SPEED}
     sums.update(_distances(odometry, at_ends, right))
-    m.passed = _agree(counted, right, TOLERANCE)
+    is_right = _agree(counted, right, TOLERANCE)
     m.fits = {*_fits(counted, right, sums), *_factors(counted, right, by_speed)}
     m.largest = published.max()
     fall = numpy.diff(published).argmin()
     m.fell_from, m.fell_to = published[fall:fall + 2]
+    m.only_falls = is_right and m.fell_from - m.fell_to > FALL
+    m.passed = is_right and not m.only_falls
     m.largest_step = right_steps.max()
     _note_numbers(m, [name for name, *_ in run.legs], counted, right)
 

@@ -54,13 +54,16 @@ def measure_drive(m, run):
 
 def _measure_last_command(m, run):
     """Measure how the commands end: with a zero, in silence, or not at all."""
+    times = [command.time for command in m.moves]
+    intervals = [after - before for before, after in zip(times, times[1:])]
+    m.own_period = statistics.median_low(intervals or [0.0])
     last = m.commands[-1]
     is_turn = abs(last.angular) > abs(last.linear) or not m.drives
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
     if not last.moves:
         m.stop = _first_after(m.commands, lambda command: command.moves)
     m.silence = (m.stop.time if m.stop else run.now) - m.moves[-1].time
-    m.has_ceased = last.moves and m.silence > CEASED
+    m.has_ceased = last.moves and m.silence > max(CEASED, 1.5 * m.own_period)
     m.at_last = _pose_at(run, last.time)
     m.turned_at_last = math.degrees(m.at_last.turned - m.start.turned)
     m.seconds = run.now - m.moves[0].time
@@ -88,9 +91,6 @@ def _pose_at(run, time):
 
 def measure_distance(m, run):
     """Measure a drive of two metres."""
-    times = [command.time for command in m.moves]
-    intervals = [after - before for before, after in zip(times, times[1:])]
-    m.own_period = statistics.median_low(intervals or [0.0])
     m.bound = 2 * max(1 / m.rate, min(m.own_period, LONGEST_PERIOD)) + SLACK
     if not run.pace.lockstep:
         m.bound += PACED_SLACK * run.pace.real_time_factor
@@ -156,7 +156,9 @@ def measure_heading(m, run):
     m.is_settled = max(still) - min(still) < 1.0
     is_there = max(map(abs, still)) <= AT_TARGET
     is_direct = m.turned <= m.shortest + DETOUR
-    m.passed = is_there and is_direct and not m.rings and not m.has_ceased
+    m.drives_on = not is_slow(m.end.linear)
+    m.passed = (is_there and is_direct
+                and not (m.drives_on or m.rings or m.has_ceased))
     m.follows, m.gain, m.zero, m.is_unwrapped = find_controller(run, m.moves)
 
 

@@ -16,6 +16,7 @@ UNKNOWN = (
     Rule('', lambda m: True,
          'We do not know why: print the {quantity} in your loop, and look at the picture'))
 WATCHDOG = 0.6  # s
+NO_INPUT = 'EOFError', 'ValueError', 'IndexError'  # errors after an empty line from the keyboard
 MANY = 500  # failures of a callback; the output that is kept may hold no more
 
 
@@ -31,7 +32,8 @@ def _error_if(test):
 
 
 def _ended_with_error(m):
-    return m.status == 1 or m.ends_with_error  # Python exits with 1 after an error
+    # Python exits with 1 after an error; after one in a callback it may have another reason.
+    return m.ends_with_error or m.status == 1 and not m.failures
 
 
 def _only_input_fails(m):
@@ -55,8 +57,13 @@ def _fails_since_last_command(m):
     return m.has_late_dead_thread or m.failures == m.late_failures > messages / 2
 
 
+def _fails_at_keyboard(m):
+    """Return whether it has read the keyboard, and no error speaks of something else."""
+    return m.run.has_read_keyboard and (not m.error or m.error.startswith(NO_INPUT))
+
+
 KEYBOARD = Rule(
-    'keyboard', lambda m: m.run.has_read_keyboard,
+    'keyboard', _fails_at_keyboard,
     'Your node reads the keyboard, which a launch file cannot offer: make the value a parameter')
 NOT_THERE = Rule('not_there', lambda m: m.lost_node, 'roslaunch says: {lost_node}')
 INPUTS = (
@@ -68,10 +75,11 @@ INPUTS = (
 BLIND = _error_if(_never_works)
 LAST_WORDS = Rule('last_words', lambda m: m.said and m.status is not None, 'It said last: {said}')
 ONE_COMMAND = Rule(
-    'one_command', lambda m: len(m.moves) <= 5 and m.silence > WATCHDOG,
+    'one_command', lambda m: len(m.moves) <= 5 and m.silence > max(WATCHDOG, 2 * m.own_period),
     'The base stops 0.6 s after a command: repeat it in your loop')
 RARE = Rule(
-    'rare', lambda m: m.own_period > WATCHDOG,
+    'rare', lambda m: (m.rule in ('late', 'unfinished') and m.own_period > WATCHDOG
+                       and not (m.plain and m.plain.passed)),
     'Your commands come every {own_period:.1f} s, and the base stops 0.6 s after each')
 BY_VERDICT = {
     'crash': (KEYBOARD, _error_if(_ended_with_error), NOT_THERE, LAST_WORDS),
@@ -106,8 +114,7 @@ BY_VERDICT = {
         Rule('no_zero', lambda m: not m.is_short,
              'Publish a zero Twist when you are there, and before your node ends')),
     'early': (ONE_COMMAND,),
-    'late': (RARE,),
-    'unfinished': (RARE, BLIND, *INPUTS),
+    'unfinished': (BLIND, *INPUTS),
     'passed_by': (BLIND, *INPUTS),
     'long_way': (BLIND,),
     'interrupt': (
@@ -126,5 +133,6 @@ BY_VERDICT = {
              'from rospy, by a signal handler of your own, disable_signals or a caught '
              'KeyboardInterrupt'),
         Rule('is_shutdown', lambda m: True,
-             'Each loop, in each thread, needs while not rospy.is_shutdown()'))}
-BY_EXERCISE = {'moved_distance': FITS, 'two_meters': PLACES, 'heading': ANGLES}
+             'Each loop, in each thread, needs while not rospy.is_shutdown(), '
+             'and each wait a timeout'))}
+BY_EXERCISE = {'moved_distance': FITS, 'two_meters': (*PLACES, RARE), 'heading': (*ANGLES, RARE)}

@@ -16,7 +16,7 @@ PASSED = Rule('passed', None, '')
 WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
-SAME_ANGLE = 0.1  # share of a turn by which another one may be larger
+SAME_ANGLE = 0.05  # share of a turn by which another one may be larger
 ALIKE = 0.1  # m between the places where the robot rests in all scenarios
 
 

@@ -8,6 +8,7 @@ from odometry_tools.check.scenarios import GOAL, SLOW, TARGET
 YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
 SAME_ANGLE = 5.0  # degrees
 BOTH_WAYS = 10.0  # degrees by which the longer and the shorter way may differ from a whole turn
+BEHIND, NEAR = 135.0, 45.0  # degrees from the target where the robot swings
 AT_ROOT = 0.05  # m between where the robot rests and the root of the goal
 # Degrees, if the target or the yaw has the wrong unit.
 DEGREES, RADIANS = 57.29578 * TARGET, TARGET / 57.29578
@@ -25,6 +26,16 @@ def _is_nearest(name):
 
 def _has_wrong_sign(m):
     return m.follows in MINUS and abs(m.zero + TARGET) < SAME_ANGLE
+
+
+def _aims_at_90(m):
+    """Return whether its commands follow the heading, and are zero at 90 degrees."""
+    return m.follows in YAW and abs(m.zero - TARGET) < SAME_ANGLE
+
+
+def _chatters(m):
+    """Return whether its speed has one size; one that is clamped here has others in `plain`."""
+    return m.rule == 'rings' and m.chatter and m.plain and m.plain.chatter == m.chatter
 
 
 def _rests_at_radians(m):
@@ -69,7 +80,8 @@ ANGLES = (
                                or _rests_at_radians(m)),
          'Your target is 1.57 degrees, as if 90 degrees in radians were degrees: '
          'convert once, and compare like with like'),
-    Rule('sign', lambda m: _has_wrong_sign(m) or m.plain and _has_wrong_sign(m.plain),
+    Rule('sign', lambda m: (_has_wrong_sign(m) or m.plain and _has_wrong_sign(m.plain)
+                           or _chatters(m) and m.heading_error > BEHIND),
          'Your commands follow yaw - target, and turn away from it: '
          'ROS turns left for positive, so error = target - yaw'),
     Rule('quaternion', lambda m: m.follows == 'quaternion',
@@ -78,25 +90,23 @@ ANGLES = (
     Rule('half_circle', lambda m: m.follows == 'half_circle',
          'Your commands follow the error without its sign, as from asin() or abs(): '
          'use euler_from_quaternion, and keep the sign'),
-    Rule('not_wrapped', lambda m: (m.rule == 'long_way' and m.follows in YAW and m.is_unwrapped
-                                  and abs(m.zero - TARGET) < SAME_ANGLE),
+    Rule('not_wrapped', lambda m: (m.rule == 'long_way' and _aims_at_90(m) and m.is_unwrapped),
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('longer_way', lambda m: (m.rule == 'long_way' and not m.is_short
                                  and abs(abs(m.net) + m.shortest - 360) < BOTH_WAYS),
          'That is the longer way round: wrap the error to -180..180 degrees, and turn by its sign'),
-    Rule('gain_low', lambda m: m.rule == 'unfinished' and m.follows in YAW and 0 < m.gain < 0.2,
-         'Your gain is {gain:.3f}, by which it takes minutes: try 0.5'),
-    Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and m.follows in YAW and m.gain > 2,
-         'Your gain is {gain:.1f}: lower it towards 0.5'),
-    # A controller that is clamped in one scenario has other commands in the first.
-    Rule('chatter', lambda m: (m.rule == 'rings' and m.chatter
-                              and m.plain and m.plain.chatter == m.chatter),
+    Rule('gain_low', lambda m: m.rule == 'unfinished' and _aims_at_90(m) and 0 < m.gain < 0.2,
+         'You turn at {gain:.3f} rad/s for each radian of error, by which it takes minutes: '
+         'try 0.5'),
+    Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and _aims_at_90(m) and m.gain > 2,
+         'You turn at {gain:.1f} rad/s for each radian of error: lower that towards 0.5'),
+    Rule('chatter', lambda m: _chatters(m) and m.heading_error < NEAR,
          'From the first change on it was {chatter:.2g} rad/s, or minus that: '
          'make it proportional to the error, or stop within a tolerance'),
     # From heading 0 a turn by 90 degrees is one to 90.
     Rule('turns_by', lambda m: m.turns_by and m.is_settled and abs(m.start_heading) > SAME_ANGLE,
-         'You turn by {net:.0f} degrees wherever you start; '
+         'You turn by {net:.0f} degrees, as in {plain.scenario.name} from another heading; '
          'the exercise asks for heading 90 in the odom frame'))
 FITS = (
     Rule('from_origin', _fits('origin', 'first_step'),

@@ -9,12 +9,13 @@ TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*
 PLACE = re.compile(r'File "([^"]+)", line (\d+)')
 NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
 DIED = re.compile(r'process has died \[pid \S+, exit code (-?\d+)')  # printed by roslaunch
+SHUTDOWN = 'ROSInterruptException'
 MOST = 200  # characters of a quoted line
 
 
 def error_in(output):
     """Return the error of the last traceback, with the line in the learner's file, or ''."""
-    found = [*TRACEBACK.finditer(output)]
+    found = _errors_in(output)
     if not found:
         return ''
     places, name, words = found[-1].groups()
@@ -25,9 +26,14 @@ def error_in(output):
     return f'{error}, line {lines[-1]}' if lines else error
 
 
+def _errors_in(output):
+    """Return the matches of all tracebacks but those by which rospy ends a wait at shutdown."""
+    return [match for match in TRACEBACK.finditer(output) if not match[2].endswith(SHUTDOWN)]
+
+
 def ends_with_error(output):
     """Return whether an output ends with a traceback."""
-    found = [*TRACEBACK.finditer(output)]
+    found = _errors_in(output)
     return bool(found) and not output[found[-1].end():].strip()
 
 

@@ -83,6 +83,9 @@ HEADING = (
     Rule('ceased', lambda m: m.has_ceased,
          'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
          "base's watchdog stopped the robot, at heading {heading:.1f}"),
+    Rule('drives_on', lambda m: m.drives_on,
+         'the robot still drove at {end.linear:.2g} m/s when this was ended, at heading '
+         '{heading:.1f}: send zero for linear.x, too', explains=True),
     Rule('rings', lambda m: m.rings,
          'your command changed its sign {flips} times until this was ended, '
          'and the robot did not come to rest at 90 degrees'),
@@ -98,6 +101,9 @@ DETECTOR = (
          'out and back is {out_and_back:.2f} m, and you published {counted_back:.2f}: '
          'that is the distance from the start, a possible reading of "moved". '
          'For the way driven add up the steps', explains=True),
+    Rule('falls', lambda m: m.only_falls,
+         'you published {fell_from:.2f} m and then {fell_to:.2f}: a distance moved never falls',
+         explains=True),
     Rule('miscounted', lambda m: True,
          '{leg} you counted {leg_counted:.2f} of {leg_right:.2f} m, '
          'and {total:.2f} of {right:.2f} in all'))

@@ -47,8 +47,9 @@ class Exercise(NamedTuple):
 ROUTE = (
     Leg('on the way out', 0.5, 0.0, 4.0),
     Leg('on the way back', -0.5, 0.0, 4.0),
-    Leg('on an arc', 0.2, 0.6283, 2.5),
-    Leg('on the rest of its circle', 0.2, 0.6283, 7.5),
+    # As slowly as the tutorial's mover drives: a step of 5 mm must count, too.
+    Leg('on an arc', 0.1, 0.31416, 5.0),
+    Leg('on the rest of its circle', 0.1, 0.31416, 15.0),
     Leg('while spinning', 0.0, 1.5708, 2.0),
     Leg('while standing', 0.0, 0.0, 1.4))
 SLOW = 0.7
