@@ -85,9 +85,10 @@ def test_a_bad_package_is_named_and_stops_no_other(checkout):
     (student / 'uncompiled/.#x.cpp').symlink_to('me@laptop')  # Emacs's lock
     replace(student / 'waiting/CMakeLists.txt', 'REQUIRED)', 'REQUIRED COMPONENTS unconfigured)')
     make_package(student / 'latin', 'pybullet').rename(student / os.fsdecode(b'latin \xe9'))
-    copied = shutil.copytree(checkout / 'test_movement', student / 'copied')
-    for file in 'package.xml', 'CMakeLists.txt':
-        replace(copied / file, 'test_movement', 'copied')
+    copied = make_package(student / 'copied', 'pybullet')
+    shutil.copytree(checkout / 'test_movement/src', copied / 'src')
+    shutil.copy(checkout / 'test_movement/setup.py', copied)
+    replace(copied / 'CMakeLists.txt', 'catkin_package()', 'catkin_python_setup()\ncatkin_package()')
     reasons = {**{name: reason for name, *_, reason in BAD}, 'copied': 'module straight_drive is one of ours',
                'latin': 'its path is not UTF-8'}
     for building in (['./ws: building the packages ...'], []):
