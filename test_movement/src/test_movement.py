@@ -18,6 +18,8 @@ Parameters:
 The node always sends zero before it exits.
 """
 
+import math
+
 import rospy
 from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
@@ -66,11 +68,10 @@ class TestMovement:
         except ValueError as error:
             rospy.logwarn_throttle(1.0, f'stopping: {error}')
             speed = 0.0
-        else:
-            if self._speed is None and speed == 0:
-                rospy.loginfo(f'moved_distance is {message.data:.3f} m already: nothing to drive. '
-                              'Reset it (rostopic pub -1 /moved_distance/reset std_msgs/Empty), '
-                              'or set _relative:=true')
+        if self._speed is None and speed == 0 and math.isfinite(message.data):
+            rospy.loginfo(f'moved_distance is {message.data:.3f} m already: nothing to drive. '
+                          'Reset it (rostopic pub -1 /moved_distance/reset std_msgs/Empty), '
+                          'or set _relative:=true')
         self._command(speed)
         if speed != 0:
             self._rest.reset()

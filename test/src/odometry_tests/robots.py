@@ -1,6 +1,5 @@
 """Commands to robots, and their poses."""
 
-
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, Twist, Vector3
 from odometry_common.orientation import yaw_from_orientation
 from sim_turtlebot.geometry import about_z

@@ -23,6 +23,7 @@ SyntaxError: Missing parentheses
 
 @pytest.mark.parametrize('output, error', [
     (TRACEBACK, "AttributeError: 'Pose' object has no attribute 'orientatoin', line 26"),
+    (SYNTAX.replace('SyntaxError', 'rospy.ROSInterruptException'), ''),
     (SYNTAX, 'SyntaxError: Missing parentheses, line 5'),
     ('Traceback (most recent call last):\nError: 1.57\n', '')])
 def test_an_error_is_one_of_a_traceback(output, error):

@@ -36,6 +36,7 @@ def test_a_number_may_have_an_exponent(written):
     campaign = read_campaign(written({'tutorial': 'move', **numbers})).checked()
     assert (campaign.seeds, campaign.limits) == (10, {'sideways_p95': 0.01})
 
+
 @pytest.mark.parametrize('arguments, line', [
     ([], 'choose a tutorial, move or rotate'),
     (['move', '--jobs', '1', '--cluster', 'tcp://host:1'], 'not allowed with argument --jobs'),

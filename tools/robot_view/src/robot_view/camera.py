@@ -36,15 +36,16 @@ def shows(camera, place):
     return abs(right) < TANGENT * camera.aspect * forward and abs(up) < TANGENT * forward
 
 
-def look_at_all(camera, places):
+def look_at_all(camera, places, aspect):
     """Move a client's camera as close as it can be with all places in view.
 
     :param places: rows of x, y (m) in the scene
+    :param aspect: of the picture; a page that is laid out changes that of the camera meanwhile
     """
     corners = numpy.array(list(product((-MARGIN, MARGIN), (-MARGIN, MARGIN), (0.0, TOP))))
     places = numpy.column_stack([places, numpy.zeros(len(places))])
     right, up, forward = AXES @ (places[:, None] + corners).reshape(-1, 3).T
-    across, back = _fit(right, forward, TANGENT * camera.aspect)
+    across, back = _fit(right, forward, TANGENT * aspect)
     above, farther_back = _fit(up, forward, TANGENT)
     _place(camera, AXES.T @ [across, above, min(back, farther_back)])
 

@@ -44,7 +44,7 @@ class ClientView:
         x, y, _ = self._world.position
         places = [(x + place[0], y + place[1]) for place in self._find_places()]
         if places:
-            look_at_all(self._camera, places)
+            look_at_all(self._camera, places, self._aspect)
 
     def _on_follow(self, _):
         if self._follows.value:

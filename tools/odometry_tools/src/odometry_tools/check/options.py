@@ -13,13 +13,15 @@ import rospkg
 from odometry_common.parameters import StartError
 from roslib.packages import find_node, find_resource
 
-from odometry_tools.check.quoting import last_line
+from odometry_tools.check.quoting import how_ended
 from odometry_tools.check.scenarios import EXERCISES
 from odometry_tools.runs.plain_text import plain
 
 ELF = b'\x7fELF'  # how a compiled program begins
 LONGEST_LINE = 256  # bytes that Linux reads of a #! line
-LAUNCH_READER = 'odometry_tools.runs.launch_files'
+# Not with python3 -m, which imports from the folder where the user stands.
+CHECK_LAUNCH_FILE = ('import sys; sys.path[:] = filter(None, sys.path); '
+                     'from odometry_tools.runs.launch_files import main; main()')
 
 
 class Program(NamedTuple):
@@ -113,10 +115,12 @@ def _check_launch_file(path, arguments):
 
     Another process reads it, since roslaunch runs Python code in it: $(eval ...), and rad(...).
     """
-    reader = subprocess.run([sys.executable, '-m', LAUNCH_READER, str(path), *arguments],
+    reader = subprocess.run([sys.executable, '-c', CHECK_LAUNCH_FILE, str(path), *arguments],
                             check=False, capture_output=True, text=True, errors='replace')
     if reader.returncode:
-        raise StartError(last_line(plain(reader.stderr)))
+        *_, said = plain(reader.stderr).strip().split('\n')
+        raise StartError(said or f'{path.name} ends the process that reads it, '
+                                 f'{how_ended(reader.returncode)}')
 
 
 def _check_first_line(path):

@@ -83,14 +83,14 @@ HEADING = (
     Rule('ceased', lambda m: m.has_ceased,
          'your last command, {last_word}, came after {turned_at_last:.0f} degrees, and only the '
          "base's watchdog stopped the robot, at heading {heading:.1f}"),
-    Rule('drives_on', lambda m: m.drives_on,
-         'the robot still drove at {end.linear:.2g} m/s when this was ended, at heading '
-         '{heading:.1f}: send zero for linear.x, too', explains=True),
     Rule('rings', lambda m: m.rings,
          'your command changed its sign {flips} times until this was ended, '
          'and the robot did not come to rest at 90 degrees'),
     Rule('long_way', lambda m: m.turned > m.shortest + DETOUR and not _rests_elsewhere(m),
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
+    Rule('drives_on', lambda m: m.drives_on and not m.is_short,
+         'the robot still drove at {end.linear:.2g} m/s when this was ended, at heading '
+         '{heading:.1f}: send zero for linear.x, too', explains=True),
     Rule('unfinished', lambda m: not (m.is_settled and m.stop),
          'after {seconds:.0f} s you are {heading_error:.0f} degrees off, '
          'and your last command was {last_word}'),

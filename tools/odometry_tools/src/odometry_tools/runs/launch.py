@@ -19,7 +19,7 @@ from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
 
 from odometry_tools.runs.launch_files import load, name_of, path_of
-from odometry_tools.runs.node_output import NodeOutput, how_ended
+from odometry_tools.runs.node_output import NodeOutput, end_in_words
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.ports import next_port, usual_master_port
@@ -141,7 +141,7 @@ class Launch(ProcessListener):
         status = self._ended[name]
         error = self._output.last_exception() if status == 1 else ''
         said = self._output.complaint_of(name)
-        return plain(said or f'{name} has ended{how_ended(status)}{error}')
+        return plain(said or f'{name} has ended{end_in_words(status)}{error}')
 
     def statuses(self):
         """Return the exit codes of nodes that have ended, by name; roslaunch notices it late."""

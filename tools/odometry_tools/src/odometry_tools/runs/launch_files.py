@@ -1,7 +1,4 @@
-"""Read launch files, as roslaunch does.
-
-As a program: usage: launch_files.py FILE ARGUMENT..., prints why they cannot run beside a robot.
-"""
+"""Read launch files, as roslaunch does."""
 
 import contextlib
 import os
@@ -59,7 +56,8 @@ def name_of(node):
     return ns_join(node.namespace, node.name).lstrip('/')
 
 
-if __name__ == '__main__':
+def main():
+    """Exit, if nodes_beside_robot() refuses the file and arguments of the command line."""
     try:
         nodes_beside_robot(sys.argv[1], sys.argv[2:])
     except StartError as refusal:

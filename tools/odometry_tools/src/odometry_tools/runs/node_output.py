@@ -49,8 +49,8 @@ class NodeOutput:
         return '\n'.join(['', *self.lines()[-LAST_LINES:]])
 
 
-def how_ended(status):
-    """Describe an exit code."""
+def end_in_words(status):
+    """Describe an exit code, after "has ended"."""
     if status is None:
         return ' before it started'
     if status < 0:
