@@ -4,7 +4,7 @@ import threading
 import time
 from concurrent import futures
 
-ANSWER_TIMEOUT = 5.0  # s
+ANSWER_TIMEOUT = 60.0  # s; lockstep waits as long for a process that makes no progress
 
 
 class RequestQueue:

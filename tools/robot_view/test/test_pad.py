@@ -29,15 +29,15 @@ def send(steering, now):
     return commands
 
 
-@pytest.mark.parametrize('events', [
-    # Two pages that hold the same button do not double it; one that closes releases none of the other's.
-    [('+page forward', (1, 0)), ('+other forward', (1, 0)), ('+page left', (1, 1)), ('-page', (1, 0)),
-     ('-other back', (1, 0)), ('-other forward', (0, 0)), ('-page', None)],
-    [('+page forward', (1, 0)), ('+page back', (0, 0)), ('+other stop', (0, 0))]])
-def test_held_buttons_add_up_until_they_are_released(events):
-    """A + holds a button, a - releases it, or all of a page; a robot gets one zero."""
+def test_held_buttons_add_up_until_they_are_released():
+    """A + holds a button, a - releases it, or all of a page; a robot gets one zero.
+
+    Two pages that hold the same button do not double it; one that closes releases none of the other's.
+    """
     steering = Steering()
-    for event, expected in events:
+    for event, expected in (
+            ('+page forward', (1, 0)), ('+page back', (0, 0)), ('-page back', (1, 0)), ('+other forward', (1, 0)),
+            ('+page left', (1, 1)), ('-page', (1, 0)), ('-other forward', (0, 0)), ('-page', None)):
         client, *button = event[1:].split()
         if event[0] == '-':
             steering.release(client, *button)
@@ -46,10 +46,13 @@ def test_held_buttons_add_up_until_they_are_released(events):
         assert send(steering, 0.0).get('') == expected, event
 
 
-def test_a_page_that_chooses_another_robot_while_it_holds_a_button_stops_the_first_one_first():
+def test_a_button_drives_the_robot_for_which_it_was_pressed_and_another_one_only_after_its_zero():
+    """Another browser may choose another robot meanwhile."""
     steering = Steering()
-    steering.hold('page', FORWARD, 'robot_1/', 0.0)
-    assert send(steering, 0.0) == {'robot_1/': (1, 0)}
+    for robot in 'robot_1/', 'robot_2/':
+        steering.hold('page', FORWARD, robot, 0.0)
+        assert send(steering, 0.0) == {'robot_1/': (1, 0)}
+    steering.release('page')
     steering.hold('page', FORWARD, 'robot_2/', 0.0)
     assert list(send(steering, 0.0).items()) == [('robot_1/', (0, 0)), ('robot_2/', (1, 0))]
 

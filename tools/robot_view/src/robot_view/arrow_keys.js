@@ -13,7 +13,9 @@ if (!window.arrowKeys) {
   };
   const releaseAll = () => [...held].forEach(release);
   window.addEventListener('keydown', (event) => {
-    const typing = event.target.closest?.('input:not([type=range]), textarea, [role=slider]');
+    // A checkbox and a closed list keep the focus after a click.
+    const idle = '[type=range], [type=checkbox], [aria-haspopup=listbox]:not([aria-expanded=true])';
+    const typing = event.target.closest?.(`input:not(${idle}), textarea, [role=slider]`);
     if (!(event.key in window.arrowKeys) || typing) return;
     event.preventDefault();
     event.stopPropagation();

@@ -18,6 +18,7 @@ AXES = numpy.array([
     [0.0, 0.56, 0.83],
     -DIRECTION])
 DISTANCE = 4.0  # m, from the robot
+RADIUS = 0.2  # m, of a robot
 MARGIN = 0.5  # m around the places that are shown
 TOP = 0.45  # m, above each place; higher than a robot
 HEIGHT = 0.15  # m, at which it looks
@@ -33,7 +34,8 @@ def look_at_robot(camera):
 def shows(camera, place):
     """Return whether a camera that looks at the robot shows a place, x, y (m) from there."""
     right, up, forward = AXES @ ([*place, 0.0] - FROM_ROBOT)
-    return abs(right) < TANGENT * camera.aspect * forward and abs(up) < TANGENT * forward
+    return (abs(right) + RADIUS < TANGENT * camera.aspect * forward
+            and abs(up) + RADIUS < TANGENT * forward)
 
 
 def look_at_all(camera, places, aspect):

@@ -17,24 +17,23 @@ class ClientView:
         """
         self._camera, self._find_places = client.camera, find_places
         self._aspect = None  # of the picture for which all was shown
+        robot, start, *_ = find_places() or [(0.0, 0.0)] * 2
+        self._start = start[0] - robot[0], start[1] - robot[1]  # as the page is opened, or followed
         self._world = client.scene.add_frame(WORLD, show_axes=False)
         self._follows = client.gui.add_checkbox('follow', True, hint='the chosen robot',
                                                 order=order + 0.1)
         self._follows.on_update(self._on_follow)
         show_all_button = client.gui.add_button('show all', color='gray', order=order + 0.2)
         show_all_button.on_click(lambda _: self.show_all())
-        robot, start, *_ = find_places() or [(0.0, 0.0)] * 2
-        if not shows(self._camera, (start[0] - robot[0], start[1] - robot[1])):
-            self.show_all()
 
     def follow(self, x, y):
-        """Follow the robot at x, y (m), or show all again if the picture's aspect has changed.
+        """Follow the robot at x, y (m), or show all, again if the picture's aspect has changed.
 
         It changes once the panel of a new page is laid out, and when you fold a phone's panel.
         """
-        if self._follows.value:
+        if self._follows.value and shows(self._camera, self._start):
             self._world.position = (-x, -y, 0.0)
-        elif self._aspect not in (None, self._camera.aspect):
+        elif self._follows.value or self._aspect not in (None, self._camera.aspect):
             self.show_all()
 
     def show_all(self):
@@ -48,5 +47,5 @@ class ClientView:
 
     def _on_follow(self, _):
         if self._follows.value:
-            self._aspect = None
+            self._aspect, self._start = None, (0.0, 0.0)
             look_at_robot(self._camera)

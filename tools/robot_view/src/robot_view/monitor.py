@@ -20,7 +20,7 @@ from robot_view.path_trace import PathTrace
 
 SIMULATOR = 'sim_turtlebot'  # node
 EPOCH = 1e9  # s; stamps beyond this are wall time
-RATE_SAMPLES = 10  # readings per measurement of the real-time factor
+RATE_SAMPLES = 10  # readings at most per measurement of the real-time factor
 
 
 class State(NamedTuple):
@@ -50,6 +50,7 @@ class RobotMonitor:
         self.moved = None  # m, as the detector counts it
         self._ground_truth = None
         self._clocks = deque(maxlen=RATE_SAMPLES)  # real and simulated time (s)
+        self._real_time_factor = None
         self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
         self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
         topics = [('odom', Odometry, self._on_odometry),
@@ -96,11 +97,14 @@ class RobotMonitor:
         return self.odometry.stamp if self.odometry.stamp < EPOCH else None
 
     def real_time_factor(self):
-        """Return the robot's seconds per second; None if unknown, as after a reset."""
+        """Return the robot's seconds per second; None until it is known."""
+        if self._clocks and self.odometry.stamp < self._clocks[-1][1]:  # after a reset
+            self._clocks.clear()
         self._clocks.append((time.monotonic(), self.odometry.stamp))
         (start, first), (end, last) = self._clocks[0], self._clocks[-1]
-        is_full = len(self._clocks) == RATE_SAMPLES
-        return (last - first) / (end - start) if is_full and last >= first else None
+        if len(self._clocks) > 1:
+            self._real_time_factor = (last - first) / (end - start)
+        return self._real_time_factor
 
     def _on_odometry(self, message):
         with self.lock:

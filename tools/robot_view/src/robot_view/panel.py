@@ -78,6 +78,6 @@ def add_placing(gui, put):
     """
     folder = gui.add_folder('put the robot', expand_by_default=False, visible=False)
     with folder:
-        pose = gui.add_vector3('x, y (m), heading (degrees)', (0.0, 0.0, 0.0))
+        pose = gui.add_vector3('x, y (m), heading (degrees)', (0.0, 0.0, 0.0), step=0.01)
         gui.add_button('put here').on_click(lambda _: put(*pose.value))
     return folder

@@ -33,11 +33,17 @@ class Steering:
         return bool(self._driven)
 
     def hold(self, client, button, robot, now):
-        """Record that a client holds a button for a robot, or clicks stop."""
+        """Record that a client holds a button for a robot, or clicks stop.
+
+        While it is held, a button stays with the robot for which it was pressed.
+        """
+        held_for, until = self._held.get((client, button), (robot, now))
         if button == STOP:
             # Also buttons past their deadline: a page that was silent may continue to hold them.
             self._stopped.update(held for held, (held_for, _) in self._held.items()
                                  if held_for == robot and held[1] != STOP)
+        elif until > now:
+            robot = held_for
         self._held[client, button] = robot, now + HOLD_TIMEOUT
 
     def release(self, client, button=None):

@@ -1,8 +1,10 @@
 """Folders for the output and the logs of demos and sweeps."""
 
+import atexit
 import contextlib
 import itertools
 import os
+import shutil
 import tempfile
 import time
 from pathlib import Path
@@ -54,7 +56,10 @@ def use_writable_logs(folder=None):
         ('ROS_HOME', rospkg.get_ros_home()), ('ROS_LOG_DIR', rospkg.get_log_dir()))
         if (error := _error_of_writing(path))}
     if failed:
-        folder = folder or tempfile.mkdtemp(prefix='ros-')
+        if folder is None:
+            folder = tempfile.mkdtemp(prefix='ros-')
+            if 'ROS_LOG_DIR' not in failed:
+                atexit.register(shutil.rmtree, folder)
         os.environ.update({variable: folder for variable in failed}, MPLCONFIGDIR=folder)
     if 'ROS_LOG_DIR' in failed:
         complain(f'logs are in {folder}: {failed["ROS_LOG_DIR"]}')

@@ -6,6 +6,7 @@ import sys
 
 from odometry_common.parameters import StartError
 from rosgraph.names import ns_join
+from roslaunch.arg_dump import get_args
 from roslaunch.config import load_config_default
 from roslaunch.core import RLException
 from roslaunch.rlutil import resolve_launch_arguments
@@ -56,9 +57,21 @@ def name_of(node):
     return ns_join(node.namespace, node.name).lstrip('/')
 
 
+def _check_names(path, arguments):
+    """Raise StartError for an argument that a launch file does not have: roslaunch ignores it."""
+    known = get_args([path])
+    for argument in arguments:
+        name, _, _ = argument.partition(':=')
+        if name not in known:
+            raise StartError(f'{os.path.basename(path)} has no argument {name}; '
+                             f'it has {", ".join(sorted(known)) or "none"}')
+
+
 def main():
-    """Exit, if nodes_beside_robot() refuses the file and arguments of the command line."""
+    """Exit, if the file and the arguments of the command line cannot run beside a robot."""
+    path, *arguments = sys.argv[1:]
     try:
-        nodes_beside_robot(sys.argv[1], sys.argv[2:])
+        nodes_beside_robot(path, arguments)
+        _check_names(path, arguments)
     except StartError as refusal:
         sys.exit(str(refusal))
