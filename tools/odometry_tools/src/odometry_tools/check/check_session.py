@@ -1,6 +1,7 @@
 """A session that the check uses for one scenario after another."""
 
 import contextlib
+import logging
 import math
 from functools import partial
 from typing import NamedTuple
@@ -48,6 +49,7 @@ class CheckSession(Session):
     def __enter__(self):
         """Start the master, and register as a node."""
         super().__enter__()
+        logging.getLogger('rosout').setLevel(logging.ERROR)  # the verdict tells of wrong types
         # roslaunch starts /rosout.
         self.ours = {rospy.get_name(), '/sim_turtlebot', PAGE, '/rosout'}
         self._subscribers = {topic: rospy.Subscriber(
@@ -80,7 +82,7 @@ class CheckSession(Session):
         """Record the nodes and topics that the master knows in the Run."""
         publishers, subscribers, services = self.master.getSystemState()
         for topics, found in ((publishers, run.publishes), (subscribers, run.subscribes),
-                              (services, {})):
+                              (services, run.services)):
             for topic, names in topics:
                 if {*names} - self.ours:
                     found.setdefault(topic, '')

@@ -7,6 +7,7 @@ import numpy
 from odometry_tools.check.scenarios import PERIOD, TARGET
 
 FEWEST, RESIDUAL = 8, 0.003  # commands needed for a fit; largest residual, share of their range
+EXACT, WORSE = 1e-5, 10  # a residual as good as none; how many times larger the next must be
 NARROW = 0.01  # rad; over a smaller range of angles anything is proportional
 UNKNOWN = '', 0.0, 0.0, False
 LIMITED = 0.99  # share of the fastest command; faster ones may be clamped by the node
@@ -15,41 +16,48 @@ LIMITED = 0.99  # share of the fastest command; faster ones may be clamped by th
 def find_controller(run, moves):
     """Return which angle a Run's commands are proportional to, the gain (1/s) and zero (degrees).
 
-    The angle is '' unless exactly one fits. The fourth value tells whether a command turned the
-    longer way, with more than half a circle to go.
+    The angle is '' unless one fits much better than the others. The fourth value tells whether a
+    command turned the longer way, with more than half a circle to go.
     """
     if len(moves) < FEWEST:
         return UNKNOWN
     time, yaw = numpy.array([(pose.time, pose.yaw) for pose in run.odometry]).T
     sent, speed = numpy.array([(command.time, command.angular) for command in moves]).T
     is_free = abs(speed) < LIMITED * abs(speed).max()
-    found = {}
+    found = []
     for delay in 0, PERIOD, 1 / run.scenario.odom_rate:
         seen = yaw[numpy.searchsorted(time, sent - delay + 1e-6).clip(1) - 1]
         for name, angle in _angles(seen).items():
             law = _law(angle[is_free], speed[is_free])
-            if law and name not in found:
-                _, zero = law
+            if law:
+                residual, gain, zero = law
                 error = math.radians(zero) - angle
-                found[name] = *law, bool(numpy.any((abs(error) > math.pi) & (error * speed > 0)))
-    if len(found) != 1:
+                is_unwrapped = bool(numpy.any((abs(error) > math.pi) & (error * speed > 0)))
+                found.append((max(residual, EXACT), name, gain, zero, is_unwrapped))
+    return _best(found)
+
+
+def _best(found):
+    """Return the law with the smallest residual, if no other angle fits nearly as well."""
+    residual, *law = min(found, default=(0.0, *UNKNOWN))
+    others = [other for other, name, *_ in found if name != law[0]]
+    if min(others, default=math.inf) < WORSE * residual:
         return UNKNOWN
-    (name, law), = found.items()
-    return (name, *law)
+    return tuple(law)
 
 
 def _law(angle, speed):
-    """Return gain (1/s) and zero (degrees) if speeds (rad/s) are proportional to angles (rad).
+    """Return residual, gain (1/s) and zero (degrees) of speeds (rad/s) that angles (rad) give.
 
     If they are not, return None.
     """
     if len(angle) < FEWEST or numpy.ptp(angle) < NARROW:
         return None
     slope, offset = numpy.polyfit(angle, speed, 1)
-    residual = abs(slope * angle + offset - speed).max()
-    if slope >= 0 or residual >= RESIDUAL * numpy.ptp(speed):
+    residual = abs(slope * angle + offset - speed).max() / (numpy.ptp(speed) or 1.0)
+    if slope >= 0 or residual >= RESIDUAL:
         return None
-    return -slope, math.degrees(-offset / slope)
+    return residual, -slope, math.degrees(-offset / slope)
 
 
 def _angles(yaw):

@@ -127,7 +127,7 @@ def _note_numbers(m, legs, counted, right):
     m.out_and_back = right[2]
     by_leg = numpy.diff(counted, prepend=0.0)
     right_by_leg = numpy.diff(right, prepend=0.0)
-    worst = int(abs(by_leg - right_by_leg).argmax())
+    worst = int(abs(by_leg - right_by_leg).round(2).argmax())  # of equal ones the first
     m.leg = ['before the robot moved', *legs][worst]
     m.leg_counted = round(by_leg[worst], 2) + 0.0  # not -0.0
     m.leg_right = right_by_leg[worst]

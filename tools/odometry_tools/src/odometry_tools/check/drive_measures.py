@@ -5,6 +5,7 @@ import statistics
 
 from odometry_common.angles import wrap_to_pi
 from odometry_common.rest import is_slow
+from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED
 
 from odometry_tools.check.controller import find_controller
 from odometry_tools.check.quoting import listed
@@ -149,6 +150,9 @@ def measure_heading(m, run):
     m.turned = math.degrees(m.end.turned - m.start.turned)
     m.net = math.degrees(m.end.turn - m.start.turn)
     m.share = m.net / (first or 1.0)
+    # Beyond the target, to which it went by the shorter way.
+    m.swing = max((abs(error) for _, error in errors if error * first < 0), default=0.0)
+    m.goes_shorter_way = abs(abs(m.net) - m.shortest) < DETOUR / 2
     _measure_swings(m, run)
     arrival = max((time for time, error in errors if abs(error) >= AT_TARGET), default=0.0)
     m.arrival = arrival - m.moves[0].time if m.moves else 0.0
@@ -179,4 +183,4 @@ def _measure_swings(m, run):
     m.chatter = sizes.pop() if len(sizes) == 1 else 0.0
     m.turn_speeds = {round(command.angular, 3) for command in m.moves}
     speeds = [abs(command.angular) for command in m.moves]
-    m.step = math.degrees(statistics.median(speeds or [0.0])) / m.rate
+    m.step = math.degrees(min(max(speeds, default=0.0), MAX_ANGULAR_SPEED)) / m.rate

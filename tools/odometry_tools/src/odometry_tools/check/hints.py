@@ -17,6 +17,7 @@ UNKNOWN = (
          'We do not know why: print the {quantity} in your loop, and look at the picture'))
 WATCHDOG = 0.6  # s
 NO_INPUT = 'EOFError', 'ValueError', 'IndexError'  # errors after an empty line from the keyboard
+RARE_FAILS = 'late', 'unfinished', 'rings', 'long_way'
 MANY = 500  # failures of a callback; the output that is kept may hold no more
 
 
@@ -68,8 +69,7 @@ KEYBOARD = Rule(
 NOT_THERE = Rule('not_there', lambda m: m.lost_node, 'roslaunch says: {lost_node}')
 INPUTS = (
     Rule('input_type', lambda m: m.wrong_inputs,
-         'You subscribe to {wrong_inputs}, which is not the type that the robot sends, '
-         'so nothing arrives'),
+         'You subscribe to {wrong_inputs}, so nothing arrives'),
     Rule('input', lambda m: m.status is None and m.inputs and not m.inputs_of_robot,
          'You listen to {inputs}; there is, for example, {likely_input}'))
 BLIND = _error_if(_never_works)
@@ -78,7 +78,7 @@ ONE_COMMAND = Rule(
     'one_command', lambda m: len(m.moves) <= 5 and m.silence > max(WATCHDOG, 2 * m.own_period),
     'The base stops 0.6 s after a command: repeat it in your loop')
 RARE = Rule(
-    'rare', lambda m: (m.rule in ('late', 'unfinished') and m.own_period > WATCHDOG
+    'rare', lambda m: (m.rule in RARE_FAILS and m.own_period > WATCHDOG
                        and not (m.plain and m.plain.passed)),
     'Your commands come every {own_period:.1f} s, and the base stops 0.6 s after each')
 BY_VERDICT = {
@@ -97,6 +97,9 @@ BY_VERDICT = {
              'as in queue_size=1, without quotation marks'),
         Rule('output', lambda m: m.outputs and m.topic not in m.run.publishes,
              'You publish {type} on {outputs}; the exercise names {topic}'),
+        Rule('service', lambda m: m.services,
+             'Your node offers the service {services}, which nobody calls here: '
+             'it should begin by itself'),
         KEYBOARD, _error_if(_died_unnoticed), NOT_THERE,
         Rule('ended', lambda m: m.status == 0 and (m.plain is None or m.plain.is_silent),
              'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() '

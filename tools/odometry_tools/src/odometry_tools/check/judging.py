@@ -16,6 +16,8 @@ PASSED = Rule('passed', None, '')
 WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
+SAME_HEADING = 1.0  # degrees
+SAME_RATE = 0.05  # share by which rates of a loop may differ
 SAME_ANGLE = 0.05  # share of a turn by which another one may be larger
 ALIKE = 0.1  # m between the places where the robot rests in all scenarios
 
@@ -70,6 +72,8 @@ def _compare(all_measures):
         'plain': reference if len(all_measures) > 1 else None,
         'rules_at_start': {m.rule for m in whole if m.scenario.start == reference.scenario.start},
         'all_alike': len(whole) > 1 and numpy.ptp(shares) * GOAL < ALIKE,
+        'same_heading': _has_same_heading(whole),
+        'loop_rate': _loop_rate(whole),
         'common_fits': common_fits,
         'factor': next((factor for _, factor in common_fits), None)}
     for m in all_measures:
@@ -78,6 +82,27 @@ def _compare(all_measures):
             numpy.ptp([*nets, m.net]) < SAME_ANGLE * min(map(abs, nets)))
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)
+
+
+def _has_same_heading(all_measures):
+    """Return whether the robot rests at one heading, and not that of the task, from each start."""
+    resting = [m for m in all_measures if m.rule == 'elsewhere']
+    starts = {m.scenario.start for m in resting}
+    headings = [m.heading for m in resting]
+    return len(starts) > 1 and numpy.ptp(headings) < SAME_HEADING
+
+
+def _loop_rate(all_measures):
+    """Return how often a detector adds a step (Hz), if that does not depend on the odometry's rate.
+
+    Otherwise return None.
+    """
+    rates = [m.rate / m.share for m in all_measures if m.exercise.route and m.share]
+    is_varied = len({m.rate for m in all_measures}) > 1
+    is_known = is_varied and len(rates) == len(all_measures)
+    if is_known and numpy.ptp(rates) < SAME_RATE * rates[0]:
+        return rates[0]
+    return None
 
 
 def _verdict_on(m, held):

@@ -13,6 +13,7 @@ from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # printed by Python
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
+LOGGING = '/get_loggers', '/set_logger_level'  # services of each node
 DRIVEN_ON = 5.0  # s of driving after Ctrl-C that pass
 # Topics from which a node may learn about the robot, and their types.
 INPUTS = {
@@ -40,6 +41,7 @@ def measure(run, exercise):
     _read_output(m, plain(run.output))
     _measure_messages(m)
     _read_graph(m, run.publishes, run.subscribes)
+    m.services = quoting.listed(name for name in run.services if not name.endswith(LOGGING))
     if exercise.route and m.is_finite:
         measure_detector(m, run)
     elif run.odometry and m.is_finite:
@@ -58,8 +60,9 @@ def _read_output(m, output):
     """Measure what the node printed, and how it ended."""
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
-    m.after_words = f', and said last: {m.said}' if m.said else ''
     m.ends_with_error = quoting.ends_with_error(output)
+    last = m.error if m.ends_with_error else m.said
+    m.after_words = f', and said last: {last}' if last else ''
     m.failures = output.count(BAD_CALLBACK)
     m.has_dead_thread = DEAD_THREAD in output
     # From the command before the last: output and command of one moment arrive in any order.
@@ -94,6 +97,6 @@ def _read_graph(m, publishes, subscribes):
     types = {subscribes[topic] for topic in heard}
     likely = (topic for topic, kind in INPUTS.items() if kind in types and topic != m.topic)
     m.likely_input = next(likely, '/odom')
-    m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}'
+    m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}, but it is {INPUTS[topic]}'
                                     for topic in heard & INPUTS.keys()
                                     if subscribes[topic] not in ('', '*', INPUTS[topic]))

@@ -7,6 +7,7 @@ from odometry_tools.check.scenarios import GOAL, SLOW, TARGET
 
 YAW, MINUS = ('yaw', 'yaw_to_360'), ('minus_yaw', 'minus_wrapped')
 SAME_ANGLE = 5.0  # degrees
+HALF_TURN = 177.0  # degrees, but for the tolerance of the target
 BOTH_WAYS = 10.0  # degrees by which the longer and the shorter way may differ from a whole turn
 BEHIND, NEAR = 135.0, 45.0  # degrees from the target where the robot swings
 AT_ROOT = 0.05  # m between where the robot rests and the root of the goal
@@ -40,7 +41,7 @@ def _chatters(m):
 
 def _rests_at_radians(m):
     return (m.rule == 'elsewhere' and abs(m.heading - RADIANS) < 0.1
-            and abs(m.start_heading) > SAME_ANGLE)
+            and (m.same_heading or abs(m.start_heading) > SAME_ANGLE))
 
 
 def _is_only_here(m):
@@ -94,6 +95,7 @@ ANGLES = (
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('longer_way', lambda m: (m.rule == 'long_way' and not m.is_short
+                                 and m.turned - abs(m.net) < BOTH_WAYS
                                  and abs(abs(m.net) + m.shortest - 360) < BOTH_WAYS),
          'That is the longer way round: wrap the error to -180..180 degrees, and turn by its sign'),
     Rule('gain_low', lambda m: m.rule == 'unfinished' and _aims_at_90(m) and 0 < m.gain < 0.2,
@@ -107,7 +109,12 @@ ANGLES = (
     # From heading 0 a turn by 90 degrees is one to 90.
     Rule('turns_by', lambda m: m.turns_by and m.is_settled and abs(m.start_heading) > SAME_ANGLE,
          'You turn by {net:.0f} degrees, as in {plain.scenario.name} from another heading; '
-         'the exercise asks for heading 90 in the odom frame'))
+         'the exercise asks for heading 90 in the odom frame'),
+    Rule('half_turn', lambda m: (m.rule == 'elsewhere' and _is_only_here(m)
+                                and m.heading_error > HALF_TURN),
+         'That is half a turn off: wrap the error by 2 pi, not pi, and take atan2(), not atan()'),
+    Rule('alike', lambda m: m.rule == 'elsewhere' and m.same_heading,
+         'You rest there from each start: print your target, and what you compare with it'))
 FITS = (
     Rule('from_origin', _fits('origin', 'first_step'),
          'Before the robot moved you published {offset:.2f} m: '
@@ -129,6 +136,9 @@ FITS = (
          'store each position, and count from it to the next'),
     Rule('times', _fits('times'),
          'That is {factor:g} times the way, on each leg and at each rate'),
+    Rule('loop', lambda m: m.loop_rate,
+         'You add the latest step {loop_rate:.2g} times a second, however often odometry comes: '
+         'add it in the callback, once for each message'),
     Rule('last_step', lambda m: (m.rule == 'miscounted'
                                  and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'),
@@ -143,9 +153,9 @@ COMPARED = (
          'count odometry, not time or commands'),
     Rule('slow_odometry', lambda m: (m.fails_alone and m.rate < 20
                                      and m.rule in ('passed_by', 'rings', 'long_way')),
-         'With odometry 20 times a second it is right; here one message is a step of '
+         'With odometry 20 times a second it is right; here one message is a step of up to '
          '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
-         'or a fixed time for each message'),
+         'a filter, or a fixed time for each message'),
     Rule('start', lambda m: (_is_only_here(m) and m.scenario.name == 'moved_start'
                              and m.rule not in m.rules_at_start
                              and not (m.exercise.route and _counts_as(m, m.plain))),

@@ -16,8 +16,9 @@ def _exits_when_done(m):
     return m.status > 0 and not m.error and (m.stop or not m.is_short)
 
 
-def _rests_elsewhere(m):
-    return m.is_short and m.is_settled and m.stop
+def _turns_too_far(m):
+    """Return whether it turns too far; one that rests elsewhere has another mistake."""
+    return m.turned > m.shortest + DETOUR and not (m.is_short and m.is_settled and m.stop)
 
 
 START = (
@@ -67,7 +68,8 @@ DISTANCE = (
     Rule('early', lambda m: m.stop and m.is_short,
          'you stopped at {at_stop.way:.2f} m, and rest at {end.way:.2f} of 2.00 m'),
     Rule('unfinished', lambda m: m.is_short,
-         'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m'),
+         'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m, '
+         'and your last command was {last_word}'),
     Rule('passed_by', lambda m: not m.stop,
          'you passed 2.00 m and were at {end.way:.2f} m when this was ended, '
          'still with {last_word}'),
@@ -86,7 +88,10 @@ HEADING = (
     Rule('rings', lambda m: m.rings,
          'your command changed its sign {flips} times until this was ended, '
          'and the robot did not come to rest at 90 degrees'),
-    Rule('long_way', lambda m: m.turned > m.shortest + DETOUR and not _rests_elsewhere(m),
+    Rule('long_way', lambda m: _turns_too_far(m) and m.goes_shorter_way,
+         'you swung {swing:.0f} degrees past 90, and turned {turned:.0f} in all, '
+         'where {shortest:.0f} are enough'),
+    Rule('long_way', _turns_too_far,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
     Rule('drives_on', lambda m: m.drives_on and not m.is_short,
          'the robot still drove at {end.linear:.2g} m/s when this was ended, at heading '

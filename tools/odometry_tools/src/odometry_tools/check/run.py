@@ -94,6 +94,7 @@ class Run:
         self.nodes = set()  # names of the learner's nodes
         self.has_begun = False  # whether it has called rospy.init_node
         self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
+        self.services = {}  # by name
         self.links = set()  # by which the node sent to the check as time began
         self.refuses = False  # whether it has closed one of these
         self.is_cpp = False
