@@ -18,7 +18,8 @@ class ClientView:
         self._camera, self._find_places = client.camera, find_places
         self._aspect = None  # of the picture for which all was shown
         robot, start, *_ = find_places() or [(0.0, 0.0)] * 2
-        self._start = start[0] - robot[0], start[1] - robot[1]  # as the page is opened, or followed
+        # From the robot, as the page is opened, until all has been shown.
+        self._start = start[0] - robot[0], start[1] - robot[1]
         self._world = client.scene.add_frame(WORLD, show_axes=False)
         self._follows = client.gui.add_checkbox('follow', True, hint='the chosen robot',
                                                 order=order + 0.1)
@@ -38,6 +39,7 @@ class ClientView:
 
     def show_all(self):
         """Show paths, targets and robots, and follow none."""
+        self._start = 0.0, 0.0  # before a click on the box lets follow() run again
         self._follows.value = False
         self._aspect = self._camera.aspect
         x, y, _ = self._world.position
@@ -47,5 +49,5 @@ class ClientView:
 
     def _on_follow(self, _):
         if self._follows.value:
-            self._aspect, self._start = None, (0.0, 0.0)
+            self._aspect = None
             look_at_robot(self._camera)
