@@ -19,8 +19,8 @@ import time
 from contextlib import suppress
 
 ASK_ALL_AFTER = 4.0  # s; roslaunch ends its nodes one after the other
-# s since the last one has ended: on a busy machine each may take some.
-KILL_AFTER, GIVE_UP_AFTER = 9.0, 20.0
+KILL_AFTER = 9.0  # s
+GIVE_UP_AFTER = 20.0  # s; on a busy machine a process may take some to die
 ORPHAN_PERIOD = 0.1  # s between two checks; SIGCHLD reports children
 STATUS_NO_COMMAND = 127
 # A terminal sends the first three to its foreground processes. An ignored one would be inherited.
@@ -93,18 +93,15 @@ def _reap(statuses):
 
 def _end_all(statuses):
     """Return once all descendants have ended, except those that cannot be killed."""
-    start, asked, fewest = time.monotonic(), set(), sys.maxsize
+    start, asked = time.monotonic(), set()
     while _reap(statuses):
-        now, pids = time.monotonic(), _descendants(only_children=False)
-        if len(pids) < fewest:
-            fewest, last_end = len(pids), now
-        if now - last_end > GIVE_UP_AFTER:
+        age = time.monotonic() - start
+        pids = _descendants(only_children=age < ASK_ALL_AFTER)
+        if age > GIVE_UP_AFTER:
             _complain(f'cannot end {", ".join(map(str, pids))}')
             return
-        if now - start < ASK_ALL_AFTER:
-            pids = _descendants(only_children=True)
         for pid in pids:
-            if now - last_end > KILL_AFTER:
+            if age > KILL_AFTER:
                 _signal(pid, signal.SIGKILL)
             elif pid not in asked:
                 _signal(pid, signal.SIGTERM)

@@ -4,7 +4,9 @@ import threading
 import time
 from concurrent import futures
 
-ANSWER_TIMEOUT = 60.0  # s; lockstep waits as long for a process that makes no progress
+from sim_turtlebot.lockstep.budgets import STALL_TIMEOUT
+
+ANSWER_TIMEOUT = STALL_TIMEOUT + 5.0  # s; before that lockstep goes on without a stalled process
 
 
 class RequestQueue:

@@ -27,7 +27,7 @@ def test_a_package_with_several_nodes_asks_for_one():
 
 
 @pytest.mark.parametrize('line, complaint', [
-    ('import rospy\n', 'must be #!/usr/bin/env python3'),
+    ('import rospy\n', 'must be #!/usr/bin/env python3'), ('#!\n', 'must be #!/usr/bin/env python3'),
     ('#!/usr/bin/env python3\r\n', 'ends as on Windows'),
     ('#!/usr/bin/python2.5\n', 'names /usr/bin/python2.5, which is not on this machine')])
 def test_a_script_that_the_system_cannot_start_says_why(tmp_path, line, complaint):
@@ -43,7 +43,8 @@ def test_code_in_a_launch_file_does_not_run_in_this_process(tmp_path):
     path = tmp_path / 'evil.launch'
     path.write_text('<launch><rosparam>x: !radians "len(__import__(\'os\').environ.setdefault(\'EVIL\', \'1\'))"'
                     '</rosparam></launch>')
-    assert program_of([str(path)]).command == ['roslaunch', str(path)]
+    words = [str(path)]
+    assert program_of(words).command == ['roslaunch', *words]
     assert 'EVIL' not in os.environ
     with pytest.raises(StartError, match='evil.launch has no argument _target; it has none'):
-        program_of([str(path), '_target:=90'])
+        program_of([*words, '_target:=90'])

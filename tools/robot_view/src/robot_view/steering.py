@@ -37,13 +37,13 @@ class Steering:
 
         While it is held, a button stays with the robot for which it was pressed.
         """
-        held_for, until = self._held.get((client, button), (robot, now))
+        pressed_for, until = self._held.get((client, button), (robot, now))
         if button == STOP:
             # Also buttons past their deadline: a page that was silent may continue to hold them.
             self._stopped.update(held for held, (held_for, _) in self._held.items()
                                  if held_for == robot and held[1] != STOP)
         elif until > now:
-            robot = held_for
+            robot = pressed_for
         self._held[client, button] = robot, now + HOLD_TIMEOUT
 
     def release(self, client, button=None):

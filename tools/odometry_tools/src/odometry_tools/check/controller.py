@@ -47,9 +47,9 @@ def _best(found):
 
 
 def _law(angle, speed):
-    """Return residual, gain (1/s) and zero (degrees) of speeds (rad/s) that angles (rad) give.
+    """Fit speeds (rad/s) that are proportional to angles (rad); return None if they are not.
 
-    If they are not, return None.
+    :return: largest residual (share of the speeds' range), gain (1/s) and zero (degrees)
     """
     if len(angle) < FEWEST or numpy.ptp(angle) < NARROW:
         return None

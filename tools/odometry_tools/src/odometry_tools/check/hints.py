@@ -97,14 +97,14 @@ BY_VERDICT = {
              'as in queue_size=1, without quotation marks'),
         Rule('output', lambda m: m.outputs and m.topic not in m.run.publishes,
              'You publish {type} on {outputs}; the exercise names {topic}'),
-        Rule('service', lambda m: m.services,
-             'Your node offers the service {services}, which nobody calls here: '
-             'it should begin by itself'),
         KEYBOARD, _error_if(_died_unnoticed), NOT_THERE,
         Rule('ended', lambda m: m.status == 0 and (m.plain is None or m.plain.is_silent),
              'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() '
              'keeps it alive; what you publish before anybody is connected is lost'),
         *INPUTS,
+        Rule('service', lambda m: m.status is None and m.services,
+             'Your node offers the service {services}, which nobody calls here: '
+             'if it waits for a call, let it begin by itself'),
         Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
              'Your node advertises no topic')),
     'all_zero': (

@@ -18,6 +18,7 @@ RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.D
          'heading': (*rules.DRIVE, *rules.HEADING)}
 SAME_HEADING = 1.0  # degrees
 SAME_RATE = 0.05  # share by which rates of a loop may differ
+LOOPS = 1.5, 100.0  # Hz; a step times a time step in seconds, or ms, looks like 1, or 1000
 SAME_ANGLE = 0.05  # share of a turn by which another one may be larger
 ALIKE = 0.1  # m between the places where the robot rests in all scenarios
 
@@ -85,7 +86,7 @@ def _compare(all_measures):
 
 
 def _has_same_heading(all_measures):
-    """Return whether the robot rests at one heading, and not that of the task, from each start."""
+    """Return whether the robot rests at one wrong heading from different starts."""
     resting = [m for m in all_measures if m.rule == 'elsewhere']
     starts = {m.scenario.start for m in resting}
     headings = [m.heading for m in resting]
@@ -93,16 +94,18 @@ def _has_same_heading(all_measures):
 
 
 def _loop_rate(all_measures):
-    """Return how often a detector adds a step (Hz), if that does not depend on the odometry's rate.
+    """Return how often a detector adds a step (Hz), the same at each rate of odometry.
 
-    Otherwise return None.
+    Return None if it is not the same.
     """
     rates = [m.rate / m.share for m in all_measures if m.exercise.route and m.share]
-    is_varied = len({m.rate for m in all_measures}) > 1
-    is_known = is_varied and len(rates) == len(all_measures)
-    if is_known and numpy.ptp(rates) < SAME_RATE * rates[0]:
-        return rates[0]
-    return None
+    if len({m.rate for m in all_measures}) < 2 or len(rates) < len(all_measures):
+        return None
+    is_constant = numpy.ptp(rates) < SAME_RATE * rates[0]
+    slowest, fastest = LOOPS
+    if not (is_constant and slowest < rates[0] < fastest):
+        return None
+    return rates[0]
 
 
 def _verdict_on(m, held):

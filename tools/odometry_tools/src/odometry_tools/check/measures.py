@@ -13,7 +13,7 @@ from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # printed by Python
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
-LOGGING = '/get_loggers', '/set_logger_level'  # services of each node
+USUAL_SERVICES = '/get_loggers', '/set_logger_level', '/set_parameters'  # ends of their names
 DRIVEN_ON = 5.0  # s of driving after Ctrl-C that pass
 # Topics from which a node may learn about the robot, and their types.
 INPUTS = {
@@ -41,7 +41,8 @@ def measure(run, exercise):
     _read_output(m, plain(run.output))
     _measure_messages(m)
     _read_graph(m, run.publishes, run.subscribes)
-    m.services = quoting.listed(name for name in run.services if not name.endswith(LOGGING))
+    m.services = quoting.listed(
+        name for name in run.services if not name.endswith(USUAL_SERVICES))
     if exercise.route and m.is_finite:
         measure_detector(m, run)
     elif run.odometry and m.is_finite:

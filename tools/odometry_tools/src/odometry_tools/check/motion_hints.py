@@ -112,9 +112,10 @@ ANGLES = (
          'the exercise asks for heading 90 in the odom frame'),
     Rule('half_turn', lambda m: (m.rule == 'elsewhere' and _is_only_here(m)
                                 and m.heading_error > HALF_TURN),
-         'That is half a turn off: wrap the error by 2 pi, not pi, and take atan2(), not atan()'),
+         'That is half a turn off, and your node takes one heading for the other, '
+         'as with abs(), with atan(), or with an error wrapped by pi'),
     Rule('alike', lambda m: m.rule == 'elsewhere' and m.same_heading,
-         'You rest there from each start: print your target, and what you compare with it'))
+         'You rest there from different starts: print your target, and what you compare with it'))
 FITS = (
     Rule('from_origin', _fits('origin', 'first_step'),
          'Before the robot moved you published {offset:.2f} m: '

@@ -93,8 +93,8 @@ class Run:
         self.leaves_process = False  # whether a descendant survives Ctrl-C
         self.nodes = set()  # names of the learner's nodes
         self.has_begun = False  # whether it has called rospy.init_node
-        self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
-        self.services = {}  # by name
+        # Types by name; '' if it is not known, as of services.
+        self.publishes, self.subscribes, self.services = {}, {}, {}
         self.links = set()  # by which the node sent to the check as time began
         self.refuses = False  # whether it has closed one of these
         self.is_cpp = False

@@ -59,7 +59,7 @@ def use_writable_logs(folder=None):
         if folder is None:
             folder = tempfile.mkdtemp(prefix='ros-')
             if 'ROS_LOG_DIR' not in failed:
-                atexit.register(shutil.rmtree, folder)
+                atexit.register(shutil.rmtree, folder, ignore_errors=True)
         os.environ.update({variable: folder for variable in failed}, MPLCONFIGDIR=folder)
     if 'ROS_LOG_DIR' in failed:
         complain(f'logs are in {folder}: {failed["ROS_LOG_DIR"]}')
