@@ -22,7 +22,7 @@ def node(request, ns):
 
 @pytest.fixture
 def partner(node, ns):
-    """Return who tells positions to a detector that has begun, and hears its distances."""
+    """Return a Partner that tells positions to a detector that has begun, and records its distances."""
     partner = Partner(f'{ns}odom', Odometry, f'{ns}moved_distance', Float64)
     partner.say_until(odometry, lambda m: m.data == 0.0, 'a distance')
     return partner

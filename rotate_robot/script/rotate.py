@@ -30,7 +30,7 @@ from odometry_common.node import run_node
 from odometry_common.orientation import yaw_from_orientation
 from odometry_common.publisher_conflicts import warn_of_conflicts
 from odometry_common.rest import ANGLE_BAND, RestDetector
-from odometry_common.subscribing import Subscriber
+from odometry_common.subscribing import Subscriber, callback_lock
 from odometry_common.velocity import VelocityPublisher
 from odometry_common.watchdog import Watchdog
 from std_msgs.msg import Float64
@@ -53,12 +53,14 @@ class RotateRobot:
         warn_of_conflicts('cmd_vel')
 
     def run(self):
-        """Ten times a second: take the error, multiply by the gain, publish."""
+        """In each cycle take the error, multiply it by the gain, and publish."""
         if not self._odometry.wait():
             return
         rate = rospy.Rate(self._hertz, reset=True)
         while not rospy.is_shutdown():
-            if self._watchdog.expired(rospy.get_time()):
+            with callback_lock:
+                is_silent = self._watchdog.expired(rospy.get_time())
+            if is_silent:
                 self._stop()
             else:
                 self._control()
@@ -75,8 +77,8 @@ class RotateRobot:
             rospy.signal_shutdown('the target has been reached')
 
     def _stop(self):
-        rospy.logwarn_throttle(1.0, 'stopping: no odometry arrives')
         self._velocity.publish()
+        rospy.logwarn_throttle(1.0, 'stopping: no odometry arrives')
         self._rest.reset()
 
     def _on_odometry(self, message):

@@ -14,6 +14,8 @@ Parameters:
     ~time (float, 5.05 s, from 0): when to send it; later if move_base takes no goals yet
 """
 
+import contextlib
+
 import rospy
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion
 from odometry_common.node import run_node, spin
@@ -38,7 +40,9 @@ def main():
     publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
     status = Subscriber('move_base/status', rospy.AnyMsg, lambda _: None, 'move_base')
     status.wait()  # an earlier goal would be lost
-    rospy.sleep(rospy.Time.from_sec(goal.time) - rospy.Time.now())
+    while rospy.Time.now().to_sec() < goal.time:
+        with contextlib.suppress(rospy.exceptions.ROSTimeMovedBackwardsException):  # a reset
+            rospy.sleep(rospy.Time.from_sec(goal.time) - rospy.Time.now())
     message.header.stamp = rospy.Time.now()
     publisher.publish(message)
     spin()

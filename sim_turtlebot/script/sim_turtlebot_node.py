@@ -21,8 +21,8 @@ Publishes:
     /tf_static (tf2_msgs/TFMessage): latched; base_footprint -> base_link -> the URDF's fixed frames
     /clock (rosgraph_msgs/Clock): when /use_sim_time is true
     ~world_markers (visualization_msgs/MarkerArray): latched; the world file's shapes
-    ~warning (std_msgs/String): latched; the machine is too slow, a robot lies on its side, or a
-        pose was refused; empty otherwise
+    ~warning (std_msgs/String): latched; the machine is too slow, a robot lies on its side, a pose
+        was refused, models of the world are left out; empty otherwise
 
 Services:
     ~step (std_srvs/Trigger): while paused, advance to the next odometry; answers with its stamp

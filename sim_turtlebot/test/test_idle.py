@@ -73,7 +73,7 @@ def ask(waiter, process, rounds=100):
 
 @pytest.mark.parametrize('code', [READER, HAND_OVER, LATE_POLLER, MANY_THREADS, NAPPING_THREADS],
                          ids=['reader', 'hand over', 'late poller', 'many threads', 'napping threads'])
-def test_who_rests_has_answered(waiter, start, busy, code):
+def test_an_idle_process_has_answered(waiter, start, busy, code):
     """Whatever threads the work goes through, in that process and in this one; of those that ended no file is open."""
     files = []
     for _ in ask(waiter, start(code)):
@@ -144,8 +144,8 @@ def test_a_thread_of_roscpp_that_sleeps_by_wall_time_may_run_between_two_looks(w
     process.list_threads()
     wait_until(process.check_idle, TIMEOUT, 'a thread that sleeps')
     thread, = process.threads.values()
-    before = thread.sleeps
-    wait_until(lambda: thread.sleeps > before, TIMEOUT, 'a poll')
+    before = thread.sleep_count
+    wait_until(lambda: thread.sleep_count > before, TIMEOUT, 'a poll')
     wait_until(process.check_asleep, TIMEOUT, 'a thread that sleeps')
     assert thread.sleeps_by_wall_time and process.is_still_idle()
     child.stdin.write('go\n')

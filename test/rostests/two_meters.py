@@ -32,7 +32,7 @@ class TwoMetersTest(unittest.TestCase):
     def on_truth(self, message):
         """Keep each pose, until the robot has moved and then rested."""
         self.truth.append(message)
-        is_at_rest = all(message.twist.twist == Twist() for message in self.truth[-RESTS:])
+        is_at_rest = all(seen.twist.twist == Twist() for seen in self.truth[-RESTS:])
         if message.pose.pose.position.x > 1.0 and is_at_rest:
             self.rests.set()
 

@@ -15,7 +15,7 @@ DISTANCE = 1.0  # m
 CORRIDOR = f'_world:={ROOT}/sim_turtlebot/worlds/corridor.urdf'
 END = 5.0  # m, where the corridor ends
 CLEAR = 0.5  # m, between the camera and the end of the corridor
-BRAKES = 0.03  # m: the way of a period between two scans and of the brakes
+BRAKES = 0.03  # m, driven between two scans and while braking
 CREEP = 1e-9  # m, of a robot at rest; the last digits of its brakes
 STOPPING_TIME = 0.15  # s, to brake, from the pause in which the node ended
 

@@ -10,7 +10,7 @@ from urllib.parse import urlparse
 import pytest
 import rosgraph
 from geometry_msgs.msg import Twist
-from odometry_tests.links import ANSWER
+from odometry_common.connections import ANSWER
 from odometry_tests.partners import Partner
 from odometry_tests.pausing import call
 from odometry_tests.tutorial import Truth, mover, rotator, simulator, simulator_in_step

@@ -23,7 +23,7 @@ import math
 import rospy
 from odometry_common.node import run_node, spin
 from odometry_common.publisher_conflicts import warn_of_conflicts
-from odometry_common.rest import WAY_BAND, RestDetector
+from odometry_common.rest import DISTANCE_BAND, RestDetector
 from odometry_common.subscribing import Subscriber, callback_lock
 from odometry_common.velocity import VelocityPublisher
 from odometry_common.watchdog import Watchdog
@@ -41,7 +41,8 @@ class TestMovement:
         self._drive = Drive(parameters.distance, parameters.speed, parameters.relative)
         self._exit_when_done = parameters.exit_when_done
         self._watchdog = Watchdog(parameters.timeout)
-        self._rest = RestDetector(WAY_BAND)
+        self._rest = RestDetector(DISTANCE_BAND)
+        self._reset = rospy.resolve_name('moved_distance/reset')
         self._speed = None  # of the last command
         self._velocity = VelocityPublisher('cmd_vel')
         self._distances = Subscriber('moved_distance', Float64, self._on_moved_distance)
@@ -70,7 +71,7 @@ class TestMovement:
             speed = 0.0
         if self._speed is None and speed == 0 and math.isfinite(message.data):
             rospy.loginfo(f'moved_distance is {message.data:.3f} m already: nothing to drive. '
-                          'Reset it (rostopic pub -1 /moved_distance/reset std_msgs/Empty), '
+                          f'Reset it (rostopic pub -1 {self._reset} std_msgs/Empty), '
                           'or set _relative:=true')
         self._command(speed)
         if speed != 0:

@@ -25,7 +25,7 @@ def commands(*speeds):
 
 @pytest.fixture
 def partner(node, ns):
-    """Return who tells distances to a mover, and hears its commands."""
+    """Return a Partner that tells distances to a mover, and records its commands."""
     return Partner(f'{ns}moved_distance', Float64, f'{ns}cmd_vel', Twist)
 
 

@@ -4,8 +4,8 @@
 import math
 
 import rospy
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from odometry_common.velocity import VelocityPublisher
 
 DISTANCE = 1.0  # m
 
@@ -18,14 +18,14 @@ class OneMetre:
         self.start = self.position = None  # no odometry has come
         self.distance = rospy.get_param('~distance', DISTANCE)  # m
         self.speed = rospy.get_param('~speed', 0.2)  # m/s
-        self.publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
-        rospy.on_shutdown(self.stop)
+        self.velocity = VelocityPublisher()  # its last message is zero, however the node ends
         rospy.Subscriber('odom', Odometry, self.on_odometry)
 
     def on_odometry(self, message):
-        """Keep the latest position, and the first."""
-        self.position = message.pose.pose.position
-        self.start = self.start or self.position
+        """Keep the first position, and the latest."""
+        position = message.pose.pose.position
+        self.start = self.start or position  # run() needs both once there is a latest
+        self.position = position
 
     def is_there(self):
         """Return whether the robot has moved far enough from where it started."""
@@ -34,17 +34,11 @@ class OneMetre:
 
     def run(self):
         """Drive until shutdown; stand while the position is unknown."""
-        rate = rospy.Rate(10)
+        rate = rospy.Rate(10, reset=True)  # goes on after a reset of the simulation
         while not rospy.is_shutdown():
-            command = Twist()
-            if self.position and not self.is_there():
-                command.linear.x = self.speed
-            self.publisher.publish(command)
+            drives = self.position and not self.is_there()
+            self.velocity.publish(self.speed if drives else 0.0)
             rate.sleep()
-
-    def stop(self):
-        """Leave no speed set, however the node ends."""
-        self.publisher.publish(Twist())
 
 
 if __name__ == '__main__':

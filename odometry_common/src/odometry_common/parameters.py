@@ -73,9 +73,11 @@ class Parameter(NamedTuple):
             return not self.range or value in self.range.split(' or ')
         if value == 0 and self.range.startswith('0 or '):
             return True
-        return all(COMPARISONS[word](value, getattr(earlier, name) if name else
-                                     float(number) * (math.pi if pi else 1))
-                   for word, name, number, pi in BOUND.findall(self.range))
+        for word, name, number, pi in BOUND.findall(self.range):
+            bound = getattr(earlier, name) if name else float(number) * (math.pi if pi else 1)
+            if not COMPARISONS[word](value, bound):
+                return False
+        return True
 
     def _allowed(self, earlier):
         text = re.sub(r'~(\w+)', lambda found: f'{found[0]} ({getattr(earlier, found[1]):g})',

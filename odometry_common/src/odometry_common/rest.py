@@ -3,7 +3,7 @@
 import math
 
 LINEAR_SPEED, ANGULAR_SPEED = 1e-3, 1e-2  # m/s, rad/s; well above the creep with idle motors
-WAY_BAND, ANGLE_BAND = 1e-3, math.radians(0.1)  # m, rad; a robot at rest stays within these
+DISTANCE_BAND, ANGLE_BAND = 1e-3, math.radians(0.1)  # m, rad; a robot at rest stays within these
 DURATION = 0.5  # s, for this long
 
 

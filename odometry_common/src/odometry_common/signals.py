@@ -5,7 +5,7 @@ import signal
 import threading
 import time
 
-# s of the main thread: Python handles a signal that arrives just before a wait only after the wait
+# s, of the main thread: Python handles a signal that arrives just before a wait after the wait.
 LONGEST_WAIT = 0.5
 WAKE_UP = signal.SIGURG  # which a process without a handler ignores
 

@@ -37,14 +37,29 @@ class Subscriber:
 
         :return: whether a message has arrived, and the node goes on
         """
+        # Not here: a suspended master answers late, or never.
+        threading.Thread(target=self._log_waiting, daemon=True).start()
         while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
+            pass
+        return not rospy.core.is_shutdown_requested()
+
+    def _log_waiting(self):
+        while not self._woken.wait(timeout=1.0):
             topics = ask(rosgraph.get_master_uri(), 'getPublishedTopics', '') or ()
             other = dict(topics).get(self._name)
-            is_right = other is None or self._type in (other, rospy.AnyMsg._type)
-            rospy.loginfo(f'waiting for {self._what} on {self._name}' if is_right else
-                          f'waiting for {self._what}: '
-                          f'{self._name} has the type {other}, not {self._type}')
-        return not rospy.core.is_shutdown_requested()
+            text = f'waiting for {self._what} on {self._name}'
+            if other not in (None, self._type) and self._type != rospy.AnyMsg._type:
+                text = (f'waiting for {self._what}: '
+                        f'{self._name} has the type {other}, not {self._type}')
+            if not self._woken.is_set():
+                self._log(text)
+
+    @staticmethod
+    def _log(text):
+        try:
+            rospy.loginfo(text)
+        except OSError as error:  # the output
+            end_node(error)
 
     def _on_message(self, message):
         try:

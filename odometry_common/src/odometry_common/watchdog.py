@@ -5,7 +5,7 @@ import time
 from collections import deque
 
 WALL_SILENCE = 0.2  # s
-# So often time has gone back in so many s of wall time, as with two clocks.
+# Two clocks: time has gone back JUMPS times within JUMP_MEMORY s of wall time.
 JUMPS, JUMP_MEMORY = 2, 10.0
 
 

@@ -47,8 +47,12 @@ class Reports:
             if robot.timed_out:  # a Kobuki's driver logs that, too
                 robot.timed_out = False
                 self._report_timeout(robot)
-            if is_upright(robot.ground_truth.orientation) == (robot in self._fallen):
-                self._fallen ^= {robot}
+            lies = not is_upright(robot.ground_truth.orientation)
+            if lies and robot not in self._fallen:
+                self._fallen.add(robot)
+                self._report_fall(robot)
+            elif not lies and robot in self._fallen:
+                self._fallen.remove(robot)
                 self._report_fall(robot)
 
     def _report_timeout(self, robot):

@@ -67,7 +67,7 @@ class RequestQueue:
             messages, self._messages = self._messages, {}
             calls = []
             if not self._is_serving_calls:
-                calls, self._calls = self._calls, calls
+                calls, self._calls = self._calls, []
         if by_name:
             calls.sort(key=lambda call: call[:2])
         for sender in sorted(messages) if by_name else messages:

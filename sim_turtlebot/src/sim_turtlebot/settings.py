@@ -31,7 +31,8 @@ PARAMETERS = Parameters(
     Parameter('~clock_rate', 0.0,
               'ticks of /clock, rounded up to a multiple of ~odom_rate; '
               '0: 200 (at most about 1000 per second of wall time), '
-              'in lockstep 100, else unpaced ~odom_rate', 'Hz', '0 or from ~odom_rate to 1000'),
+              'in lockstep 100, else unpaced ~odom_rate, at least 20',
+              'Hz', '0 or from ~odom_rate to 1000'),
     Parameter('~publish_tf', True,
               'publish odom -> base_footprint on /tf; false where a filter does'),
     Parameter('~odometry_source', 'world',
@@ -127,7 +128,7 @@ def _default_clock_rate(settings):
 
 def _check_wall_time(settings):
     """Raise ParameterError for settings with which wall-clock stamps would be wrong."""
-    for name, needed in (('real_time_factor', 1), ('lockstep', False)):
+    for name, needed, text in (('real_time_factor', 1, '1'), ('lockstep', False, 'false')):
         value = getattr(settings, name)
         if value != needed and not settings.use_sim_time:
-            raise ParameterError(f'~{name}', value, f'{needed} unless /use_sim_time is true')
+            raise ParameterError(f'~{name}', value, f'{text} unless /use_sim_time is true')

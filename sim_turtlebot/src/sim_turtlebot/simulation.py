@@ -12,16 +12,14 @@ SPACING = 1.0  # m, from one robot's start to that of the next on its left
 class Simulation:
     """TurtleBots that share a world and a timeline."""
 
-    def __init__(self, settings, starts=None, build_world=World):
+    def __init__(self, settings, build_world=World):
         """Place the robots.
 
         :param settings: of sim_turtlebot.settings.read_settings()
-        :param starts: x, y (m) and yaw (rad) of each robot; None: where the settings put them
         :param build_world: function of the parameters of World, whose errors it raises
         """
-        if starts is None:
-            starts = [(settings.x, settings.y + index * SPACING, settings.yaw)
-                      for index in range(settings.robots)]
+        starts = [(settings.x, settings.y + index * SPACING, settings.yaw)
+                  for index in range(settings.robots)]
         self.timeline = Timeline(settings.odom_rate, settings.clock_rate)
         self.world = build_world(self.timeline.step_rate, starts, settings.gui, settings.world)
         self.robots = [Robot(body, self.timeline, settings, index)

@@ -66,14 +66,17 @@ class Simulator:
 
     def run(self):
         """Simulate until shutdown."""
-        robots = dict.fromkeys([self._simulation.robots[0], self._simulation.robots[-1]])
-        odometry, commands = (
-            ' to '.join(rospy.resolve_name(robot.namespace + topic) for robot in robots)
-            for topic in ('odom', 'cmd_vel'))
-        rospy.loginfo(f'TurtleBot 2 ready: {odometry} at {self._timeline.odom_rate:g} Hz, '
-                      f'listening on {commands}')
+        rospy.loginfo(
+            f'TurtleBot 2 ready: {self._names_of("odom")} at {self._timeline.odom_rate:g} Hz, '
+            f'listening on {self._names_of("cmd_vel")}')
         while not rospy.core.is_shutdown_requested():
             self._take_turn()
+
+    def _names_of(self, topic):
+        """Return the first and the last robot's name of a topic, or the only one's."""
+        names = [rospy.resolve_name(robot.namespace + topic)
+                 for robot in self._simulation.robots]
+        return names[0] if len(names) == 1 else f'{names[0]} to {names[-1]}'
 
     def _take_turn(self):
         """Serve the waiting requests; advance if a tick is due, even if more requests arrive."""
@@ -91,7 +94,7 @@ class Simulator:
                 self._check_senders(self._requests.arrivals)
                 self._nodes.wait()
                 self._serve()
-            if not is_early:
+            if not (is_early or self._paused):
                 self._advance()
 
     def _check_senders(self, unprompted):
@@ -107,9 +110,11 @@ class Simulator:
 
     def _begin(self):
         """Start time; in lockstep, once the graph is stable."""
-        is_stable = self._nodes.is_graph_stable
-        # The caller of ~unpause_physics has waited for the nodes.
-        if is_stable(0.0) if self._settings.paused else is_stable():
+        if self._settings.paused:  # the caller of ~unpause_physics has waited for the nodes
+            is_stable = self._nodes.is_graph_stable(0.0)
+        else:
+            is_stable = self._nodes.is_graph_stable()
+        if is_stable:
             self._start_time()
         elif self._requests.wait(GRAPH_PERIOD):
             self._requests.serve_all()

@@ -18,12 +18,14 @@ class Timeline:
         """Divide the time between two odometry messages.
 
         :param odom_rate: odometry messages per second (Hz)
-        :param clock_rate: ticks of the clock per second (Hz), rounded up to a multiple of odom_rate
+        :param clock_rate: ticks of the clock per second (Hz), rounded up to a multiple of
+            odom_rate; 0: as few as MIN_CLOCK_RATE allows
         """
         self.odom_rate = odom_rate
         coarsest = math.ceil(MIN_CLOCK_RATE / odom_rate)
         self.steps_per_odometry = coarsest * math.ceil(MIN_STEP_RATE / (odom_rate * coarsest))
-        self.ticks_per_odometry = math.ceil(clock_rate / odom_rate - 1e-9) or coarsest
+        ticks = math.ceil(clock_rate / odom_rate - 1e-9)  # a rounding error is no tick
+        self.ticks_per_odometry = ticks if clock_rate else coarsest
         self.step_rate = odom_rate * self.steps_per_odometry
         self.restart()
 

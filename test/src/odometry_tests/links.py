@@ -1,22 +1,20 @@
 """The connections of nodes, as the nodes report them."""
 
-import xmlrpc.client
-
 import rosgraph
-from odometry_common.connections import ANSWER, SENDS
+from odometry_common.connections import SENDS, ask
 
 CALLER = '/links'
 
 
 def has_listener(topic):
     publishers = dict(rosgraph.Master(CALLER).getSystemState()[0]).get(topic, [])
-    connections = [connection for node in publishers for connection in _node(node).getBusInfo(CALLER)[ANSWER]]
+    connections = [connection for node in publishers for connection in _ask(node, 'getBusInfo')]
     return any((direction, connected) == (SENDS, topic) for _, _, direction, _, connected, *_ in connections)
 
 
 def pid_of(node, master_uri=None):
-    return _node(node, master_uri).getPid(CALLER)[ANSWER]
+    return _ask(node, 'getPid', master_uri)
 
 
-def _node(name, master_uri=None):
-    return xmlrpc.client.ServerProxy(rosgraph.Master(CALLER, master_uri).lookupNode(name))
+def _ask(node, call, master_uri=None):
+    return ask(rosgraph.Master(CALLER, master_uri).lookupNode(node), call)

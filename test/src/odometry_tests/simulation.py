@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from sim_turtlebot.physics.world import World
 from sim_turtlebot.robot.odometry import true_motion
 from sim_turtlebot.settings import read_settings
 from sim_turtlebot.simulation import Simulation as SteppedRobots
@@ -23,7 +24,10 @@ class Simulation(SteppedRobots):
 
     def __init__(self, *starts, **parameters):
         """Put robots down at their starts, or one at zero; parameters as the node's."""
-        super().__init__(settings_of(**{'cmd_vel_timeout': 0.0, **parameters}), starts or None)
+        def build_world(step_rate, usual_starts, *rest):
+            return World(step_rate, starts or usual_starts, *rest)
+
+        super().__init__(settings_of(**{'cmd_vel_timeout': 0.0, **parameters}), build_world)
         self.robot = self.robots[0]
 
     def run(self, duration):

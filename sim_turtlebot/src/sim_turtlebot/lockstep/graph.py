@@ -68,7 +68,7 @@ class GraphProcesses:
                 self._await_connections()
             finally:  # also if the master does not answer
                 self._waiter.wait()
-            self._master_has_worked()
+            self._master_has_worked()  # for the next call: what it has done is awaited
 
     def sends_to(self, names, name):
         """Return whether one of these nodes publishes a topic to which node `name` subscribes."""
@@ -84,7 +84,7 @@ class GraphProcesses:
         return self._master_usage != before or master is None
 
     def _await_connections(self):
-        """Return once nobody comes or goes, and each subscriber is connected or reported."""
+        """Return once the list of nodes is stable, and each subscriber is connected or reported."""
         rested = 0.0  # s, while all nodes were idle; a busy machine may need minutes for them
         told = set()  # links of which the subscriber was told again
         while not is_shutdown_requested():
@@ -134,7 +134,7 @@ class GraphProcesses:
         begin = time.monotonic()
         process = self._waiter.processes[self._pids[name]]
         answer = ask(self._addresses[name], 'getBusInfo')
-        if answer is None and time.monotonic() - begin > ANSWER_TIMEOUT and process.sleeps():
+        if answer is None and time.monotonic() - begin > ANSWER_TIMEOUT and process.is_asleep():
             self._silent.add(name)
             self._report(name, f'has not answered for {ANSWER_TIMEOUT:g} s')
         return answer or ()
@@ -192,6 +192,6 @@ class GraphProcesses:
 
 
 def _names(*states):
-    """Return the names of nodes in parts of the master's state, except rosout and who only logs."""
+    """Return the names of nodes in parts of the master's state, except of those that only log."""
     return {name for state in states for topic, nodes in state.items() if topic != LOG
             for name in nodes} - {LOG}

@@ -78,7 +78,7 @@ class IdleWaiter:
                 self._await_continued()
                 # Before the check: a thread that sleeps later may have received work in between.
                 polls = {thread: sleeps for thread, sleeps in polls.items()
-                         if thread.sleeps < sleeps}
+                         if thread.sleep_count < sleeps}
                 busy = self._find_busy()
                 if not busy:
                     before = usage
@@ -111,13 +111,13 @@ class IdleWaiter:
         """Return when each thread of a process that polls by wall time has polled once more."""
         begin, polling = time.monotonic(), {}
         with contextlib.suppress(OSError, KeyError):  # it has ended
-            polling = {thread: thread.sleeps for thread in self.processes[pid].threads.values()
+            polling = {thread: thread.sleep_count for thread in self.processes[pid].threads.values()
                        if thread.may_poll}
             while (polling and not is_shutdown_requested()
                    and time.monotonic() - begin < STALL_TIMEOUT):
                 time.sleep(LONGEST_POLL)
                 polling = {thread: sleeps for thread, sleeps in polling.items()
-                           if thread.sleeps == sleeps}
+                           if thread.sleep_count == sleeps}
 
     def remove(self, pid):
         """Do not wait for a process any more."""

@@ -91,7 +91,7 @@ class Lockstep:
             had been published since
         """
         awaited = {process.name for process in self._waiter.processes.values()}
-        for name in arrivals.keys() & awaited - self._reported:
+        for name in (arrivals.keys() & awaited) - self._reported:
             self._unprompted[name] += name in unprompted
             times = self._times.setdefault(name, deque(maxlen=MIN_INTERVALS + 1))
             times.append((arrivals[name], now))

@@ -22,10 +22,13 @@ def classify(processes, idle_usage, check_begin, receivers, lateness):
         have_run = () if usage[process] is earlier else usage[process].items() - earlier.items()
         # ros::Rate and ros::Timer poll for the clock.
         if limit and (process.is_cpp or len(have_run) > receivers):
-            polling.update({thread: thread.sleeps + (1 if thread.is_asleep else 2)
-                            for thread in threads if not (
-                                thread in usage[process] or thread.ignored or thread.is_asleep
-                                and thread.sleeps_longer_than(max(limit, lateness), check_begin))})
+            for thread in threads:
+                if thread in usage[process] or thread.ignored:
+                    continue
+                if thread.is_asleep and thread.sleeps_longer_than(max(limit, lateness),
+                                                                  check_begin):
+                    continue
+                polling[thread] = thread.sleep_count + (1 if thread.is_asleep else 2)
     return usage, polling
 
 

@@ -98,7 +98,7 @@ class Process:
         thread = self.awake_thread()
         return thread is not None and thread.state in STOPPED
 
-    def sleeps(self):
+    def is_asleep(self):
         """Return whether it sleeps; False, too, if it has ended."""
         with contextlib.suppress(OSError):
             return self.check_asleep()

@@ -91,7 +91,7 @@ class Thread:
         return tuple(map(int, self.read_usage().split()))
 
     @property
-    def sleeps(self):
+    def sleep_count(self):
         """How often it has gone to sleep."""
         with open(f'{self._path}/status', 'rb') as status:
             return int(status.read().partition(SWITCHES)[2].split(maxsplit=1)[0])

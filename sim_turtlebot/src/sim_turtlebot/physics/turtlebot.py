@@ -12,6 +12,7 @@ from sim_turtlebot.physics.description import BASE_JOINT, URDF, WHEEL_JOINTS, wi
 with suppressed_output():
     import pybullet
 
+NORMAL, DISTANCE = 7, 8  # places in a point of getContactPoints()
 LARGEST_OVERLAP = 1e-3  # m, of a robot and the world where it is put; more would throw it away
 UPWARDS = 0.9  # share of a contact's force that lifts the robot, if it is a floor's
 HIGHEST_FLOOR = 0.05  # m; a floor of the world's own lifts the robot gently, up to this height
@@ -79,8 +80,8 @@ class TurtleBot:
 
     def overlap(self):
         """Return how deep (m) other bodies overlap the robot, except a floor it stands on."""
-        points = ((normal[2], -distance) for *_, normal, distance, _, _, _, _, _
-                  in self._client.getContactPoints(self._body))
+        points = [(point[NORMAL][2], -point[DISTANCE])
+                  for point in self._client.getContactPoints(self._body)]
         return max((depth for up, depth in points
                     if up < UPWARDS or depth > HIGHEST_FLOOR), default=0.0)
 
@@ -112,7 +113,7 @@ class TurtleBot:
     def place_at_start(self):
         """Go back to where the robot was added, with its wheels at zero and at rest.
 
-        By way of the air: a body that moves only a little keeps its contacts in PyBullet, and the
+        Lift it first: a body that moves only a little keeps its contacts in PyBullet, and the
         next drive would depend on the last one.
         """
         (x, y, _), orientation = self._start

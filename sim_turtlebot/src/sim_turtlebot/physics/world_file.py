@@ -44,8 +44,8 @@ def left_out(path):
     """Return a line about models that a world file includes, which PyBullet ignores; or ''."""
     try:
         includes = xml.etree.ElementTree.parse(path).iter('include')
-    # PyBullet finds and reads more files than this.
-    except (OSError, xml.etree.ElementTree.ParseError):
+    # PyBullet finds and reads more files, and in more encodings, than this.
+    except (OSError, ValueError, LookupError, xml.etree.ElementTree.ParseError):
         return ''
     uris = {include.findtext('uri', '').strip() for include in includes}
     models = sorted(uri for uri in uris if uri.rstrip('/') not in NEEDED_BY_NOBODY)

@@ -15,8 +15,8 @@ from sim_turtlebot.robot.sensors import Encoders, Gyro
 
 REST_TIME = 0.25  # s, until a slow robot is at rest
 HOLD_SPEED = 1e-3  # m/s; a robot at rest that moves faster was pushed
-STANDING_HEIGHT = 1e-4  # m; a robot that is placed this close to the floor and
-STANDING_HEIGHT_OF_Z = 1 - 1e-6  # this upright (0.08 degrees) is at rest
+# A robot that is placed this close to the floor (m), and this upright (0.08 degrees), is at rest.
+STANDING_HEIGHT, STANDING_HEIGHT_OF_Z = 1e-4, 1 - 1e-6
 
 
 class Robot:

@@ -50,7 +50,7 @@ class Gyro:
     def reset(self, orientation):
         """Set the heading to zero at this orientation (x, y, z, w), as the driver does."""
         self.heading = self.rate = 0.0  # rad, from -pi to pi; rad/s
-        self.rotation = 0.0  # rad, since the call before the last one
+        self.rotation = 0.0  # rad, measured by the last update
         self._true_yaw = yaw_of(orientation)
 
     def update(self, orientation, duration):
