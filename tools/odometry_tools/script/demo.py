@@ -15,7 +15,7 @@ from odometry_tools.runs.ports import next_port
 def main():
     """Exit 0 only if the robot has finished its task and stopped."""
     options = parse(sys.argv[1:])
-    run_command('demo', lambda: _run(options), ())
+    run_command(lambda: _run(options), ())
 
 
 def _run(options):

@@ -38,6 +38,7 @@ def verdict_on(**facts):
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
     ({'output': ERROR + DIED}, 'crash error'),
+    ({'output': DIED.replace('mine', 'rviz'), 'services': {'/mine/tf2_frames': ''}}, 'silent'),
     ({'output': BAD_CALLBACK}, 'silent error'),
     ({'output': BAD_CALLBACK, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
     ({'commands': ZERO, 'output': BAD_CALLBACK}, 'all_zero error'),
@@ -49,7 +50,7 @@ def verdict_on(**facts):
     ({'publishes': {'/cmd_vel_mux/input/navi': TWIST}}, 'silent'),
     ({'publishes': {'/rosout': ''}}, 'silent no_output'),
     ({'subscribes': {'/odometry': ''}}, 'silent input'),
-    ({'subscribes': {'/tf': 'tf2_msgs/TFMessage'}}, 'silent'),
+    ({'subscribes': {'/tf': 'tf/tfMessage'}}, 'silent'),
     ({'commands': [ZERO[0]._replace(linear=math.nan)]}, 'not_finite'),
     ({'subscribes': {'/moved_distance/reset': 'std_msgs/Empty', **HEARS}}, 'silent')])
 def test_a_cause_has_a_witness(facts, expected):

@@ -27,7 +27,7 @@ def test_the_demo_ends_when_a_node_has_ended():
         demo.wait_for_output(' s\n', 60.0)
         os.kill(pid_of('/test_movement', f'http://localhost:{port}'), signal.SIGKILL)
         assert demo.wait(30.0) == 1, demo.output
-    assert demo.stderr == 'demo: test_movement has ended by SIGKILL', demo.output
+    assert demo.stderr == 'demo: test_movement has ended by a signal (Killed)', demo.output
 
 
 @pytest.mark.nightly

@@ -31,7 +31,7 @@ def test_a_master_that_is_suspended_ends_a_wait(monkeypatch):
 def test_a_real_time_signal_has_no_name():
     launch = Launch('odometry_launch', 'sim.launch', {})
     launch.process_died('node-1', -40)
-    assert launch.end_of('node') == 'node has ended by signal 40'
+    assert launch.end_of('node') == 'node has ended by a signal (Real-time signal 6)'
 
 
 def test_demos_of_the_same_second_have_a_folder_each(tmp_path, monkeypatch):

@@ -147,5 +147,5 @@ def follow():
     with Launch('guest', sys.argv[1], {}, is_watched=bool(sys.argv[2:])) as launch:
         launch.wait_for(threading.Event().is_set, 'nothing happens')
 
-run_command('follow', follow, ())
+run_command(follow, ())
 '''

@@ -25,8 +25,8 @@ def runs_of(exercise, scenarios, program):
     """
     jobs = min(len(os.sched_getaffinity(0)), len(scenarios))
     # Neighbours have the same robot parameters, and so share a simulator.
-    ends = [-(-len(scenarios) * job // jobs) for job in range(jobs + 1)]
-    parts = [scenarios[begin:end] for begin, end in zip(ends, ends[1:])]
+    size = math.ceil(len(scenarios) / jobs)
+    parts = [scenarios[begin:begin + size] for begin in range(0, len(scenarios), size)]
     # A forked process has imported everything.
     with concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context('fork')) as pool:
         try:
@@ -76,17 +76,19 @@ def run_until_sure(runner, scenario):
     """Return the Run by which to judge a Scenario, repeated if chance may have decided."""
     attempts, run = 1, runner.run(scenario)
     m, _ = judge(run, runner.exercise)
+    lacked_zero = m.rule in ('interrupt', 'ceased')
     while (_may_be_luck(m) and m.rule not in runner.confirmed
            and attempts < _most_attempts(m)):
         attempts, run = attempts + 1, runner.run_again(scenario)
         m, _ = judge(run, runner.exercise)
-    run.attempts = attempts
+    run.has_lost_message = attempts > 1 and lacked_zero
     if run.unawaited and not m.passed:
         runner.confirmed.add(m.rule)
     is_complete = run.interrupted is None and not m.is_silent and m.is_finite
     is_sure = m.passed or run.unawaited or attempts > 1 or runner.follows_wall is False
     if is_complete and not is_sure:
-        run.follows_wall = not run.is_like(runner.run_again(scenario))
+        again = runner.run_again(scenario)
+        run.follows_wall = not (again.odometry and run.is_like(again))
         runner.follows_wall = runner.follows_wall or run.follows_wall
     return run
 

@@ -95,12 +95,17 @@ class CheckSession(Session):
             run.subscribes.update(self.ask(name, 'getSubscriptions') or ())
 
     def links(self, topic):
-        """Return the connections by which nodes send us a topic: addresses and the nodes' ids."""
+        """Return the connections by which nodes send us a topic: address and number at the node."""
         return {(connection.endpoint_id, number)
                 for connection in self._subscribers[topic.lstrip('/')].impl.connections
                 for number, receiver, direction, _, sent, *_
                 in ask(connection.endpoint_id, 'getBusInfo') or ()
                 if (receiver, direction, sent) == (rospy.get_name(), SENDS, topic)}
+
+    def is_refused(self, links, topic):
+        """Return whether a node has closed one of these connections for a topic, and lives."""
+        closed = links - self.links(topic)
+        return any(ask(uri, 'getPid') for uri, _ in closed)
 
     def ask(self, name, call='getPid'):
         """Call a node's XML-RPC server; return its answer, or None without one."""

@@ -14,10 +14,10 @@ from odometry_common.parameters import StartError
 
 from odometry_tools.check.options import is_package
 from odometry_tools.check.processes import POLL_PERIOD, ChildProcess
-from odometry_tools.check.quoting import how_ended, last_line
 from odometry_tools.check.report import COLUMNS
 from odometry_tools.runs.output import complain
 from odometry_tools.runs.plain_text import plain
+from odometry_tools.runs.quoting import how_ended, last_line
 
 TIME_LIMIT = 600.0  # s of wall time for each
 NOT_JUDGED = 'not_judged'
@@ -34,7 +34,7 @@ def judge_all(options):
     others = [plain(path.name) for path in sorted(folder.iterdir())
               if path.is_file() and path.suffix != '.py' and not path.name.startswith('.')]
     if others:
-        complain(f'no file *.py, and left out: {", ".join(others)}', 'check')
+        complain(f'no file *.py, and left out: {", ".join(others)}')
     width = max(map(len, submissions))
     judged = _judge_in_parallel(options, submissions)
     for name, rows in zip(submissions, judged):

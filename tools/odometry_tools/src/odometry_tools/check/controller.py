@@ -7,20 +7,19 @@ import numpy
 from odometry_tools.check.scenarios import PERIOD, TARGET
 
 FEWEST, RESIDUAL = 8, 0.003  # commands needed for a fit; largest residual, share of their range
-EXACT, WORSE = 1e-5, 10  # a residual as good as none; how many times larger the next must be
+EXACT, WORSE = 1e-5, 10  # smaller residuals are equal; how many times larger the next must be
 NARROW = 0.01  # rad; over a smaller range of angles anything is proportional
-UNKNOWN = '', 0.0, 0.0, False
+NO_LAW = '', 0.0, 0.0
 LIMITED = 0.99  # share of the fastest command; faster ones may be clamped by the node
 
 
 def find_controller(run, moves):
     """Return which angle a Run's commands are proportional to, the gain (1/s) and zero (degrees).
 
-    The angle is '' unless one fits much better than the others. The fourth value tells whether a
-    command turned the longer way, with more than half a circle to go.
+    The angle is '' unless one fits much better than the others.
     """
     if len(moves) < FEWEST:
-        return UNKNOWN
+        return NO_LAW
     time, yaw = numpy.array([(pose.time, pose.yaw) for pose in run.odometry]).T
     sent, speed = numpy.array([(command.time, command.angular) for command in moves]).T
     is_free = abs(speed) < LIMITED * abs(speed).max()
@@ -30,19 +29,17 @@ def find_controller(run, moves):
         for name, angle in _angles(seen).items():
             law = _law(angle[is_free], speed[is_free])
             if law:
-                residual, gain, zero = law
-                error = math.radians(zero) - angle
-                is_unwrapped = bool(numpy.any((abs(error) > math.pi) & (error * speed > 0)))
-                found.append((max(residual, EXACT), name, gain, zero, is_unwrapped))
+                residual, *gain_and_zero = law
+                found.append((max(residual, EXACT), name, *gain_and_zero))
     return _best(found)
 
 
 def _best(found):
     """Return the law with the smallest residual, if no other angle fits nearly as well."""
-    residual, *law = min(found, default=(0.0, *UNKNOWN))
+    residual, *law = min(found, default=(0.0, *NO_LAW))
     others = [other for other, name, *_ in found if name != law[0]]
     if min(others, default=math.inf) < WORSE * residual:
-        return UNKNOWN
+        return NO_LAW
     return tuple(law)
 
 

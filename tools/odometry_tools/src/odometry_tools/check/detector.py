@@ -6,11 +6,12 @@ import numpy
 FITS = 2e-3, 1e-3  # from the sum that a mistake gives
 ROUGH = 0.03, 0.02  # from a sum of speeds, which odometry samples
 TOLERANCE = 0.05, 0.01  # from the true distance; a detector may leave out small steps
-# From sums that fit less exactly: a displacement may come from speeds, and a sum of displacements
-# grows by up to two metres with a message that arrives just before, or after, the end of a leg.
-INEXACT = {'displacement': TOLERANCE, 'displacements': (0.05, 0.1)}
+SCALED = 'times', 'speed', 'signed_speed', 'backwards'  # mistakes that fit with any factor
+# From sums that fit less exactly: a displacement may come from speeds, and a message just before,
+# or after, the end of a leg changes a sum of displacements by up to two metres.
+TOLERANCES = {'displacement': TOLERANCE, 'displacements': (0.05, 0.1),
+              **dict.fromkeys(SCALED[1:], ROUGH)}
 FALL = 0.05  # m by which no later message may say less
-BY_SPEED = 'speed', 'signed_speed', 'backwards'
 
 
 def measure_detector(m, run):
@@ -27,23 +28,19 @@ def measure_detector(m, run):
     # A leg ends at rest, so the last message before its end has all of it, even at half a hertz.
     counted = published[_last_before(ends, times)]
     at_ends = _last_before(ends, odometry[:, 0])
-    sums = {}
-    steps_by_name = _steps(odometry)
-    right_steps = steps_by_name['right']
-    for name, steps in steps_by_name.items():
-        sum_so_far = numpy.append(0.0, numpy.cumsum(steps))
-        sums[name] = sum_so_far[at_ends]
-    right = sums.pop('right')
-    by_speed = {name: sums.pop(name) for name in BY_SPEED}
+    steps = _steps(odometry)
+    sums = {name: numpy.append(0.0, numpy.cumsum(added))[at_ends]
+            for name, added in steps.items()}
+    right = sums['times']
     sums.update(_distances(odometry, at_ends, right))
     is_right = _agree(counted, right, TOLERANCE)
-    m.fits = {*_fits(counted, right, sums), *_factors(counted, right, by_speed)}
+    m.fits = {*_fits(counted, right, sums)}
     m.largest = published.max()
     fall = numpy.diff(published).argmin()
     m.fell_from, m.fell_to = published[fall:fall + 2]
     m.only_falls = is_right and m.fell_from - m.fell_to > FALL
     m.passed = is_right and not m.only_falls
-    m.largest_step = right_steps.max()
+    m.largest_step = steps['times'].max()
     _note_numbers(m, [name for name, *_ in run.legs], counted, right)
 
 
@@ -53,14 +50,14 @@ def _last_before(moments, times):
 
 
 def _steps(odometry):
-    """Return what each message adds, right and by the name of a mistake."""
+    """Return what each message adds, by the name of a mistake; "times" is right, times a factor."""
     time, x, y, _, speeds, _ = odometry.T
     dt = numpy.diff(time)
     dx = numpy.diff(x)
     dy = numpy.diff(y)
     speed = speeds[1:]
     return {
-        'right': numpy.hypot(dx, dy),
+        'times': numpy.hypot(dx, dy),
         'squares': dx**2 + dy**2,
         'x_only': abs(dx),
         'y_only': abs(dy),
@@ -93,21 +90,14 @@ def _distances(odometry, at_ends, right):
 
 
 def _fits(counted, right, sums):
-    """Yield the mistakes without a factor that fit, as pairs of name and None."""
+    """Yield the mistakes that fit, as pairs of name and factor."""
     for name, values in sums.items():
-        tolerance = INEXACT.get(name, FITS)
-        is_wrong = name == 'first_step' or not _agree(values, right, tolerance)
-        if is_wrong and _agree(counted, values, tolerance):
-            yield name, None
-
-
-def _factors(counted, right, by_speed):
-    """Yield the mistakes that fit with a factor, as pairs of name and factor."""
-    candidates = [('times', right, FITS)]
-    candidates += [(name, values, ROUGH) for name, values in by_speed.items()]
-    for name, values, tolerance in candidates:
-        factor = counted @ values / (values @ values or 1.0)
-        if _agree(counted, factor * values, tolerance):
+        tolerance = TOLERANCES.get(name, FITS)
+        factor = 1.0
+        if name in SCALED:
+            factor = counted @ values / (values @ values or 1.0)
+        is_wrong = name in ('first_step', *SCALED) or not _agree(values, right, tolerance)
+        if is_wrong and _agree(counted, factor * values, tolerance):
             yield name, float(f'{factor:.2g}')
 
 

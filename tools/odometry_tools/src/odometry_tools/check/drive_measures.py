@@ -8,9 +8,9 @@ from odometry_common.rest import is_slow
 from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED
 
 from odometry_tools.check.controller import find_controller
-from odometry_tools.check.quoting import listed
 from odometry_tools.check.run import ZERO
 from odometry_tools.check.scenarios import GOAL
+from odometry_tools.runs.quoting import listed
 
 CLOSE = 0.05  # m, from the goal at rest
 OVERSHOOT = 0.25  # m of path beyond the goal, for a node that comes back to it
@@ -21,10 +21,10 @@ PACED_SLACK = 0.1  # s of wall time
 MOVED = 1e-4  # m or rad; even the slowest command moves the robot more before the watchdog stops it
 RINGING = 5.0  # s at the end of a run, in which a controller should have settled
 STILL = 2.0  # s at the end of a run, in which the heading should stay
-LONGEST_PERIOD = 1.0  # s; a zero may be two periods of the loop late, but no longer ones
+LONGEST_PERIOD = 1.0  # s; a zero may be two periods of the loop late, each at most this long
 FLIPS = 4  # changes of sign allowed in those RINGING s
 CEASED = 0.55  # s without a command, a little less than the watchdog's
-FITS = 0.06  # m between where the node stopped and where a mistake stops
+STOP_FITS = 0.06  # m between where the node stopped and where a mistake stops
 
 
 def measure_drive(m, run):
@@ -58,6 +58,9 @@ def _measure_last_command(m, run):
     times = [command.time for command in m.moves]
     intervals = [after - before for before, after in zip(times, times[1:])]
     m.own_period = statistics.median_low(intervals or [0.0])
+    first, latest = times[0], times[-1]
+    m.pauses = any(first < command.time < latest
+                   for command in m.commands if not command.moves)
     last = m.commands[-1]
     is_turn = abs(last.angular) > abs(last.linear) or not m.drives
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
@@ -132,7 +135,7 @@ def _measure_stop(m, run):
             ('one_axis', off_by_one_axis),
             ('sum_of_axes', off_by_sum),
             ('place', off_by_place))
-        if off < FITS}
+        if off < STOP_FITS}
 
 
 def measure_heading(m, run):
@@ -163,7 +166,7 @@ def measure_heading(m, run):
     m.drives_on = not is_slow(m.end.linear)
     m.passed = (is_there and is_direct
                 and not (m.drives_on or m.rings or m.has_ceased))
-    m.follows, m.gain, m.zero, m.is_unwrapped = find_controller(run, m.moves)
+    m.follows, m.gain, m.zero = find_controller(run, m.moves)
 
 
 def _measure_swings(m, run):

@@ -60,7 +60,7 @@ class Drive:
 
 
 class Route:
-    """Drives the route, leg by leg, once the node has published; over at the end of the route."""
+    """Drives the route, leg by leg, once the node has published, or no longer may begin to."""
 
     def __init__(self, drive, wall_patience=WALL_PATIENCE):
         """Take what commands a linear (m/s) and an angular speed (rad/s); patience as in Drive."""

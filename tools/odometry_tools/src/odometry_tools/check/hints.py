@@ -1,10 +1,10 @@
 """Hints: the cause of a failure, named only where the check saw proof of it.
 
-Each rule looks at the graph, the output, an exit status or a fit. The two that always hold are
-advice on what the verdict itself has shown.
+Each rule looks at the graph, the output, an exit status or a fit. Those that always hold are advice
+on what the verdict itself has shown.
 """
 
-from odometry_tools.check.motion_hints import ANGLES, COMPARED, FITS, PLACES
+from odometry_tools.check.motion_hints import ANGLES, COMPARED, PLACES, SUMS
 from odometry_tools.check.rule import Rule, first
 
 UNKNOWN = (
@@ -79,7 +79,7 @@ ONE_COMMAND = Rule(
     'The base stops 0.6 s after a command: repeat it in your loop')
 RARE = Rule(
     'rare', lambda m: (m.rule in RARE_FAILS and m.own_period > WATCHDOG
-                       and not (m.plain and m.plain.passed)),
+                       and not m.pauses and not (m.plain and m.plain.passed)),
     'Your commands come every {own_period:.1f} s, and the base stops 0.6 s after each')
 BY_VERDICT = {
     'crash': (KEYBOARD, _error_if(_ended_with_error), NOT_THERE, LAST_WORDS),
@@ -121,7 +121,7 @@ BY_VERDICT = {
     'passed_by': (BLIND, *INPUTS),
     'long_way': (BLIND,),
     'interrupt': (
-        Rule('hook', lambda m: m.error and m.hook_failed, 'Your shutdown hook failed: {error}'),
+        Rule('hook', lambda m: m.hook_error, 'Your shutdown hook failed: {hook_error}'),
         Rule('shutdown_roscpp', lambda m: m.run.is_cpp,
              'Publish a zero Twist before ros::shutdown(): '
              'take ros::init_options::NoSigintHandler and handle SIGINT'),
@@ -138,4 +138,4 @@ BY_VERDICT = {
         Rule('is_shutdown', lambda m: True,
              'Each loop, in each thread, needs while not rospy.is_shutdown(), '
              'and each wait a timeout'))}
-BY_EXERCISE = {'moved_distance': FITS, 'two_meters': (*PLACES, RARE), 'heading': (*ANGLES, RARE)}
+BY_EXERCISE = {'moved_distance': SUMS, 'two_meters': (*PLACES, RARE), 'heading': (*ANGLES, RARE)}

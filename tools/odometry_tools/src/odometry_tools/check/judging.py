@@ -19,8 +19,8 @@ RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.D
 SAME_HEADING = 1.0  # degrees
 SAME_RATE = 0.05  # share by which rates of a loop may differ
 LOOPS = 1.5, 100.0  # Hz; a step times a time step in seconds, or ms, looks like 1, or 1000
-SAME_ANGLE = 0.05  # share of a turn by which another one may be larger
-ALIKE = 0.1  # m between the places where the robot rests in all scenarios
+SAME_TURN = 0.05  # share of a turn by which another one may be larger
+SAME_PLACE = 0.1  # m between the places where the robot rests in all scenarios
 
 
 class Verdict(NamedTuple):
@@ -72,7 +72,7 @@ def _compare(all_measures):
     shared = {
         'plain': reference if len(all_measures) > 1 else None,
         'rules_at_start': {m.rule for m in whole if m.scenario.start == reference.scenario.start},
-        'all_alike': len(whole) > 1 and numpy.ptp(shares) * GOAL < ALIKE,
+        'all_alike': len(whole) > 1 and numpy.ptp(shares) * GOAL < SAME_PLACE,
         'same_heading': _has_same_heading(whole),
         'loop_rate': _loop_rate(whole),
         'common_fits': common_fits,
@@ -80,7 +80,7 @@ def _compare(all_measures):
     for m in all_measures:
         vars(m).update(shared)
         m.turns_by = len(nets) > 1 and m.net is not None and (
-            numpy.ptp([*nets, m.net]) < SAME_ANGLE * min(map(abs, nets)))
+            numpy.ptp([*nets, m.net]) < SAME_TURN * min(map(abs, nets)))
         m.fails_alone = len(whole) > 1 and not any(
             one.passed == (one is m) for one in whole)
 

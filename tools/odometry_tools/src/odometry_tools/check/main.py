@@ -1,9 +1,9 @@
 """Judge a node, or each submission in a folder, and report."""
 
 import contextlib
+import csv
 import os
 import shlex
-import socket
 import sys
 import time
 
@@ -15,9 +15,8 @@ from odometry_tools.check.scenarios import EXERCISES
 from odometry_tools.runs import junit
 from odometry_tools.runs.folders import use_writable_logs
 from odometry_tools.runs.output import RunError, run_command
-from odometry_tools.runs.ports import HOST, next_port
+from odometry_tools.runs.ports import HOST, listens, next_port
 
-PROGRAM = 'check'
 LONGEST_NAME = 100  # characters of a word in the name of a folder
 PAGE_PORT = 8080
 PAGE_PATIENCE = 60.0  # s of wall time until a browser opens the page
@@ -28,20 +27,23 @@ def main(arguments):
     for stream in sys.stdout, sys.stderr:
         # The terminal may lack characters that names and errors contain.
         stream.reconfigure(errors='replace')
-    run_command(PROGRAM, lambda: _run(arguments), (StartError, RunError, OSError))
+    run_command(lambda: _run(arguments), (StartError, RunError, OSError))
 
 
 def _run(arguments):
     """Judge the submissions that the options name; return the exit status."""
     options = parse(arguments)
     from odometry_tools.check import report
-    table = report.Table(options.csv or os.devnull)
     rows = []
-    if options.junit:
-        junit.begin(options.junit)
-    for new in _judge_all(options):
-        table.add(new)
-        rows += new
+    # Rows are written as they come.
+    with open(options.csv or os.devnull, 'w', buffering=1, newline='', encoding='utf-8') as file:
+        table = csv.DictWriter(file, report.COLUMNS)
+        table.writeheader()
+        if options.junit:
+            junit.begin(options.junit)
+        for new in _judge_all(options):
+            table.writerows(new)
+            rows += new
     if options.junit:
         report.write_junit(options.junit, rows)
     return int(any(row['verdict'] != 'passed' for row in rows))
@@ -108,8 +110,7 @@ def _names(words):
 
 def _await_spectator(session, port):
     """Return once a browser shows the page, or after PAGE_PATIENCE."""
-    session.simulator.wait_for(lambda: socket.create_connection((HOST, port)).close() or True,
-                   'the page does not answer')
+    session.simulator.wait_for(lambda: listens(port), 'the page does not answer')
     print(f'open http://{HOST}:{port}: it begins when the page is there', flush=True)
     end = time.monotonic() + PAGE_PATIENCE
     while not _is_open(port) and time.monotonic() < end:

@@ -3,9 +3,9 @@
 import math
 from types import SimpleNamespace
 
-from odometry_tools.check import quoting
 from odometry_tools.check.detector import measure_detector
 from odometry_tools.check.drive_measures import measure_distance, measure_drive, measure_heading
+from odometry_tools.runs import quoting
 from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 
@@ -13,8 +13,10 @@ from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # printed by Python
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
-USUAL_SERVICES = '/get_loggers', '/set_logger_level', '/set_parameters'  # ends of their names
+# Ends of the names of rospy's, dynamic_reconfigure's and tf2_ros's.
+USUAL_SERVICES = '/get_loggers', '/set_logger_level', '/set_parameters', '/tf2_frames'
 DRIVEN_ON = 5.0  # s of driving after Ctrl-C that pass
+OLD_TF = 'tf/tfMessage'  # has the checksum of the new one
 # Topics from which a node may learn about the robot, and their types.
 INPUTS = {
     '/odom': 'nav_msgs/Odometry',
@@ -38,8 +40,8 @@ def measure(run, exercise):
     m.at = m.mux = m.follows = ''
     m.share = m.own_period = m.fastest = 0.0
     m.fits = m.net = m.stop = None
-    _read_output(m, plain(run.output))
     _measure_messages(m)
+    _read_output(m, plain(run.output))
     _read_graph(m, run.publishes, run.subscribes)
     m.services = quoting.listed(
         name for name in run.services if not name.endswith(USUAL_SERVICES))
@@ -70,11 +72,20 @@ def _read_output(m, output):
     late = m.run.printed_since(-2) if len(m.commands) > 1 else output
     m.late_failures = late.count(BAD_CALLBACK)
     m.has_late_dead_thread = DEAD_THREAD in late
-    m.hook_failed = HOOK_FAILED in output
+    m.hook_error = quoting.error_in(output, HOOK_FAILED)
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')
-    died = quoting.DIED.search(output)
-    m.status = int(died[1]) if died else m.run.status
+    m.status = _status_in(m, output)
     m.how = '' if m.status is None else quoting.how_ended(m.status)
+
+
+def _status_in(m, output):
+    """Return the exit status of the node; in a launch file that of a helper does not count."""
+    may_be_node = m.is_silent and (m.error or not m.run.nodes)  # one that never registered
+    for name, status in quoting.DIED.findall(output):
+        is_node = not name or f'/{name}' in m.run.nodes
+        if is_node or may_be_node:
+            return int(status)
+    return m.run.status
 
 
 def _measure_messages(m):
@@ -82,7 +93,7 @@ def _measure_messages(m):
     published = [speed for command in m.commands for speed in (command.linear, command.angular)]
     if m.exercise.route:
         published = [value for _, value in m.run.moved] if m.run.legs else []
-    m.is_silent = not published
+    m.is_silent = not (published and m.run.odometry)
     m.is_finite = all(map(math.isfinite, published))
 
 
@@ -98,6 +109,7 @@ def _read_graph(m, publishes, subscribes):
     types = {subscribes[topic] for topic in heard}
     likely = (topic for topic, kind in INPUTS.items() if kind in types and topic != m.topic)
     m.likely_input = next(likely, '/odom')
-    m.wrong_inputs = quoting.listed(f'{topic} as {subscribes[topic]}, but it is {INPUTS[topic]}'
-                                    for topic in heard & INPUTS.keys()
-                                    if subscribes[topic] not in ('', '*', INPUTS[topic]))
+    wrong = [topic for topic in m.inputs_of_robot
+             if subscribes[topic] not in ('', '*', OLD_TF, INPUTS[topic])]
+    m.wrong_inputs = quoting.listed(
+        f'{topic} as {subscribes[topic]}, but it is {INPUTS[topic]}' for topic in wrong)

@@ -50,7 +50,7 @@ def _is_only_here(m):
 
 
 def _is_as_slow(m):
-    """Return whether the drive, or the turn, is that of `plain` times the base's share of speed."""
+    """Return whether the drive, or the turn, is 70 % of that in `plain`."""
     pairs = (m.share, m.plain.share), (m.net, m.plain.net)
     return any(before and abs(now / before - SLOW) < 0.02 for now, before in pairs)
 
@@ -91,14 +91,15 @@ ANGLES = (
     Rule('half_circle', lambda m: m.follows == 'half_circle',
          'Your commands follow the error without its sign, as from asin() or abs(): '
          'use euler_from_quaternion, and keep the sign'),
-    Rule('not_wrapped', lambda m: (m.rule == 'long_way' and _aims_at_90(m) and m.is_unwrapped),
+    Rule('not_wrapped', lambda m: (m.rule == 'long_way' and _aims_at_90(m)
+                                  and not m.goes_shorter_way),
          'Your commands follow target - yaw, which has to be wrapped, '
          'for example by atan2(sin(e), cos(e))'),
     Rule('longer_way', lambda m: (m.rule == 'long_way' and not m.is_short
                                  and m.turned - abs(m.net) < BOTH_WAYS
                                  and abs(abs(m.net) + m.shortest - 360) < BOTH_WAYS),
          'That is the longer way round: wrap the error to -180..180 degrees, and turn by its sign'),
-    Rule('gain_low', lambda m: m.rule == 'unfinished' and _aims_at_90(m) and 0 < m.gain < 0.2,
+    Rule('gain_low', lambda m: m.rule == 'unfinished' and _aims_at_90(m) and 0 < m.gain < 0.05,
          'You turn at {gain:.3f} rad/s for each radian of error, by which it takes minutes: '
          'try 0.5'),
     Rule('gain_high', lambda m: m.rule in ('rings', 'long_way') and _aims_at_90(m) and m.gain > 2,
@@ -116,7 +117,7 @@ ANGLES = (
          'as with abs(), with atan(), or with an error wrapped by pi'),
     Rule('alike', lambda m: m.rule == 'elsewhere' and m.same_heading,
          'You rest there from different starts: print your target, and what you compare with it'))
-FITS = (
+SUMS = (
     Rule('from_origin', _fits('origin', 'first_step'),
          'Before the robot moved you published {offset:.2f} m: '
          'take the first message as the start'),

@@ -13,9 +13,9 @@ import rospkg
 from odometry_common.parameters import StartError
 from roslib.packages import find_node, find_resource
 
-from odometry_tools.check.quoting import how_ended
 from odometry_tools.check.scenarios import EXERCISES
 from odometry_tools.runs.plain_text import plain
+from odometry_tools.runs.quoting import how_ended
 
 ELF = b'\x7fELF'  # how a compiled program begins
 LONGEST_LINE = 256  # bytes that Linux reads of a #! line

@@ -77,11 +77,12 @@ class ChildProcess:
             return sum(sum(one.cpu_times()[:2])
                        for one in (process, *process.children(recursive=True)))
 
-    def is_cpp(self):
-        """Return whether the process or a descendant uses roscpp."""
+    def is_cpp(self, pids):
+        """Return whether one of these, or without any the process or a descendant, uses roscpp."""
         with contextlib.suppress(psutil.Error):
             return any('libroscpp' in region.path
-                       for process in self.family() for region in process.memory_maps())
+                       for process in self.family() if not pids or process.pid in pids
+                       for region in process.memory_maps())
 
     def interrupt(self):
         """Press Ctrl-C."""

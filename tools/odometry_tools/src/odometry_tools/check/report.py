@@ -1,6 +1,5 @@
 """Output of a check: the report, files for CI and for a class, and recordings."""
 
-import csv
 import os
 import re
 import textwrap
@@ -42,29 +41,12 @@ def _filled(begin, sentence):
 
 def rows_of(submission, exercise, verdicts):
     """Return the verdicts as rows of COLUMNS."""
-    return [dict(zip(COLUMNS, (plain(submission), exercise, verdict.scenario, verdict.word,
-                               verdict.rule, verdict.hint, verdict.sentence,
-                               ' | '.join(verdict.notes.values()))))
-            for verdict in verdicts]
-
-
-class Table:
-    """A CSV file to which rows are written as they come.
-
-    :raises OSError: if it cannot be written
-    """
-
-    def __init__(self, path):
-        """Create the file, with its header."""
-        self._file = open(path, 'w', newline='', encoding='utf-8')  # noqa: SIM115
-        self._writer = csv.DictWriter(self._file, COLUMNS)
-        self._writer.writeheader()
-        self.add([])
-
-    def add(self, rows):
-        """Write rows."""
-        self._writer.writerows(rows)
-        self._file.flush()
+    return [{
+        **verdict._asdict(),
+        'submission': plain(submission),
+        'exercise': exercise,
+        'verdict': verdict.word,
+        'notes': ' | '.join(verdict.notes.values())} for verdict in verdicts]
 
 
 def write_junit(path, rows):
@@ -80,6 +62,7 @@ def keep(run, exercise, name):
     folder = RUNS / re.sub(r'[^\w.-]+', '_', name)
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        (folder / 'run.png').unlink(missing_ok=True)  # an earlier check's
         (folder / 'output.txt').write_text(run.output, encoding='utf-8')
         with rosbag.Bag(str(folder / 'run.bag'), 'w') as bag:
             for topic, message, time in run.messages:
@@ -93,7 +76,7 @@ def keep(run, exercise, name):
     except BagError:
         pass  # no odometry: there is nothing to draw
     except OSError as error:
-        complain(f'no recording: {error}', 'check')
+        complain(f'no recording: {error}')
         return None
     return folder
 

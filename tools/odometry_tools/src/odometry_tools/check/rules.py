@@ -25,7 +25,7 @@ START = (
     Rule('crash', lambda m: m.status and m.run.interrupted is None and not _exits_when_done(m),
          'your node ended {how}{at}'),
     Rule('no_node', lambda m: not m.run.nodes and m.status is None,
-         'your process registered no node within 20 s'),
+         'your process has registered no node'),
     Rule('no_node', lambda m: not (m.run.nodes or m.run.has_begun),
          'your process ended {how} without having become a node'),
     Rule('wall_clock', lambda m: m.run.follows_wall,
@@ -102,7 +102,7 @@ HEADING = (
     Rule('elsewhere', lambda m: True,
          'you rest at {heading:.1f} degrees where 90 were asked, after turning {turned:.0f}'))
 DETECTOR = (
-    Rule('displacement', lambda m: ('displacement', None) in m.fits,
+    Rule('displacement', lambda m: ('displacement', 1.0) in m.fits,
          'out and back is {out_and_back:.2f} m, and you published {counted_back:.2f}: '
          'that is the distance from the start, a possible reading of "moved". '
          'For the way driven add up the steps', explains=True),
@@ -137,7 +137,7 @@ NOTES = (
          'Ctrl-C did not end your node within 30 simulated seconds'),
     Rule('leaves_process', lambda m: m.run.leaves_process,
          'after Ctrl-C a program that your node had started still ran'),
-    Rule('luck', lambda m: m.passed and m.run.attempts > 1 and not m.run.unawaited,
+    Rule('luck', lambda m: m.passed and m.run.has_lost_message and not m.run.unawaited,
          'it passed only when it was run again. '
          'What a program publishes as it ends can be lost: '
          'rospy.sleep(0.5) after it gives it time to arrive'),

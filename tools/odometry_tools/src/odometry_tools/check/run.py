@@ -100,7 +100,7 @@ class Run:
         self.is_cpp = False
         self.has_read_keyboard = False
         self.follows_wall = False  # whether a second run differed
-        self.attempts = 1  # how often the scenario ran
+        self.has_lost_message = False  # whether an earlier run lacked its last one
         self.status, self.output = None, ''  # exit status, if it has ended by itself
         self.count_printed = lambda: 0  # returns the number of bytes printed so far
         self.printed = 0  # bytes in all

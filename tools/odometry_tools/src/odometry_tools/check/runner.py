@@ -4,6 +4,7 @@ import tempfile
 import time
 
 import rospy
+from odometry_common.connections import ask
 
 from odometry_tools.check.check_session import Pace
 from odometry_tools.check.endings import WALL_PATIENCE, Drive, Route
@@ -85,9 +86,9 @@ class Runner:
         run.count_printed = lambda: node.printed
         try:
             self._await_ready(node, run)
-            run.is_cpp = node.is_cpp()
+            run.is_cpp = node.is_cpp({ask(uri, 'getPid') for uri, _ in run.links})
             self._session.ask_for_types(run)
-            if run.nodes and (node.status is None or node.family()):
+            if run.messages or run.nodes and (node.status is None or node.family()):
                 self._begin(run, node, log)
             if self._session.has_left(run.nodes):
                 node.wait(LEAVE_PATIENCE)  # its exit status counts
@@ -97,11 +98,10 @@ class Runner:
             run.finish(status=None if family else node.status, output=node.output,
                        is_detached=bool(family) and node.status is not None,
                        printed=node.printed, has_read_keyboard=node.has_read_keyboard,
-                       refuses=node.status is None and bool(
-                           run.links - self._session.links(self.exercise.topic)))
-        finally:
+                       refuses=self._session.is_refused(run.links, self.exercise.topic))
             if run.interrupted is None:
                 self._press_ctrl_c(node, run)
+        finally:
             node.end()
             forget(run.nodes)
 

@@ -1,4 +1,4 @@
-"""Folders for the output and the logs of demos and sweeps."""
+"""Folders for output and logs."""
 
 import atexit
 import contextlib

@@ -2,7 +2,6 @@
 
 import contextlib
 import queue
-import socket
 import sys
 import threading
 import time
@@ -13,6 +12,7 @@ from nav_msgs.msg import Odometry
 from std_srvs.srv import Empty
 
 from odometry_tools.runs.output import Line, bar, complain
+from odometry_tools.runs.ports import listens
 from odometry_tools.runs.recording import ROBOT_TOPICS, Recording, leave_picture
 from odometry_tools.runs.starting import is_answered, join
 from odometry_tools.runs.tutorials import ARRIVED, TUTORIALS, follow, motion_in
@@ -32,7 +32,12 @@ def follow_robot(options, launch, page_port):
     :param page_port: HeldPort of the page; None without one
     """
     join(launch, 'demo')
-    recording, ticks = Recording(), _subscribe()
+    with contextlib.closing(Recording()) as recording:  # also of a run that is interrupted
+        return _follow(options, launch, page_port, recording)
+
+
+def _follow(options, launch, page_port, recording):
+    ticks = _subscribe()
     launch.wait_for(lambda: recording.is_connected(*ROBOT_TOPICS, 'cmd_vel'),
                     'the nodes do not answer')
     unpause = rospy.ServiceProxy('sim_turtlebot/unpause_physics', Empty)
@@ -40,7 +45,7 @@ def follow_robot(options, launch, page_port):
     launch.wait_for(lambda: not ticks.empty(), 'the robot sends no odometry')
     wall_start = time.monotonic()
     if page_port:
-        launch.wait_for(lambda: _listens(page_port.number), 'the page does not answer')
+        launch.wait_for(lambda: listens(page_port.number), 'the page does not answer')
         print(f'view            http://localhost:{page_port.number}', flush=True)
     loop, line = TUTORIALS[options.tutorial](vars(options)), Line(LINE_PERIOD)
     metrics = follow(loop, _with_progress(loop, ticks, line, launch), lambda *_: None)
@@ -92,11 +97,6 @@ def _with_progress(loop, ticks, line, launch):
 def _progress(loop, time):
     share, state = loop.progress()
     return f'{bar(share)} {state}, {time:.1f} s'
-
-
-def _listens(port):
-    with socket.socket() as connection:
-        return connection.connect_ex(('localhost', port)) == 0
 
 
 def _keep_page(launch):

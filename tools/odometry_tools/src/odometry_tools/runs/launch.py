@@ -19,10 +19,11 @@ from roslaunch.launch import ROSLaunchRunner
 from roslaunch.pmon import ProcessListener, start_process_monitor
 
 from odometry_tools.runs.launch_files import load, name_of, path_of
-from odometry_tools.runs.node_output import NodeOutput, end_in_words
+from odometry_tools.runs.node_output import NodeOutput
 from odometry_tools.runs.output import RunError
 from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.ports import next_port, usual_master_port
+from odometry_tools.runs.quoting import how_ended
 
 START_TIMEOUT = 180.0  # s; beside 60 busy processes a demo of 0.1 m takes 138 s
 ENDING = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
@@ -141,7 +142,7 @@ class Launch(ProcessListener):
         status = self._ended[name]
         error = self._output.last_exception() if status == 1 else ''
         said = self._output.complaint_of(name)
-        return plain(said or f'{name} has ended{end_in_words(status)}{error}')
+        return plain(said or f'{name} has ended {how_ended(status)}{error}')
 
     def statuses(self):
         """Return the exit codes of nodes that have ended, by name; roslaunch notices it late."""

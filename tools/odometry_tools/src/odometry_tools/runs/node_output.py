@@ -1,13 +1,12 @@
 """The output of the nodes of a launch file."""
 
 import os
-import re
-import signal
 
 from odometry_common.native_output import redirected_output
 
+from odometry_tools.runs.quoting import error_in
+
 LAST_LINES = 5
-EXCEPTION = re.compile(r'[\w.]*(Error|Exception)(: |$)')
 
 
 class NodeOutput:
@@ -30,9 +29,7 @@ class NodeOutput:
 
     def lines(self):
         """Return all lines but empty ones."""
-        size = os.fstat(self._file).st_size
-        text = os.pread(self._file, size, 0).decode(errors='replace')
-        return [line for line in map(str.strip, text.splitlines()) if line]
+        return [line for line in map(str.strip, self._text().splitlines()) if line]
 
     def complaint_of(self, node):
         """Return the last line that begins with a node's name, as its errors do, or None."""
@@ -40,20 +37,14 @@ class NodeOutput:
                      if line.startswith(f'{node}: ')), None)
 
     def last_exception(self):
-        """Return words with the last line that ends a traceback, of whichever node; or ''."""
-        return next((f'; last error printed: {line}' for line in reversed(self.lines())
-                     if EXCEPTION.match(line)), '')
+        """Return words with the last error of a traceback, of whichever node; or ''."""
+        error = error_in(self._text())
+        return error and f'; last error printed: {error}'
 
     def last_lines(self):
         """Return the last lines, each after a line break."""
         return '\n'.join(['', *self.lines()[-LAST_LINES:]])
 
-
-def end_in_words(status):
-    """Describe an exit code, after "has ended"."""
-    if status is None:
-        return ' before it started'
-    if status < 0:
-        names = {signum.value: signum.name for signum in signal.Signals}
-        return f' by {names.get(-status, f"signal {-status}")}'
-    return f' with status {status}' if status else ''
+    def _text(self):
+        size = os.fstat(self._file).st_size
+        return os.pread(self._file, size, 0).decode(errors='replace')

@@ -6,6 +6,7 @@ import os
 import shutil
 import signal
 import sys
+from pathlib import Path
 
 REWRITE = '\r\033[K'  # moves to the start of a terminal's line and clears it
 BAR_WIDTH = 30
@@ -43,12 +44,13 @@ def bar(share):
     return f'[{"=" * done:{BAR_WIDTH}}]'
 
 
-def complain(text, program='demo'):
-    """Print a line to stderr; it replaces the line of progress."""
-    print(f'{REWRITE if sys.stderr.isatty() else ""}{program}: {text}', file=sys.stderr, flush=True)
+def complain(text):
+    """Print a line to stderr, after the program's name; it replaces the line of progress."""
+    begin = f'{REWRITE if sys.stderr.isatty() else ""}{Path(sys.argv[0]).stem}'
+    print(f'{begin}: {text}', file=sys.stderr, flush=True)
 
 
-def run_command(program, run, mistakes):
+def run_command(run, mistakes):
     """Exit with the status of run(); with 2 for the user's mistakes, 1 for other known errors.
 
     :param mistakes: classes of errors, whose message is one line for the user
@@ -63,7 +65,7 @@ def run_command(program, run, mistakes):
     except KeyboardInterrupt:
         status = 128 + signal.SIGINT
     except (RunError, OSError, *mistakes) as error:
-        complain(error, program)
+        complain(error)
         status = 2 if isinstance(error, mistakes) else 1
     signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a second one exits without a message
     forget_output()

@@ -47,3 +47,9 @@ def usual_master_port():
     with contextlib.suppress(ValueError):
         return urlparse(os.environ.get('ROS_MASTER_URI', '')).port or DEFAULT_MASTER_PORT
     return DEFAULT_MASTER_PORT
+
+
+def listens(port):
+    """Return whether a process on this machine listens on a port."""
+    with socket.socket() as connection:
+        return connection.connect_ex((HOST, port)) == 0

@@ -77,7 +77,7 @@ class Campaign(NamedTuple):
             except WorldFileError as error:
                 raise ParameterError('~world', world, error) from None
             if warning := left_out(world):
-                complain(warning, 'sweep')
+                complain(warning)
 
 
 def read_campaign(path):

@@ -49,7 +49,7 @@ def replay(folder, number):
     with Session() as session:
         metrics, bag, targets = run_nodes(session, subject, parameters)
     if why := metrics.get('why'):
-        complain(why, 'sweep')
+        complain(why)
     print(f'{f"run {number}":16}{"sweep":24}nodes in lockstep')
     for name in names:
         print(f'{name:16}{kept[name]:24}{metrics[name]}')

@@ -16,13 +16,13 @@ from odometry_tools.sweep.results import FILE, NOT_ARRIVED, Combination, table, 
 from odometry_tools.sweep.running import on_cluster, on_this_machine, run_all
 from odometry_tools.sweep.subjects import LAUNCH
 
-PROGRAM, SUITE = 'sweep', 'odometry_sweep'
+SUITE = 'odometry_sweep'
 LINE_PERIOD = 5.0  # s
 
 
 def main():
     """Exit 0 only if every run is done and within the limits of the campaign."""
-    run_command(PROGRAM, _run, (StartError, ModuleNotFoundError))
+    run_command(_run, (StartError, ModuleNotFoundError))
 
 
 def _run():
@@ -64,7 +64,7 @@ def _sweep(campaign, runs, report):
     # Exceptions, so that no other run is waited for.
     if isinstance(lost, RunError):
         raise RunError(f'{lost} {left}')
-    complain(f'interrupted {left}', PROGRAM)
+    complain(f'interrupted {left}')
     raise lost
 
 
@@ -122,7 +122,7 @@ def _exceeds_limits(campaign, combinations, folder, report):
             if not size <= most:
                 lines.append(f'{figure} is {size:.6g}, over its limit of {most:g}, '
                              f'with {combination.name}{combination.why(run)}')
-                complain(lines[-1], PROGRAM)
+                complain(lines[-1])
                 sizes[index * campaign.seeds + run + 1] = size
         if sizes:
             worst[max(sizes, key=sizes.get)] = limit

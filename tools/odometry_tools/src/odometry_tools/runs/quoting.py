@@ -8,14 +8,18 @@ TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*
                        re.MULTILINE)
 PLACE = re.compile(r'File "([^"]+)", line (\d+)')
 NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
-DIED = re.compile(r'process has died \[pid \S+, exit code (-?\d+)')  # printed by roslaunch
+# Printed by roslaunch, with the node's name unless that is required, and the exit code.
+DIED = re.compile(r'(?:\[(\S+)-\d+\] )?process has died \[pid \S+, exit code (-?\d+)')
 SHUTDOWN = 'ROSInterruptException'
 MOST = 200  # characters of a quoted line
 
 
-def error_in(output):
-    """Return the error of the last traceback, with the line in the learner's file, or ''."""
-    found = _errors_in(output)
+def error_in(output, function=''):
+    """Return the error of the last traceback through a function, or ''.
+
+    With the line in the learner's file.
+    """
+    found = [match for match in _errors_in(output) if function in match[1]]
     if not found:
         return ''
     places, name, words = found[-1].groups()
@@ -49,7 +53,9 @@ def listed(names):
 
 
 def how_ended(status):
-    """Describe an exit status."""
+    """Describe an exit status; None: there was no process."""
+    if status is None:
+        return 'before it started'
     if status < 0:
         return f'by a signal ({signal.strsignal(-status)})'
     return f'with status {status}'

@@ -1,8 +1,8 @@
 """What a report quotes of a node's output."""
 
 import pytest
-from odometry_tools.check.quoting import error_in
 from odometry_tools.runs.plain_text import plain
+from odometry_tools.runs.quoting import error_in
 
 TRACEBACK = '''Error: 1.57
 Traceback (most recent call last):
