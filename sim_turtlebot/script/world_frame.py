@@ -11,6 +11,8 @@ Publishes:
         each initialpose, which moves the robot there
 """
 
+from functools import partial
+
 from geometry_msgs.msg import (
     PoseStamped,
     PoseWithCovarianceStamped,
@@ -27,30 +29,33 @@ from sim_turtlebot.frames import read_pose
 from sim_turtlebot.geometry import compose, inverse, rotate
 from tf2_msgs.msg import TFMessage
 
+ODOMETRY, GROUND_TRUTH = 'odom', 'base_pose_ground_truth'
+
 
 class WorldFrame:
     """Odometry and ground truth in, the transform between their frames out."""
 
     def __init__(self):
-        self._odometry = None
+        self._latest = {}  # Odometry by topic
         self._publisher = ClosingPublisher('/tf', TFMessage)
         self._set_pose = ClosingPublisher('sim_turtlebot/set_pose', PoseStamped)
-        Subscriber('odom', Odometry, self._on_odometry, 'odometry')
-        Subscriber('base_pose_ground_truth', Odometry, self._on_ground_truth, 'ground truth')
+        for topic in ODOMETRY, GROUND_TRUTH:
+            Subscriber(topic, Odometry, partial(self._on_odometry, topic))
         Subscriber('initialpose', PoseWithCovarianceStamped, self._on_initial_pose)
 
-    def _on_odometry(self, message):
-        self._odometry = message
+    def _on_odometry(self, topic, message):
+        self._latest[topic] = message
+        odometry, ground_truth = map(self._latest.get, (ODOMETRY, GROUND_TRUTH))
+        if odometry and ground_truth and odometry.header.stamp == ground_truth.header.stamp:
+            self._publish(odometry, ground_truth)
 
-    def _on_ground_truth(self, ground_truth):
-        if self._odometry is None:
-            return
+    def _publish(self, odometry, ground_truth):
         place, orientation = read_pose(ground_truth.pose.pose)
-        travelled, turned = read_pose(self._odometry.pose.pose)
+        travelled, turned = read_pose(odometry.pose.pose)
         rotation = compose(orientation, inverse(turned))
         origin = [there - way for there, way in zip(place, rotate(rotation, travelled))]
         self._publisher.publish(TFMessage([TransformStamped(
-            ground_truth.header, self._odometry.header.frame_id,
+            ground_truth.header, odometry.header.frame_id,
             Transform(Vector3(*origin), Quaternion(*rotation)))]))
 
     def _on_initial_pose(self, message):

@@ -7,6 +7,7 @@ are the packages of this project.
 """
 
 import hashlib
+import os
 import re
 import shutil
 import signal
@@ -23,11 +24,12 @@ from manifests import names_of_depends, read_packages
 
 WORKSPACE, SOURCES, OURS = Path(sys.argv[2]), re.compile(sys.argv[3]), sys.argv[4:]
 DEVEL = WORKSPACE / 'devel'
+LONGEST_NAME = 200  # bytes
 MODULES = 'devel/lib/python3/dist-packages'
 # Without PWD, CMake would resolve the links in the path of its folder. Without a build type it
 # would not optimise: gmapping, amcl and move_base then take several times as long.
 BUILD = ('cd "$1" && . "$0/devel/setup.bash" && '
-         'cmake -DCMAKE_BUILD_TYPE=Release "${@:2}" && make -k -j"$(nproc)"')
+         'cmake -G "Unix Makefiles" -DCMAKE_BUILD_TYPE=Release "${@:2}" && make -k -j"$(nproc)"')
 # The folders of a package's own devel space are linked into the common one, set-up files are not.
 LINK = 'shopt -s nullglob; for folder in "$0"/devel/*/; do cp -rsf "$folder" "$1" || exit; done'
 ERROR = re.compile(
@@ -39,9 +41,7 @@ ERROR = re.compile(
 def build():
     """Build what has changed, from nothing, and write the errors to the file left_out."""
     packages, checksums, _, errors = read_packages(WORKSPACE, SOURCES, OURS)
-    places = {
-        folder: WORKSPACE / 'build' / str(Path(folder).relative_to(WORKSPACE)).replace('/', '+')
-        for folder in packages}
+    places = {folder: WORKSPACE / 'build' / _name_of(folder) for folder in packages}
     for place in {*(WORKSPACE / 'build').glob('src*')} - {*places.values()}:
         shutil.rmtree(place)
     keys, failed = {}, set()
@@ -67,6 +67,15 @@ def build():
     (DEVEL / '.catkin').write_text(';'.join([f'{WORKSPACE}/ours', *packages]))
     lines = [' '.join(error.split()).rstrip(':') + '\n' for error in errors]
     (WORKSPACE / 'left_out').write_text(''.join(lines), errors='replace')
+
+
+def _name_of(folder):
+    """Return a name for the build folder of a package; Linux allows 255 bytes."""
+    path = str(Path(folder).relative_to(WORKSPACE))
+    encoded = os.fsencode(path)
+    if len(encoded) > LONGEST_NAME or '+' in path:
+        return f'src+{hashlib.sha256(encoded).hexdigest()}'
+    return path.replace('/', '+')
 
 
 def build_package(folder, place, key):

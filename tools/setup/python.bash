@@ -7,7 +7,7 @@ OPT=/opt/ros
 # a terminal has sourced.
 find_ros() {
     PYTHON=$USR/bin/python3
-    if [ -f "$VENV/ros" ]; then
+    if [ -s "$VENV/ros" ]; then
         read -r ROS <"$VENV/ros"
     elif [ "${ROS_VERSION:-}" = 1 ] && ROS=$(type -P catkin_make); then
         ROS=${ROS%/bin/catkin_make}
@@ -63,8 +63,9 @@ add_requirements() {
         # If pip compiles PyBullet: debugging symbols take a fifth of the time, and /tmp may be small. Without
         # --use-pep517 pip needs the package wheel, which virtual environments lack. On arm64, GCC would fuse
         # multiplications with additions, which changes the last digits.
-        CFLAGS="${CFLAGS:-} -g0 -ffp-contract=off" TMPDIR=$WORKSPACE "$VENV/bin/python3" -m pip \
-            install --quiet --disable-pip-version-check --use-pep517 --require-hashes -r "$file"
+        # ~/.local is not for the clone's other users.
+        CFLAGS="${CFLAGS:-} -g0 -ffp-contract=off" TMPDIR=$WORKSPACE PYTHONNOUSERSITE=1 PIP_USER=0 \
+            "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check --use-pep517 --require-hashes -r "$file"
         fingerprint "$file" >"$VENV/ready-${file//\//-}"
     done
 }

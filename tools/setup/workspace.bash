@@ -3,13 +3,14 @@
 # find_root: set ROOT, a path of this folder that works in a #! line and in catkin's commands.
 find_root() {
     ROOT=$CHECKOUT
-    [[ $CHECKOUT == *[!A-Za-z0-9/._+@~-]* ]] || return 0
+    [[ $CHECKOUT == *[!A-Za-z0-9/._+@~-]* || ${#CHECKOUT} -gt 200 ]] || return 0
     # The same link for every user and home, or each would build the workspace again.
     local owner folder
     owner=$(stat -c %u "$CHECKOUT")
     folder=/var/tmp/turtlebot2-odometry-$owner
     ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
-    mkdir -m 755 "$folder" 2>/dev/null || true
+    # Made by another user, it would keep everybody out.
+    [[ ! $(id -u) =~ ^($owner|0)$ ]] || mkdir -m 755 "$folder" 2>/dev/null || true
     [[ $(stat -c %u "$folder") =~ ^($owner|0)$ ]] && {
         [ "$(readlink "$ROOT")" = "$CHECKOUT" ] || ln -sfnT "$CHECKOUT" "$ROOT" 2>/dev/null
     } || fail "ROS cannot handle the path $CHECKOUT, and no link to it can be made in $folder"

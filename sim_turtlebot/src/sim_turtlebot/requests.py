@@ -60,7 +60,8 @@ class RequestQueue:
 
         While it serves a call, this serves messages only.
 
-        :param by_name: in order of the names of their nodes, topics and services instead
+        :param by_name: in order of the names of their nodes, topics and services instead; robots
+            are placed, then odometry is reset, and then they are commanded
         :return: whether a call was among them
         """
         with self._changed:
@@ -70,7 +71,7 @@ class RequestQueue:
                 calls, self._calls = self._calls, []
         if by_name:
             calls.sort(key=lambda call: call[:2])
-        for sender in sorted(messages) if by_name else messages:
+        for sender in sorted(messages, key=_order) if by_name else messages:
             _, request = messages[sender]
             request()
         for _, _, request, answer in calls:
@@ -79,3 +80,10 @@ class RequestQueue:
                 answer.set_result(request())
                 self._is_serving_calls = False
         return bool(calls)
+
+
+def _order(sender):
+    """Return the sort key of a node and a topic."""
+    node, topic = sender
+    kind = topic.rpartition('/')[2]
+    return kind != 'set_pose', kind != 'reset_odometry', node, topic

@@ -18,7 +18,8 @@ class Simulation:
         :param settings: of sim_turtlebot.settings.read_settings()
         :param build_world: function of the parameters of World, whose errors it raises
         """
-        starts = [(settings.x, settings.y + index * SPACING, settings.yaw)
+        to_left = -SPACING * math.sin(settings.yaw), SPACING * math.cos(settings.yaw)
+        starts = [(settings.x + index * to_left[0], settings.y + index * to_left[1], settings.yaw)
                   for index in range(settings.robots)]
         self.timeline = Timeline(settings.odom_rate, settings.clock_rate)
         self.world = build_world(self.timeline.step_rate, starts, settings.gui, settings.world)

@@ -7,8 +7,8 @@ CALLER = '/links'
 
 
 def has_listener(topic):
-    publishers = dict(rosgraph.Master(CALLER).getSystemState()[0]).get(topic, [])
-    connections = [connection for node in publishers for connection in _ask(node, 'getBusInfo')]
+    connections = [connection for node in dict(rosgraph.Master(CALLER).getSystemState()[0]).get(topic, [])
+                   for connection in _ask(node, 'getBusInfo')]
     return any((direction, connected) == (SENDS, topic) for _, _, direction, _, connected, *_ in connections)
 
 

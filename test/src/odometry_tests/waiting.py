@@ -25,11 +25,12 @@ def wait_until(condition, timeout, what, period=POLL_PERIOD):
     :raises AssertionError: if there is none in time
     """
     bound = timeout * PATIENCE
-    end = time.monotonic() + bound
+    began, end = 0.0, time.monotonic() + bound
     while not (value := condition()):
-        if time.monotonic() >= end:
+        if began >= end:  # a look may take long
             words = what() if callable(what) else what
             raise AssertionError(f'not within {bound:g} s: {words}')
+        began = time.monotonic()
         time.sleep(period)
     return value
 

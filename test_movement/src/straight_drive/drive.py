@@ -33,4 +33,6 @@ class Drive:
             raise ValueError(f'the moved distance {moved_distance} is not finite')
         if self._start is None:
             self._start = moved_distance
+        elif moved_distance < self._start:  # the count was reset
+            self._start = 0.0
         return self.speed if moved_distance - self._start < self.distance else 0.0

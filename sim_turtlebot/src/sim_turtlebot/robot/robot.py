@@ -131,7 +131,8 @@ class Robot:
 
     def begin(self, seed):
         """Start at rest where the body is, and seed the random numbers."""
-        self._rng.seed(seed + self.index)
+        # Of an integer Python ignores the sign; neighbours must not share numbers.
+        self._rng.seed(seed if seed >= 0 and self.index == 0 else f'{seed} {self.index}')
         if self.scanner:
             self.scanner.seed = seed
         self._mux = VelocityMux(self._timeline.step_rate)

@@ -1,29 +1,45 @@
-// Presses and releases the pad's buttons with the arrow keys.
+// Presses and releases the pad's buttons with the arrow keys, and lets go of all at a click on stop.
 if (!window.arrowKeys) {
   window.arrowKeys = {ArrowUp: 'forward', ArrowDown: 'back', ArrowLeft: 'left', ArrowRight: 'right'};
-  const held = new Set();
-  const button = (key) => [...document.querySelectorAll('button')].find(
-    (candidate) => candidate.textContent.trim() === window.arrowKeys[key]);
-  const pointer = (key, kind) => button(key)?.dispatchEvent(
+  const label = (button) => button?.textContent.trim();
+  const pad = () => [...document.querySelectorAll('button')].filter(
+    (candidate) => Object.values(window.arrowKeys).includes(label(candidate)));
+  const held = new Map();  // arrows by the keys' codes: with Shift a numpad's keys are digits
+  const button = (arrow) => pad().find((candidate) => label(candidate) === window.arrowKeys[arrow]);
+  const pointer = (target, kind) => target?.dispatchEvent(
     new PointerEvent(kind, {bubbles: true, button: 0}));
-  const release = (key) => {
-    if (!held.delete(key)) return;
-    pointer(key, 'pointerup');
-    button(key)?.click();
+  const release = (code) => {
+    const target = button(held.get(code));
+    if (!held.delete(code)) return;
+    pointer(target, 'pointerup');
+    target?.click();
   };
-  const releaseAll = () => [...held].forEach(release);
+  const releaseAll = () => [...held.keys()].forEach(release);
   window.addEventListener('keydown', (event) => {
+    // While Meta is down, macOS tells no browser of a key that is released.
+    if (event.metaKey || event.ctrlKey || event.altKey) return releaseAll();
     // A checkbox and a closed list keep the focus after a click.
     const idle = '[type=range], [type=checkbox], [aria-haspopup=listbox]:not([aria-expanded=true])';
     const typing = event.target.closest?.(`input:not(${idle}), textarea, [role=slider]`);
     if (!(event.key in window.arrowKeys) || typing) return;
     event.preventDefault();
     event.stopPropagation();
-    if (held.has(event.key)) return;
-    held.add(event.key);
-    pointer(event.key, 'pointerdown');
+    if (held.has(event.code)) return;
+    held.set(event.code, event.key);
+    pointer(button(event.key), 'pointerdown');
   }, true);
-  window.addEventListener('keyup', (event) => release(event.key), true);
+  window.addEventListener('keyup', (event) => release(event.code), true);
   window.addEventListener('blur', releaseAll);
   document.addEventListener('visibilitychange', releaseAll);
+  // viser sends only the latest message of 50 ms: a hold would replace the click on stop.
+  window.addEventListener('click', (event) => {
+    if (label(event.target.closest?.('button')) === 'stop')
+      pad().forEach((target) => pointer(target, 'pointerup'));
+  }, true);
+  // After a long touch there is no click, with which viser would send the release.
+  for (const kind of ['pointerup', 'pointercancel'])
+    window.addEventListener(kind, (event) => {
+      const target = event.target.closest?.('button');
+      if (event.isTrusted && event.pointerType !== 'mouse' && pad().includes(target)) target.click();
+    }, true);
 }

@@ -32,6 +32,8 @@ class ClientView:
 
         It changes once the panel of a new page is laid out, and when you fold a phone's panel.
         """
+        if not (self._camera.image_height and self._camera.image_width):
+            return  # a page that shows no picture
         if self._follows.value and shows(self._camera, self._start):
             self._world.position = (-x, -y, 0.0)
         elif self._follows.value or self._aspect not in (None, self._camera.aspect):

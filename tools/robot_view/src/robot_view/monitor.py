@@ -19,6 +19,7 @@ from std_msgs.msg import Empty, Float64
 from robot_view.path_trace import PathTrace
 
 SIMULATOR = 'sim_turtlebot'  # node
+LONGEST_LAG = 1.0  # s between odometry and ground truth of one robot
 EPOCH = 1e9  # s; stamps beyond this are wall time
 RATE_SAMPLES = 10  # readings at most per measurement of the real-time factor
 
@@ -54,12 +55,13 @@ class RobotMonitor:
         self._poses = rospy.Publisher(f'{SIMULATOR}/{namespace}set_pose', PoseStamped, queue_size=1)
         self._reset = rospy.Publisher(f'{namespace}moved_distance/reset', Empty, queue_size=1)
         topics = [('odom', Odometry, self._on_odometry),
-                  ('base_pose_ground_truth', Odometry, self._on_ground_truth),
                   ('joint_states', JointState, self._on_joints),
                   ('moved_distance', Float64, self._on_moved),
                   ('scan', LaserScan, self._on_scan),
                   ('rotate_robot/target', Float64, self._on_target)]
-        self._connections = [self._poses, self._reset, *(
+        self._truths = rospy.Subscriber(f'{namespace}base_pose_ground_truth', Odometry,
+                                        self._on_ground_truth, tcp_nodelay=True)
+        self._connections = [self._poses, self._reset, self._truths, *(
             rospy.Subscriber(f'{namespace}{topic}', kind, callback, tcp_nodelay=True)
             for topic, kind, callback in topics)]
 
@@ -111,9 +113,17 @@ class RobotMonitor:
             state = _state_in(message)
             if state is None:
                 return
+            if self._is_another(state):
+                self._ground_truth, self.trace = None, PathTrace()
             self.odometry = state
             self.trace.add_odometry(state.stamp, state.planar)
             self.trace.add_history(self.moved, self.heading_target)
+
+    def _is_another(self, state):
+        """Return whether this State is of a real robot, which has followed the simulator's."""
+        truth = self._ground_truth
+        return (truth is not None and abs(state.stamp - truth.stamp) > LONGEST_LAG
+                and not self._truths.get_num_connections())
 
     def _on_ground_truth(self, message):
         with self.lock:
@@ -124,7 +134,8 @@ class RobotMonitor:
 
     def _on_joints(self, message):
         with self.lock:
-            self.wheels = dict(zip(message.name, message.position))
+            self.wheels = {name: angle for name, angle in zip(message.name, message.position)
+                           if math.isfinite(angle)}
 
     def _on_scan(self, message):
         points = scan_points(message)

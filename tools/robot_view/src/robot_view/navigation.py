@@ -4,6 +4,7 @@ import numpy
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid, Path
+from rospy.numpy_msg import numpy_msg
 from sim_turtlebot.frames import read_pose
 
 from robot_view.looks import wxyz
@@ -21,11 +22,14 @@ class NavigationModel:
 
     def __init__(self, scene):
         self._scene = scene
-        rospy.Subscriber('map', OccupancyGrid, self._draw_map)
+        # As an array: a list of millions of numbers would keep the pad waiting.
+        rospy.Subscriber('map', numpy_msg(OccupancyGrid), self._draw_map)
         rospy.Subscriber('move_base/NavfnROS/plan', Path, self._draw_plan)
         rospy.Subscriber('amcl_pose', PoseWithCovarianceStamped, self._draw_pose)
 
     def _draw_map(self, message):
+        if len(message.data) != message.info.height * message.info.width:
+            return
         cells = occupied_cells(message)
         if numpy.isfinite(cells).all():
             self._scene.add_point_cloud(f'{WORLD}/map', cells, MAP_COLOUR, CELL_SIZE,

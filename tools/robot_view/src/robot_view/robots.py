@@ -5,6 +5,7 @@ import threading
 
 import rosgraph
 import rospy
+from odometry_common.connections import NO_ANSWER
 from std_msgs.msg import String
 
 from robot_view.monitor import SIMULATOR, RobotMonitor
@@ -45,7 +46,7 @@ class Robots:
                 self.complaint = self._warning if self._warnings.get_num_connections() else ''
             else:
                 self.complaint = f'waiting for odometry on {rospy.resolve_name("odom")}'
-        except (OSError, rosgraph.MasterException):
+        except (*NO_ANSWER, rosgraph.MasterException):
             self.is_simulated, self.complaint = False, 'the ROS master does not answer'
             return
         names = {service for service, _ in services}
@@ -67,5 +68,6 @@ def find_robots(topics):
     """Return the namespaces of the robots that publish odometry: '' or such as 'robot_1/'."""
     namespace = re.escape(rospy.get_namespace())
     numbers = [re.fullmatch(rf'{namespace}robot_(\d+)/odom', topic) for topic in topics]
-    robots = [f'robot_{number}/' for number in sorted(int(match[1]) for match in numbers if match)]
+    robots = [f'robot_{number}/'
+              for number in sorted((match[1] for match in numbers if match), key=int)]
     return ['', *robots] if rospy.resolve_name('odom') in topics else robots

@@ -40,8 +40,10 @@ class Steering:
         pressed_for, until = self._held.get((client, button), (robot, now))
         if button == STOP:
             # Also buttons past their deadline: a page that was silent may continue to hold them.
-            self._stopped.update(held for held, (held_for, _) in self._held.items()
-                                 if held_for == robot and held[1] != STOP)
+            # And those of this client for another robot, which it may have pressed before.
+            self._stopped.update(
+                held for held, (held_for, _) in self._held.items()
+                if held[1] != STOP and (held_for == robot or held[0] == client))
         elif until > now:
             robot = pressed_for
         self._held[client, button] = robot, now + HOLD_TIMEOUT

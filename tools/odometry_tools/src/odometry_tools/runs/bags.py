@@ -10,6 +10,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64
 
+BYTES, PLACE = 1, 3  # in a raw message of rosbag
 INSTALLED = {kind._md5sum: kind for kind in (Float64, Odometry, Twist)}
 
 
@@ -30,10 +31,21 @@ def types_in(bag):
 
 
 def read_messages(bag, kind, *topics):
-    """Return topic, message and timestamp of the messages of an INSTALLED class on some topics."""
+    """Return topic, message and timestamp of the messages of an INSTALLED class on some topics.
+
+    In the order in which they were written: after a reset of simulated time earlier times follow.
+    """
     def is_installed(_topic, datatype, md5sum, *_):
         return (datatype, md5sum) == (kind._type, kind._md5sum)
-    return [*bag.read_messages(topics, connection_filter=is_installed)]
+
+    def place_of(entry):
+        return entry.message[PLACE]
+
+    def with_message(entry):
+        return entry._replace(message=kind().deserialize(entry.message[BYTES]))
+
+    entries = bag.read_messages(topics, connection_filter=is_installed, raw=True)
+    return [*map(with_message, sorted(entries, key=place_of))]
 
 
 def differing_definitions(bag):

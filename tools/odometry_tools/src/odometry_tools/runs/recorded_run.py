@@ -111,7 +111,8 @@ def read_run(path, topic=None, end=math.inf):
     start, first = odometry[last_restart(odometry)]
     # Commands have no stamp, and the clock that recorded them may be another.
     rows = [((row.timestamp - first.timestamp).to_sec(), row.message.linear.x,
-             row.message.angular.z) for _, row in commands if row.timestamp >= first.timestamp]
+             row.message.angular.z) for _, row in commands[last_restart(commands):]
+            if row.timestamp >= first.timestamp]
     track, true_track = track_of(odometry, start), track_of(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no message with finite numbers on {topic}')

@@ -112,7 +112,7 @@ def _launch_metrics(bag):
         'distance': truth.distance[-1],
         'from_start': math.hypot(travel.x, travel.y),
         'sideways': travel.y,
-        'heading': degrees(travel.yaw),
+        'heading': math.degrees(travel.yaw),
         'heading_error': degrees(error.yaw),
         'odometry_error': math.hypot(error.x, error.y),
         'time': truth.time[is_moving].max(initial=0.0),

@@ -6,7 +6,7 @@ import yaml
 
 from odometry_tools.runs.tutorials import TUTORIALS
 from odometry_tools.sweep.campaign import SEEDS, Campaign, absolute_worlds, read_campaign
-from odometry_tools.sweep.subjects import Launched, Tutorial
+from odometry_tools.sweep.subjects import ROBOT, Launched, Tutorial
 
 
 def parse(arguments):
@@ -27,6 +27,11 @@ def parse(arguments):
             parser.error('argument --set: a parameter is set twice')
         subject = (Launched(options.what, options.until) if len(options.what) == 2
                    else Tutorial(*options.what))
+        # roslaunch passes on what was typed.
+        is_text = len(options.what) == 2
+        values = {
+            name: texts if is_text and name not in ROBOT else typed
+            for name, (typed, texts) in values.items()}
         options.campaign = Campaign(subject,
                                     SEEDS.default if options.seeds is None else options.seeds,
                                     absolute_worlds(values), {})
@@ -69,10 +74,11 @@ def make_parser():
 
 
 def _values(text):
+    """Return a name, and its values as YAML reads them and as they were typed."""
     name, separator, values = text.partition('=')
     if not (separator and values.strip()):
         raise argparse.ArgumentTypeError(f'{text!r} is not NAME=VALUE,VALUE,...')
     try:
-        return name, yaml.safe_load(f'[{values}]')
+        return name, (yaml.safe_load(f'[{values}]'), yaml.load(f'[{values}]', yaml.BaseLoader))
     except (yaml.YAMLError, RecursionError):
         raise argparse.ArgumentTypeError(f'{text!r} contains a value that is not YAML') from None

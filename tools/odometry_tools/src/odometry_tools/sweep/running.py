@@ -98,7 +98,7 @@ def on_cluster(address):
         try:
             client.wait_for_workers(1, timeout=CONNECT_TIMEOUT)
             results = client.run(run, *TRIAL)
-        except TimeoutError:
+        except (TimeoutError, distributed.TimeoutError):  # Python 3.10 has two
             raise StartError('the cluster has no workers') from None
         except ImportError as error:
             raise StartError(f'a worker was not started by ./ws dask worker: {error}') from None
@@ -106,7 +106,10 @@ def on_cluster(address):
         for worker, metrics in results.items():
             if metrics != expected:  # in the last digits
                 raise StartError(f'the worker {worker} has another version of these packages')
-        yield client.get_executor(), lambda: client.status != 'running'
+        try:
+            yield client.get_executor(), lambda: client.status != 'running'
+        except distributed.KilledWorker:
+            raise RunError('a worker that did runs was killed, again and again') from None
 
 
 @contextlib.contextmanager

@@ -1,6 +1,7 @@
 """The subject of a sweep: a tutorial, without ROS, or a user's launch file, in lockstep."""
 
 import difflib
+import itertools
 import re
 from typing import NamedTuple
 
@@ -120,9 +121,11 @@ def _check_text(values):
 
 
 def _check_values(subject, values, known, left_out=frozenset()):
-    """Check each value, beside the first value of each other parameter.
+    """Check each value, and each combination of the robot's.
 
     :param known: Parameters by name; None for what may have any value
+    :raises ParameterError: for the first value that is not allowed
+    :raises StartError: for a name that is not known
     """
     known = {name: row for name, row in known.items() if name not in NOT_SET | left_out}
     robot = PARAMETERS.read({name: several[0] for name, several in values.items()})
@@ -130,6 +133,12 @@ def _check_values(subject, values, known, left_out=frozenset()):
         row = choose(name, known, f'parameter {name} cannot be set in a sweep of {subject.name}')
         for value in several if row else ():
             row.check(value, robot)
+    # The range of one may depend on another.
+    linked = {
+        name: several for name, several in values.items()
+        if name in ROBOT}
+    for combination in itertools.product(*linked.values()):
+        PARAMETERS.read(dict(zip(linked, combination)))
 
 
 def choose(name, known, complaint):
