@@ -8,11 +8,16 @@ if (!window.arrowKeys) {
   const button = (arrow) => pad().find((candidate) => label(candidate) === window.arrowKeys[arrow]);
   const pointer = (target, kind) => target?.dispatchEvent(
     new PointerEvent(kind, {bubbles: true, button: 0}));
+  let next = 0;  // ms, when a release may be sent
   const release = (code) => {
-    const target = button(held.get(code));
+    const arrow = held.get(code);
     if (!held.delete(code)) return;
-    pointer(target, 'pointerup');
-    target?.click();
+    pointer(button(arrow), 'pointerup');
+    const send = () => [...held.values()].includes(arrow) || button(arrow)?.click();
+    // viser sends only the latest message of 50 ms.
+    const wait = next - performance.now();
+    next = Math.max(next, performance.now()) + 60;
+    if (wait > 0) setTimeout(send, wait); else send();
   };
   const releaseAll = () => [...held.keys()].forEach(release);
   window.addEventListener('keydown', (event) => {
@@ -31,7 +36,7 @@ if (!window.arrowKeys) {
   window.addEventListener('keyup', (event) => release(event.code), true);
   window.addEventListener('blur', releaseAll);
   document.addEventListener('visibilitychange', releaseAll);
-  // viser sends only the latest message of 50 ms: a hold would replace the click on stop.
+  // A hold within the 50 ms would replace the click on stop.
   window.addEventListener('click', (event) => {
     if (label(event.target.closest?.('button')) === 'stop')
       pad().forEach((target) => pointer(target, 'pointerup'));
