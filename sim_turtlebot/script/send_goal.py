@@ -40,9 +40,10 @@ def main():
     publisher = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=1, latch=True)
     status = Subscriber('move_base/status', rospy.AnyMsg, lambda _: None, 'move_base')
     status.wait()  # an earlier goal would be lost
-    while rospy.Time.now().to_sec() < goal.time:
+    due = rospy.Time.from_sec(goal.time)
+    while rospy.Time.now() < due:
         with contextlib.suppress(rospy.exceptions.ROSTimeMovedBackwardsException):  # a reset
-            rospy.sleep(rospy.Time.from_sec(goal.time) - rospy.Time.now())
+            rospy.sleep(due - rospy.Time.now())
     message.header.stamp = rospy.Time.now()
     publisher.publish(message)
     spin()

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+from pathlib import Path
 
 import psutil
 
@@ -26,6 +27,7 @@ class Children:
         self._waiter, self._add = waiter, add
         self._parents = {}  # ids, by id of the child
         self._loadavg = os.open('/proc/loadavg', os.O_RDONLY)
+        self._end_of_pids = int(Path('/proc/sys/kernel/pid_max').read_text(encoding='ascii'))
         self._newest = self._newest_pid()
 
     def add_of(self, pid):
@@ -49,10 +51,17 @@ class Children:
                 return
             self._remove_independent(nodes)
             known = {*self._parents}
-            ended = [pid for pid in range(before + 1, self._newest + 1) if not self._add_new(pid)]
+            ended = [pid for pid in self._pids_since(before) if not self._add_new(pid)]
             if not ended and known.issuperset(self._parents):
                 return
             self._waiter.wait()
+
+    def _pids_since(self, before):
+        """Yield the ids given since `before` was the newest; after the largest comes 1 again."""
+        if self._newest < before:
+            yield from range(before + 1, self._end_of_pids)
+            before = 0
+        yield from range(before + 1, self._newest + 1)
 
     def _add_new(self, pid):
         """Add a process that has been started, if it is a child; return False if it has ended."""

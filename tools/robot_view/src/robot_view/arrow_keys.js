@@ -5,13 +5,14 @@ if (!window.arrowKeys) {
   const pad = () => [...document.querySelectorAll('button')].filter(
     (candidate) => Object.values(window.arrowKeys).includes(label(candidate)));
   const held = new Map();  // arrows by the keys' codes: with Shift a numpad's keys are digits
+  const code = (event) => event.code || event.key;  // a phone's keyboard has no codes
   const button = (arrow) => pad().find((candidate) => label(candidate) === window.arrowKeys[arrow]);
   const pointer = (target, kind) => target?.dispatchEvent(
     new PointerEvent(kind, {bubbles: true, button: 0}));
   let next = 0;  // ms, when a release may be sent
-  const release = (code) => {
-    const arrow = held.get(code);
-    if (!held.delete(code)) return;
+  const release = (key) => {
+    const arrow = held.get(key);
+    if (!held.delete(key) || [...held.values()].includes(arrow)) return;
     pointer(button(arrow), 'pointerup');
     const send = () => [...held.values()].includes(arrow) || button(arrow)?.click();
     // viser sends only the latest message of 50 ms.
@@ -29,11 +30,11 @@ if (!window.arrowKeys) {
     if (!(event.key in window.arrowKeys) || typing) return;
     event.preventDefault();
     event.stopPropagation();
-    if (held.has(event.code)) return;
-    held.set(event.code, event.key);
+    if (held.has(code(event))) return;
+    held.set(code(event), event.key);
     pointer(button(event.key), 'pointerdown');
   }, true);
-  window.addEventListener('keyup', (event) => release(event.code), true);
+  window.addEventListener('keyup', (event) => release(code(event)), true);
   window.addEventListener('blur', releaseAll);
   document.addEventListener('visibilitychange', releaseAll);
   // A hold within the 50 ms would replace the click on stop.

@@ -19,7 +19,7 @@ class Steering:
     """Decides what the held buttons command to which robot; times in seconds.
 
     A robot gets commands while you hold a button for it, then zeros until it has received one. Stop
-    disables every button that is held for the robot until it is released.
+    disables every button that is held for the robot, or by this client, until it is released.
     """
 
     def __init__(self):

@@ -79,8 +79,11 @@ def _read_output(m, output):
 
 
 def _status_in(m, output):
-    """Return the exit status of the node; in a launch file that of a helper does not count."""
-    may_be_node = m.is_silent and (m.error or not m.run.nodes)  # one that never registered
+    """Return the exit status of the node, or of a launch file's node that has ended.
+
+    One that has never registered counts if no other can be the one that is judged.
+    """
+    may_be_node = m.is_silent and (m.error or m.topic not in m.run.publishes)
     for name, status in quoting.DIED.findall(output):
         is_node = not name or f'/{name}' in m.run.nodes
         if is_node or may_be_node:

@@ -86,7 +86,7 @@ class Runner:
         run.count_printed = lambda: node.printed
         try:
             self._await_ready(node, run)
-            run.is_cpp = node.is_cpp({ask(uri, 'getPid') for uri, _ in run.links})
+            run.is_cpp = node.is_cpp({ask(uri, 'getPid') for uri, _ in run.links} - {None})
             self._session.ask_for_types(run)
             if run.messages or run.nodes and (node.status is None or node.family()):
                 self._begin(run, node, log)

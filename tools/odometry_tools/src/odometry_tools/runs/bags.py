@@ -30,8 +30,8 @@ def types_in(bag):
     return {name: topic.msg_type for name, topic in bag.get_type_and_topic_info().topics.items()}
 
 
-def read_messages(bag, kind, *topics):
-    """Return topic, message and timestamp of the messages of an INSTALLED class on some topics.
+def read_messages(bag, kind, topic):
+    """Return topic, message and timestamp of the messages of an INSTALLED class on a topic.
 
     In the order in which they were written: after a reset of simulated time earlier times follow.
     """
@@ -44,7 +44,7 @@ def read_messages(bag, kind, *topics):
     def with_message(entry):
         return entry._replace(message=kind().deserialize(entry.message[BYTES]))
 
-    entries = bag.read_messages(topics, connection_filter=is_installed, raw=True)
+    entries = bag.read_messages(topic, connection_filter=is_installed, raw=True)
     return [*map(with_message, sorted(entries, key=place_of))]
 
 

@@ -32,8 +32,11 @@ def follow_robot(options, launch, page_port):
     :param page_port: HeldPort of the page; None without one
     """
     join(launch, 'demo')
-    with contextlib.closing(Recording()) as recording:  # also of a run that is interrupted
+    recording = Recording()
+    try:
         return _follow(options, launch, page_port, recording)
+    finally:
+        recording.close_bag()  # also of a run that is interrupted
 
 
 def _follow(options, launch, page_port, recording):

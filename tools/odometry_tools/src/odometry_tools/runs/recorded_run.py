@@ -1,6 +1,7 @@
 """Read a run from a bag with odometry."""
 
 import math
+import operator
 import shlex
 from pathlib import Path
 from typing import NamedTuple
@@ -88,10 +89,11 @@ def read_run(path, topic=None, end=math.inf):
             types, differing = bags.types_in(bag), bags.differing_definitions(bag)
             choices = [name for name, kind in sorted(types.items()) if kind == Odometry._type]
             topic = topic or (choices[0] if len(choices) == 1 else ODOMETRY_TOPIC)
-            odometry, ground_truth, commands = (
-                timed(bags.read_messages(bag, kind, *names), end)
-                for kind, names in ((Odometry, [topic]), (Odometry, [TRUTH]),
-                                    (Twist, COMMAND_TOPICS)))
+            odometry, ground_truth, *commands = (
+                timed(bags.read_messages(bag, kind, name), end)
+                for kind, name in (
+                    (Odometry, topic), (Odometry, TRUTH),
+                    *((Twist, command_topic) for command_topic in COMMAND_TOPICS)))
     except rosbag.ROSBagUnindexedException:
         raise BagError(f'{path} is not indexed: rosbag reindex {shlex.quote(str(path))}') from None
     except (OSError, rosbag.ROSBagException) as error:
@@ -110,9 +112,11 @@ def read_run(path, topic=None, end=math.inf):
         raise BagError(f'{path} has 0 messages on {topic}')
     start, first = odometry[last_restart(odometry)]
     # Commands have no stamp, and the clock that recorded them may be another.
-    rows = [((row.timestamp - first.timestamp).to_sec(), row.message.linear.x,
-             row.message.angular.z) for _, row in commands[last_restart(commands):]
-            if row.timestamp >= first.timestamp]
+    rows = [
+        ((row.timestamp - first.timestamp).to_sec(), row.message.linear.x, row.message.angular.z)
+        for messages in commands for _, row in messages[last_restart(messages):]
+        if row.timestamp >= first.timestamp]
+    rows.sort(key=operator.itemgetter(0))
     track, true_track = track_of(odometry, start), track_of(ground_truth, start)
     if track is None:
         raise BagError(f'{path} has no message with finite numbers on {topic}')

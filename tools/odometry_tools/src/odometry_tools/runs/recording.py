@@ -53,6 +53,10 @@ class Recording:
         """Close the bag; return its path, or None if it is incomplete."""
         for subscriber in self._subscribers.values():
             subscriber.unregister()
+        return self.close_bag()
+
+    def close_bag(self):
+        """As close(), but without the master, which may be suspended."""
         with self._lock:
             if self._bag:
                 self._try(self._bag.close)

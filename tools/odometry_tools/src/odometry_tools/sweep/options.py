@@ -30,7 +30,8 @@ def parse(arguments):
         # roslaunch passes on what was typed.
         is_text = len(options.what) == 2
         values = {
-            name: texts if is_text and name not in ROBOT else typed
+            name: [text if is_text and name not in ROBOT and isinstance(text, str) else value
+                   for value, text in zip(typed, texts)]
             for name, (typed, texts) in values.items()}
         options.campaign = Campaign(subject,
                                     SEEDS.default if options.seeds is None else options.seeds,

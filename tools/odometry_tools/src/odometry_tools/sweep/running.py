@@ -51,6 +51,11 @@ def run_all(campaign, executor, is_lost):
         raise RunError('the scheduler of the cluster is gone') from None
     except WorldFileError as error:
         raise RunError(f'{parameters["world"]} must be {error}') from None
+    except Exception as error:
+        # Dask's, which is not imported without a cluster.
+        if type(error).__name__ != 'KilledWorker':
+            raise
+        raise RunError('a worker that did runs was killed, again and again') from None
 
 
 @contextlib.contextmanager
@@ -106,10 +111,7 @@ def on_cluster(address):
         for worker, metrics in results.items():
             if metrics != expected:  # in the last digits
                 raise StartError(f'the worker {worker} has another version of these packages')
-        try:
-            yield client.get_executor(), lambda: client.status != 'running'
-        except distributed.KilledWorker:
-            raise RunError('a worker that did runs was killed, again and again') from None
+        yield client.get_executor(), lambda: client.status != 'running'
 
 
 @contextlib.contextmanager
