@@ -46,7 +46,7 @@ def test_a_request_that_takes_too_long_fails_and_says_that_it_takes_effect(reque
 
 
 def test_of_a_topic_the_latest_message_of_each_sender_is_served(requests):
-    """In the order in which they came, or places first and then in that of the senders' names; a message on another topic stays."""
+    """In the order in which they came, or poses first, and by the senders' names; one on another topic stays."""
     served = []
     requests.put('/a', '/set_pose', partial(served.append, 'pose'))
     for number in range(3):

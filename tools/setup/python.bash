@@ -63,9 +63,10 @@ add_requirements() {
         # If pip compiles PyBullet: debugging symbols take a fifth of the time, and /tmp may be small. Without
         # --use-pep517 pip needs the package wheel, which virtual environments lack. On arm64, GCC would fuse
         # multiplications with additions, which changes the last digits.
-        # ~/.local is not for the clone's other users.
+        # The clone's other users do not have this one's ~/.local.
         CFLAGS="${CFLAGS:-} -g0 -ffp-contract=off" TMPDIR=$WORKSPACE PYTHONNOUSERSITE=1 PIP_USER=0 \
-            "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check --use-pep517 --require-hashes -r "$file"
+            "$VENV/bin/python3" -m pip install --quiet --disable-pip-version-check \
+            --use-pep517 --require-hashes -r "$file"
         fingerprint "$file" >"$VENV/ready-${file//\//-}"
     done
 }

@@ -9,9 +9,9 @@ find_root() {
     owner=$(stat -c %u "$CHECKOUT")
     folder=/var/tmp/turtlebot2-odometry-$owner
     ROOT=$folder/$(sha256sum <<<"$CHECKOUT" | cut -c 1-16)
-    # Made by another user, it would keep everybody out.
-    [[ ! $(id -u) =~ ^($owner|0)$ ]] || mkdir -m 755 "$folder" 2>/dev/null || true
-    [[ $(stat -c %u "$folder") =~ ^($owner|0)$ ]] && {
+    # A folder of another user would keep everybody out.
+    if [[ $(id -u) =~ ^($owner|0)$ ]]; then mkdir -m 755 "$folder" 2>/dev/null || true; fi
+    [[ $(stat -c %u "$folder" 2>/dev/null) =~ ^($owner|0)$ ]] && {
         [ "$(readlink "$ROOT")" = "$CHECKOUT" ] || ln -sfnT "$CHECKOUT" "$ROOT" 2>/dev/null
     } || fail "ROS cannot handle the path $CHECKOUT, and no link to it can be made in $folder"
 }

@@ -37,7 +37,7 @@ class Subscriber:
 
         :return: whether a message has arrived, and the node goes on
         """
-        # Not here: a suspended master answers late, or never.
+        # On a thread, since a suspended master answers late, or never.
         threading.Thread(target=self._log_waiting, daemon=True).start()
         while not (self._woken.wait(timeout=1.0) or rospy.is_shutdown()):
             pass

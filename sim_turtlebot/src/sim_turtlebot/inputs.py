@@ -24,7 +24,7 @@ class Inputs:
         """
         self._requests, self._warn = requests, warn
         self.obeys = True  # lockstep ignores commands before time zero
-        self._pose_is_set = False
+        self.pose_is_set = False  # since the robots were published
         for robot in robots:
             for topic in ('cmd_vel', 'mobile_base/commands/velocity', *INPUTS):
                 self._subscribe(f'{robot.namespace}{topic}', Twist, self._command, robot, topic)
@@ -39,11 +39,6 @@ class Inputs:
             ask the master
         """
         rospy.Service(name, kind, partial(self._answer, action, prepare))
-
-    def poses_are_set(self):
-        """Return whether a robot has been placed since the last call."""
-        was_set, self._pose_is_set = self._pose_is_set, False
-        return was_set
 
     def _subscribe(self, topic, message_class, action, *arguments):
         """Have the main thread call action(message, *arguments) for each message."""
@@ -76,7 +71,7 @@ class Inputs:
         topic, refusal = f'~{robot.namespace}set_pose', ''
         try:
             robot.set_pose(*checked_pose(message.header.frame_id, *read_pose(message.pose)))
-            self._pose_is_set = True
+            self.pose_is_set = True
         except ValueError as error:
             refusal = f'{topic} refused: {error}'
             rospy.logwarn_throttle(1.0, refusal)

@@ -48,12 +48,13 @@ class Reports:
                 robot.timed_out = False
                 self._report_timeout(robot)
             lies = not is_upright(robot.ground_truth.orientation)
-            if lies and robot not in self._fallen:
+            if lies == (robot in self._fallen):
+                continue
+            if lies:
                 self._fallen.add(robot)
-                self._report_fall(robot)
-            elif not lies and robot in self._fallen:
+            else:
                 self._fallen.remove(robot)
-                self._report_fall(robot)
+            self._report_fall(robot)
 
     def _report_timeout(self, robot):
         """Warn that the watchdog has stopped a robot, but not each time."""

@@ -81,7 +81,8 @@ class Simulator:
     def _take_turn(self):
         """Serve the waiting requests; advance if a tick is due, even if more requests arrive."""
         if self._paused:
-            self._publish_placed()
+            if self._inputs.pose_is_set:
+                self._publish_robots()
             self._requests.wait(LONGEST_WAIT)
             self._requests.serve_all(by_name=self._settings.lockstep)
         elif not self._begun:
@@ -148,15 +149,8 @@ class Simulator:
             publish()
             self._nodes.wait(only_clock=publish == self._topics.publish_clock)
 
-    def _publish_placed(self):
-        """Publish the robots if one was placed while time stands still; return whether."""
-        if not self._inputs.poses_are_set():
-            return False
-        self._publish_robots()
-        return True
-
     def _publish_robots(self):
-        self._inputs.poses_are_set()  # this shows them
+        self._inputs.pose_is_set = False
         self._topics.publish_robots()
         self._reports.robots()
 
@@ -174,7 +168,8 @@ class Simulator:
             return False, 'call ~pause_physics first'
         self._nodes.wait()  # until the commands that were sent before are here
         self._serve()
-        if self._publish_placed():
+        if self._inputs.pose_is_set:
+            self._publish_robots()
             self._nodes.wait()
             self._serve()
         count = self._timeline.odometry_count

@@ -3,11 +3,9 @@
 import rosgraph
 from odometry_common.connections import SENDS, ask
 
-CALLER = '/links'
-
 
 def has_listener(topic):
-    connections = [connection for node in dict(rosgraph.Master(CALLER).getSystemState()[0]).get(topic, [])
+    connections = [connection for node in dict(rosgraph.Master('/links').getSystemState()[0]).get(topic, [])
                    for connection in _ask(node, 'getBusInfo')]
     return any((direction, connected) == (SENDS, topic) for _, _, direction, _, connected, *_ in connections)
 
@@ -17,4 +15,4 @@ def pid_of(node, master_uri=None):
 
 
 def _ask(node, call, master_uri=None):
-    return ask(rosgraph.Master(CALLER, master_uri).lookupNode(node), call)
+    return ask(rosgraph.Master('/links', master_uri).lookupNode(node), call)

@@ -131,7 +131,8 @@ class Robot:
 
     def begin(self, seed):
         """Start at rest where the body is, and seed the random numbers."""
-        # Of an integer Python ignores the sign; neighbours must not share numbers.
+        # With seed + index robot 2 would have the noise that robot 1 has with the next seed. Python
+        # ignores the sign of an integer.
         self._rng.seed(seed if seed >= 0 and self.index == 0 else f'{seed} {self.index}')
         if self.scanner:
             self.scanner.seed = seed

@@ -14,11 +14,14 @@ if (!window.arrowKeys) {
     const arrow = held.get(key);
     if (!held.delete(key) || [...held.values()].includes(arrow)) return;
     pointer(button(arrow), 'pointerup');
-    const send = () => [...held.values()].includes(arrow) || button(arrow)?.click();
+    const send = () => {
+      if (![...held.values()].includes(arrow)) button(arrow)?.click();
+    };
     // viser sends only the latest message of 50 ms.
     const wait = next - performance.now();
     next = Math.max(next, performance.now()) + 60;
-    if (wait > 0) setTimeout(send, wait); else send();
+    if (wait > 0) setTimeout(send, wait);
+    else send();
   };
   const releaseAll = () => [...held.keys()].forEach(release);
   window.addEventListener('keydown', (event) => {

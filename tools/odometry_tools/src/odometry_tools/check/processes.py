@@ -78,7 +78,7 @@ class ChildProcess:
                        for one in (process, *process.children(recursive=True)))
 
     def is_cpp(self, pids):
-        """Return whether one of these, or without any the process or a descendant, uses roscpp."""
+        """Return whether one of these of the family, or without ids any of it, uses roscpp."""
         with contextlib.suppress(psutil.Error):
             return any('libroscpp' in region.path
                        for process in self.family() if not pids or process.pid in pids

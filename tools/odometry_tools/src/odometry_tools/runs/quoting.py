@@ -14,12 +14,12 @@ SHUTDOWN = 'ROSInterruptException'
 MOST = 200  # characters of a quoted line
 
 
-def error_in(output, function=''):
-    """Return the error of the last traceback through a function, or ''.
+def error_in(output, place=''):
+    """Return the error of the last traceback whose lines contain a place, or ''.
 
     With the line in the learner's file.
     """
-    found = [match for match in _errors_in(output) if function in match[1]]
+    found = [match for match in _errors_in(output) if place in match[1]]
     if not found:
         return ''
     places, name, words = found[-1].groups()

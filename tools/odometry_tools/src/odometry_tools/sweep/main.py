@@ -37,8 +37,8 @@ def _run():
     if options.junit:
         junit.begin(options.junit)
     with (on_cluster(options.cluster) if options.cluster
-          else on_this_machine(campaign, options.jobs)) as (executor, is_lost):
-        return _sweep(campaign, run_all(campaign, executor, is_lost), options.junit)
+          else on_this_machine(campaign, options.jobs)) as backend:
+        return _sweep(campaign, run_all(campaign, *backend), options.junit)
 
 
 def _sweep(campaign, runs, report):

@@ -21,18 +21,15 @@ def parse(arguments):
         if not 1 <= len(options.what) <= 2:
             parser.error(f'choose a tutorial, {" or ".join(TUTORIALS)}, '
                          'or a package and its launch file')
-        if (len(options.what) == 2) != (options.until is not None):
+        is_launch_file = len(options.what) == 2
+        if is_launch_file != (options.until is not None):
             parser.error('argument --until: a launch file needs it, a tutorial has none')
         if len(values := dict(options.set)) < len(options.set):
             parser.error('argument --set: a parameter is set twice')
-        subject = (Launched(options.what, options.until) if len(options.what) == 2
+        subject = (Launched(options.what, options.until) if is_launch_file
                    else Tutorial(*options.what))
-        # roslaunch passes on what was typed.
-        is_text = len(options.what) == 2
-        values = {
-            name: [text if is_text and name not in ROBOT and isinstance(text, str) else value
-                   for value, text in zip(typed, texts)]
-            for name, (typed, texts) in values.items()}
+        values = {name: _as_typed(*both) if is_launch_file and name not in ROBOT else both[0]
+                  for name, both in values.items()}
         options.campaign = Campaign(subject,
                                     SEEDS.default if options.seeds is None else options.seeds,
                                     absolute_worlds(values), {})
@@ -72,6 +69,11 @@ def make_parser():
                          help='repeat a run of a sweep with the nodes in lockstep, '
                               'record it, and compare')
     return parser
+
+
+def _as_typed(values, texts):
+    """Return the texts in place of values, for roslaunch, which makes its own of off or 1.10."""
+    return [text if isinstance(text, str) else value for value, text in zip(values, texts)]
 
 
 def _values(text):

@@ -22,12 +22,13 @@ CONNECT_TIMEOUT = 10  # s
 TRIAL = 'rotate', {'target': 5, 'odometry_source': 'encoder', 'wheel_noise': 0.001}
 
 
-def run_all(campaign, executor, is_lost):
+def run_all(campaign, executor, is_lost, killed):
     """Yield parameters and metrics of each run of a Campaign, in order.
 
     Every CHECK_PERIOD without one, yield None.
 
     :param is_lost: function that returns whether no more runs can be done
+    :param killed: the executor's exception when a process that did runs was killed
     :raises RunError: if a run cannot be done, or the processes are lost
     """
     begun = ((parameters, executor.submit(campaign.subject.run, parameters))
@@ -45,22 +46,17 @@ def run_all(campaign, executor, is_lost):
             yield parameters, future.result()
             ahead.popleft()
             ahead.extend(itertools.islice(begun, 1))
-    except concurrent.futures.BrokenExecutor:
+    except killed:
         raise RunError('a process that did runs was killed') from None
     except concurrent.futures.CancelledError:
         raise RunError('the scheduler of the cluster is gone') from None
     except WorldFileError as error:
         raise RunError(f'{parameters["world"]} must be {error}') from None
-    except Exception as error:
-        # Dask's, which is not imported without a cluster.
-        if type(error).__name__ != 'KilledWorker':
-            raise
-        raise RunError('a worker that did runs was killed, again and again') from None
 
 
 @contextlib.contextmanager
 def on_this_machine(campaign, jobs=None):
-    """Yield an executor with this many processes, and a function as on_cluster() does.
+    """Yield an executor with this many processes, and what else run_all() takes.
 
     :param jobs: number of processes; None: as many as suit the campaign's subject
     """
@@ -71,7 +67,7 @@ def on_this_machine(campaign, jobs=None):
     with concurrent.futures.ProcessPoolExecutor(
             processes, multiprocessing.get_context('fork'), _reset_signals) as executor:
         try:
-            yield executor, lambda: False
+            yield executor, lambda: False, concurrent.futures.BrokenExecutor
         except BaseException:
             for process in multiprocessing.active_children():
                 process.kill()  # a run may take minutes
@@ -86,9 +82,10 @@ def _reset_signals():
 
 @contextlib.contextmanager
 def on_cluster(address):
-    """Yield an executor of the cluster, and a function that returns whether its scheduler is gone.
+    """Yield an executor of the cluster, and what else run_all() takes.
 
-    Dask then cancels the futures that it knows, but fails if something is submitted meanwhile.
+    Without its scheduler Dask cancels the futures that it knows, but fails if something is
+    submitted meanwhile.
 
     :param address: of the scheduler, tcp://HOST:PORT
     :raises StartError: if the cluster is not usable
@@ -111,7 +108,8 @@ def on_cluster(address):
         for worker, metrics in results.items():
             if metrics != expected:  # in the last digits
                 raise StartError(f'the worker {worker} has another version of these packages')
-        yield client.get_executor(), lambda: client.status != 'running'
+        yield (client.get_executor(), lambda: client.status != 'running',
+               distributed.KilledWorker)
 
 
 @contextlib.contextmanager
