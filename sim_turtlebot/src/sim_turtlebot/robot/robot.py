@@ -131,8 +131,7 @@ class Robot:
 
     def begin(self, seed):
         """Start at rest where the body is, and seed the random numbers."""
-        # With seed + index robot 2 would have the noise that robot 1 has with the next seed. Python
-        # ignores the sign of an integer.
+        # A string, since seed + index is robot 1's with the next seed, and Python seeds -5 like 5.
         self._rng.seed(seed if seed >= 0 and self.index == 0 else f'{seed} {self.index}')
         if self.scanner:
             self.scanner.seed = seed
