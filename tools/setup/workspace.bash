@@ -31,9 +31,10 @@ need_ownership() {
 # open_workspace COMMAND ARGUMENT...: make its folder and take its lock.
 open_workspace() {
     need_ownership
-    (mkdir -p "$WORKSPACE/src" && : >>"$WORKSPACE/lock" && : >>"$LOG") 2>/dev/null ||
-        fail "not everything that ${1:-demo} needs is installed and built, and you cannot write $ROOT: \
-ask $(stat -c %U .) to type: $ROOT/ws --set-up ${*:-demo}"
+    local reason
+    reason=$( (mkdir -p "$WORKSPACE/src" && : >>"$WORKSPACE/lock" && : >>"$LOG") 2>&1 ) ||
+        fail "not everything that ${1:-demo} needs is installed and built, and you cannot write $ROOT \
+(${reason##*: }): ask $(stat -c %U .) to type: $ROOT/ws --set-up ${*:-demo}"
     exec 9>"$WORKSPACE/lock"
     flock -n 9 || { announce 'another set-up is running; waiting for it'; flock 9; }
 }

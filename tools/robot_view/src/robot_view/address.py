@@ -48,8 +48,8 @@ def read_address(source=None):
     """
     parameters = PARAMETERS.read(source, host=os.environ.get(HOST_VARIABLE) or 'localhost')
     host, port = parameters.host, parameters.port
-    names = {*LOOPBACK, host.lower(), *_parse(parameters.allowed_hosts)}
-    shown = host
+    shown = f'[{host}]' if ':' in host else host
+    names = {*LOOPBACK, shown.lower(), *_parse(parameters.allowed_hosts)}
     if host in ANY_ADDRESS:
         names.add(socket.gethostname().lower())
         shown = 'localhost'
