@@ -50,15 +50,12 @@ class Talk(Partner):
         wait_for_subscribers(self._target)
         self._target.publish(Float64(degrees))
 
-    def begin(self):
+    def begin(self, degrees=0.0, ticks_before=()):
         wait_for_subscribers(self._publisher)
-
-        def commanded():
-            self.look(0.0)
-            self.clock.advance(PERIOD)
-            return self.answers.messages
-
-        wait_until(commanded, TIMEOUT, 'a command')
+        self.answers.wait_for_publisher()
+        self.clock.advance(*ticks_before)
+        self.look(degrees)
+        self.answers.wait_for_count(1)
 
 
 def turns_at(command, speed):
@@ -73,12 +70,11 @@ def talk(clock, ns):
 
 
 def test_commands_come_at_ten_hertz_from_the_first_odometry_on(talk):
-    talk.clock.advance(*[PERIOD] * 30)
-    begin = talk.clock.now
-    talk.begin()
+    talk.begin(10.0, ticks_before=[1.0] * 3)
     talk.face(30.0, 0.5 * math.radians(60))
-    most = round((talk.clock.now - begin).to_sec() / PERIOD) + 1
-    assert len(talk.answers.messages) <= most, 'some came before the first odometry'
+    early = [m for m in talk.answers.messages
+             if not any(turns_at(m, 0.5 * math.radians(error)) for error in (80, 60))]
+    assert not early, f'these came before the first odometry: {early}'
     talk.answers.clear()
     for count in range(1, 51):
         for _ in range(2):
@@ -86,7 +82,7 @@ def test_commands_come_at_ten_hertz_from_the_first_odometry_on(talk):
             talk.clock.advance(PERIOD / 2)
         talk.answers.wait_for_count(count)
     talk.face(90.0, 0.0)
-    count = len([m for m in talk.answers.messages if not turns_at(m, 0.0)])
+    count = sum(not turns_at(m, 0.0) for m in talk.answers.messages)
     assert 50 <= count <= 60, 'twice as many would be a command for each odometry'
 
 
