@@ -32,6 +32,7 @@ def test_world_odometry_is_the_pose_seen_from_the_start(start, place):
     assert (x, y) == pytest.approx(place[:2], abs=1e-9)
     assert math.remainder(yaw - place[2], math.tau) == pytest.approx(0, abs=1e-9)
     assert (now.linear, now.angular) == (STILL, STILL), 'it was put there'
+    assert now.orientation[3] >= 0
 
 
 TILTED = Motion((1.0, 2.0, 0.03), (0.1, 0.0, 0.0, math.sqrt(0.99)), (0.2, 0.01, 0), (0, 0, 1))

@@ -68,6 +68,12 @@ def inverse(rotation):
     return -x, -y, -z, w
 
 
+def canonical(rotation):
+    """Return the same rotation with w >= 0: the other quaternion of each is its negative."""
+    x, y, z, w = rotation
+    return (-x, -y, -z, -w) if w < 0 else rotation
+
+
 def compose(outer, inner):
     """Return the rotation that does `inner` first and then `outer`."""
     (ax, ay, az, aw), (bx, by, bz, bw) = outer, inner
@@ -94,9 +100,7 @@ def mean_twist(before, after, duration):
     :return: linear (m/s) and angular (rad/s) velocity in the robot's own frame, three of each
     """
     (start, orientation), (end, turned) = before, after
-    x, y, z, w = compose(inverse(orientation), turned)
-    if w < 0:
-        x, y, z, w = -x, -y, -z, -w
+    x, y, z, w = canonical(compose(inverse(orientation), turned))
     sine = math.hypot(x, y, z)  # of half the angle
     # arc / chord equals angle / sine.
     scale = (math.asin(min(1.0, sine)) / sine if sine else 1.0) / duration

@@ -19,7 +19,7 @@ MAX_UNPROMPTED = 2  # messages while all are idle; one may come from the node's 
 # A node that sleeps by wall time: wall times between its messages are alike, simulated are not.
 # The spreads are shares of the mean.
 MIN_INTERVALS, MAX_WALL_SPREAD, MIN_SPREAD = 6, 0.05, 0.2
-SLEEPS = 'acts by wall time, as after time.sleep(): use rospy.sleep()'
+SLEEPS = 'acts by wall time, as time.sleep() and wait_for_service() do: use rospy.sleep()'
 STABLE_TIME = 0.5  # s of wall time without a new or ended node before time begins
 
 

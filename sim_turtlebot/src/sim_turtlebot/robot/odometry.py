@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from sim_turtlebot.geometry import about_z, compose, inverse, mean_twist, rotate, yaw_of
+from sim_turtlebot.geometry import about_z, canonical, compose, inverse, mean_twist, rotate, yaw_of
 
 STILL = (0.0, 0.0, 0.0)
 MAX_MEAN_TIME = 0.1  # s; over a longer time, the mean velocity says little about the current one
@@ -13,7 +13,7 @@ class Motion(NamedTuple):
     """A pose in a fixed frame, and the velocity of the base in its own frame."""
 
     position: tuple  # x, y, z; m
-    orientation: tuple  # quaternion x, y, z, w
+    orientation: tuple  # quaternion x, y, z, w; w >= 0, as kobuki_node sends it
     linear: tuple  # x, y, z; m/s
     angular: tuple  # about x, y, z; rad/s
 
@@ -23,7 +23,8 @@ def true_motion(body):
     position, orientation = body.pose()
     linear, angular = body.velocity()
     to_base = inverse(orientation)
-    return Motion(position, orientation, rotate(to_base, linear), rotate(to_base, angular))
+    return Motion(position, canonical(orientation),
+                  rotate(to_base, linear), rotate(to_base, angular))
 
 
 class WorldOdometry:
@@ -61,8 +62,8 @@ class WorldOdometry:
     def _in_odom(self, ground_truth, twist):
         x, y, z = ground_truth.position
         from_origin = x - self._origin[0], y - self._origin[1], z
-        return Motion(rotate(self._to_odom, from_origin),
-                      compose(self._to_odom, ground_truth.orientation), *twist)
+        orientation = compose(self._to_odom, ground_truth.orientation)
+        return Motion(rotate(self._to_odom, from_origin), canonical(orientation), *twist)
 
 
 class EncoderOdometry:

@@ -49,6 +49,7 @@ CASES = {
         'time': (by_time, {'slow_base': 'early open_loop'}),
         'again': (drives_again, 'drove_on'),
         'once': (once, 'ceased one_command'),
+        'four times': (lambda: lambda pose: (0.2, 0.0) if pose.time < 0.5 else None, 'ceased'),
         'rarely': (rarely, 'late rare'),
         'turns': (turning(error_of), 'only_turned')},
     'heading': {
@@ -64,6 +65,9 @@ CASES = {
             'moved_start': 'elsewhere turns_by', 'slow_base': 'elsewhere open_loop'}),
         'wrong derivative': (wrong_derivative, dict.fromkeys(('plain', 'moved_start', 'odom_5hz'), 'rings')),
         'by': (turn_by, dict.fromkeys(('moved_start', 'slow_base'), 'elsewhere turns_by')),
+        'no zero': (lambda: lambda pose: (0.0, 0.5) if pose.time < 3.1 else None, {
+            'plain': 'ceased no_zero', 'odom_5hz': 'ceased no_zero', 'moved_start': 'ceased turns_by',
+            'slow_base': 'ceased open_loop'}),
         'high gain': (turning(error_of, 10.0), {'odom_5hz': 'rings gain_high'}),
         'low gain': (turning(error_of, 0.01), 'unfinished gain_low'),
         'pauses': (lambda: lambda pose: (0.0, 0.5 if pose.time % 5 < 4 else 0.0), 'long_way'),
@@ -82,6 +86,7 @@ CASES = {
         'twice': (counting(lambda last, pose: 2 * way(last, pose)), 'miscounted times'),
         'from zero': (from_origin, {'moved_start': 'miscounted from_origin'}),
         'displacements': (adds_displacements, 'miscounted displacements'),
+        'half of one, by time': (counting(lambda last, pose: way(last, pose) * (pose.time - last.time) * 10), 'miscounted'),
         'one step': (one_step, 'miscounted last_step')}}
 
 

@@ -11,15 +11,15 @@ from odometry_tools.check.runner import SLOWEST, Runner
 from odometry_tools.runs.output import Line, RunError, bar
 
 ATTEMPTS = 3
-# Each takes long. rospy's handler of Ctrl-C deadlocks once in 250 times, or in 20 if the node
-# publishes without a pause: the handler then waits for a lock that publish() holds.
+# Each takes long. rospy's handler of Ctrl-C deadlocks once in 250 times, and often if the node
+# publishes or logs without a pause: the handler then waits for a lock that the loop holds.
 STUBBORN_ATTEMPTS = 2
 PROGRESS_PERIOD = 0.1  # s of wall time
 done = multiprocessing.Value('i')  # scenarios, in all processes
 
 
 def runs_of(exercise, scenarios, program):
-    """Return the Runs of a Program in Scenarios of an Exercise; fewer if it never becomes a node.
+    """Return the Runs of a Program in Scenarios of an Exercise; fewer if one is hopeless.
 
     :raises RunError: if the check cannot go on
     """
@@ -61,13 +61,13 @@ def _show_progress(futures, total):
 
 
 def run_all(runner, scenarios):
-    """Return a Run of each Scenario, up to the first in which the node does not begin."""
+    """Return a Run of each Scenario, up to the first that is hopeless."""
     runs = []
     for scenario in scenarios:
         runs.append(run_until_sure(runner, scenario))
         with done.get_lock():
             done.value += 1
-        if not runs[-1].odometry:
+        if runs[-1].is_hopeless:
             break
     return runs
 

@@ -44,6 +44,7 @@ def measure_drive(m, run):
     m.drives_back = m.drives and max(command.linear for command in m.moves) <= 0.0
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.fastest = max((abs(command.linear) for command in m.moves), default=0.0)
+    m.fastest_turn = max((abs(command.angular) for command in m.moves), default=0.0)
     m.seconds = 0.0
     m.has_ceased = False
     if m.moves:
@@ -101,6 +102,7 @@ def measure_distance(m, run):
     m.share = m.end.way / GOAL
     m.step = m.fastest / m.rate
     m.is_short = m.end.way < GOAL - CLOSE
+    m.was_there = not m.is_short
     m.reached = f'{m.end.way:.2f} m'
     has_come_to_rest = is_slow(m.end.linear, m.end.angular)
     m.stays = 'rests' if has_come_to_rest else 'was, when this was ended,'
@@ -150,6 +152,8 @@ def measure_heading(m, run):
     m.shortest = abs(first)
     m.heading_error = abs(last)
     m.is_short = m.heading_error > AT_TARGET
+    m.was_there = not m.is_short or bool(m.moves) and (
+        abs(math.degrees(wrap_to_pi(target - m.at_last.yaw))) < 2 * AT_TARGET)
     m.turned = math.degrees(m.end.turned - m.start.turned)
     m.net = math.degrees(m.end.turn - m.start.turn)
     m.share = m.net / (first or 1.0)
@@ -185,5 +189,4 @@ def _measure_swings(m, run):
              if flips and command.time >= flips[0]}
     m.chatter = sizes.pop() if len(sizes) == 1 else 0.0
     m.turn_speeds = {round(command.angular, 3) for command in m.moves}
-    speeds = [abs(command.angular) for command in m.moves]
-    m.step = math.degrees(min(max(speeds, default=0.0), MAX_ANGULAR_SPEED)) / m.rate
+    m.step = math.degrees(min(m.fastest_turn, MAX_ANGULAR_SPEED)) / m.rate

@@ -98,7 +98,8 @@ def _loop_rate(all_measures):
 
     Return None if it is not the same.
     """
-    rates = [m.rate / m.share for m in all_measures if m.exercise.route and m.share]
+    rates = [m.rate / m.share for m in all_measures
+             if m.exercise.route and m.share and m.adds_whole_steps]
     if len({m.rate for m in all_measures}) < 2 or len(rates) < len(all_measures):
         return None
     is_constant = numpy.ptp(rates) < SAME_RATE * rates[0]

@@ -9,6 +9,7 @@ from odometry_tools.runs import quoting
 from odometry_tools.runs.plain_text import plain
 from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 
+BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 # Messages of rospy and of roslaunch.
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
 DEAD_THREAD = 'Exception in thread '  # printed by Python
@@ -37,8 +38,10 @@ def measure(run, exercise):
     # What a run without odometry, or without commands, does not show.
     m.passed = False
     m.is_short = True
+    m.was_there = False
     m.at = m.mux = m.follows = ''
-    m.share = m.own_period = m.fastest = 0.0
+    m.is_busy = BUSY in (run.unawaited or '')
+    m.share = m.own_period = m.fastest = m.fastest_turn = 0.0
     m.fits = m.net = m.stop = None
     _measure_messages(m)
     _read_output(m, plain(run.output))
@@ -71,6 +74,7 @@ def _read_output(m, output):
     # From the command before the last: output and command of one moment arrive in any order.
     late = m.run.printed_since(-2) if len(m.commands) > 1 else output
     m.late_failures = late.count(BAD_CALLBACK)
+    m.has_late_error = bool(quoting.error_in(late))
     m.has_late_dead_thread = DEAD_THREAD in late
     m.hook_error = quoting.error_in(output, HOOK_FAILED)
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')
@@ -106,8 +110,7 @@ def _read_graph(m, publishes, subscribes):
                                if kind == m.type and topic not in (m.topic, *COMMAND_TOPICS))
     m.output_type = publishes.get(m.topic) or m.type
     heard = subscribes.keys() - {'/clock', '/rosout'}
-    # A node that drives need not listen.
-    m.inputs = quoting.listed(heard) or ('nothing so far' if m.exercise.route else '')
+    m.inputs = quoting.listed(heard)
     m.inputs_of_robot = heard & INPUTS.keys()
     types = {subscribes[topic] for topic in heard}
     likely = (topic for topic, kind in INPUTS.items() if kind in types and topic != m.topic)

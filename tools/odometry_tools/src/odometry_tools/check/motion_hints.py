@@ -63,7 +63,8 @@ def _counts_as(m, other):
 PLACES = (
     Rule('root', lambda m: (m.rule == 'early' and m.all_alike
                            and abs(m.share * GOAL - math.sqrt(GOAL)) < AT_ROOT),
-         'At 1.41 m the sum of squares is 2, in each scenario: does it lack the square root?'),
+         'At 1.41 m the sum of squares is 2, in each scenario: does it lack the square root, '
+         'or is your goal 1.4 m?'),
     Rule('alike', lambda m: m.rule == 'early' and m.all_alike,
          'You stop there in each scenario: print what you compare, and with what'),
     Rule('one_axis', _is_nearest('one_axis'),
@@ -139,17 +140,20 @@ SUMS = (
     Rule('times', _fits('times'),
          'That is {factor:g} times the way, on each leg and at each rate'),
     Rule('loop', lambda m: m.loop_rate,
-         'You add the latest step {loop_rate:.2g} times a second, however often odometry comes: '
-         'add it in the callback, once for each message'),
+         'That is as if you added the latest step {loop_rate:.2g} times a second, however often '
+         'odometry comes: add it in the callback, once for each message'),
     Rule('last_step', lambda m: (m.rule == 'miscounted'
                                  and math.isclose(m.largest, m.largest_step, rel_tol=0.1)),
          'You published at most {largest:.3f} m, the size of one step: add each to the sum so far'),
     Rule('falls', lambda m: m.rule == 'miscounted' and m.fell_from - m.fell_to > 0.05,
-         'You published {fell_from:.2f} m and then {fell_to:.2f}: a distance moved never falls'))
+         'You published {fell_from:.2f} m and then {fell_to:.2f}: a distance moved never falls'),
+    Rule('ended', lambda m: m.rule == 'miscounted' and m.status == 0,
+         'Your node ended by itself before the drive did{after_words}'))
 COMPARED = (
     Rule('open_loop', lambda m: (m.scenario.name == 'slow_base' and m.plain
                                  and (m.plain.passed or not m.exercise.route)
                                  and m.rule in ('early', 'ceased', 'elsewhere', 'miscounted')
+                                 and (m.rule != 'ceased' or m.plain.was_there)
                                  and _is_as_slow(m)),
          'This base reaches 70 % of your speed, and so does your result: '
          'count odometry, not time or commands'),

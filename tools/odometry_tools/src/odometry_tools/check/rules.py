@@ -3,12 +3,10 @@
 Causes are in hints.py.
 """
 
-from sim_turtlebot.kobuki import MAX_LINEAR_SPEED
+from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
-
-BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 
 
 def _exits_when_done(m):
@@ -120,11 +118,10 @@ PRAISE = {
     'paced': 'as far as can be said of a node that simulated time cannot wait for'}
 # Notes are independent of the verdict.
 NOTES = (
-    Rule('no_sleep', lambda m: m.run.unawaited and BUSY in m.run.unawaited,
+    Rule('no_sleep', lambda m: m.is_busy,
          'your node computes without a pause: in a loop, add rospy.Rate(10) and rate.sleep(). '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
-    Rule('wall_time', lambda m: (m.run.unawaited and BUSY not in m.run.unawaited
-                                 and not m.is_silent),
+    Rule('wall_time', lambda m: m.run.unawaited and not (m.is_busy or m.is_silent),
          'your node {run.unawaited}. '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
@@ -149,6 +146,8 @@ NOTES = (
          'your node reads the keyboard, which a launch file cannot offer'),
     Rule('fast', lambda m: m.fastest > MAX_LINEAR_SPEED,
          'you commanded {fastest:.2g} m/s; this base reaches 0.7'),
+    Rule('fast_turn', lambda m: m.fastest_turn > 1.01 * MAX_ANGULAR_SPEED,
+         'you commanded {fastest_turn:.2g} rad/s; this base reaches 3.14'),
     Rule('reverse', lambda m: m.exercise.name == 'two_meters' and m.passed and m.drives_back,
          'you drove backwards: a positive linear.x is forwards'),
     Rule('mux', lambda m: m.mux,

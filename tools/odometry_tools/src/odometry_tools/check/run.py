@@ -9,6 +9,7 @@ import rospy
 from odometry_common.angles import wrap_to_pi
 from odometry_common.orientation import yaw_from_orientation
 from odometry_common.rest import is_slow
+from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
 
 from odometry_tools.check.scenarios import PERIOD
 from odometry_tools.runs.recording import ROBOT_TOPICS
@@ -16,7 +17,7 @@ from odometry_tools.runs.recording import ROBOT_TOPICS
 SWING = 0.02  # rad/s; slower commands are noise of a settled controller
 ZERO = 1e-3  # m/s, rad/s; slower commands count as zero
 ALIKE = 0.03  # share, m or rad, by which two equal runs may differ
-JUMP = 0.4, 0.8  # m, rad between two messages; a larger step is a reset of odometry
+FASTER = 1.5  # times as fast as the base can move: that is a reset of odometry
 
 
 class Pose(NamedTuple):
@@ -43,8 +44,9 @@ class Pose(NamedTuple):
 
     def has_jumped(self, before):
         """Return whether odometry was reset since the Pose before it."""
-        return (math.hypot(self.x - before.x, self.y - before.y) > JUMP[0]
-                or abs(wrap_to_pi(self.yaw - before.yaw)) > JUMP[1])
+        duration = FASTER * max(self.time - before.time, PERIOD)
+        return (math.hypot(self.x - before.x, self.y - before.y) > duration * MAX_LINEAR_SPEED
+                or abs(wrap_to_pi(self.yaw - before.yaw)) > duration * MAX_ANGULAR_SPEED)
 
 
 class Command(NamedTuple):
@@ -114,6 +116,11 @@ class Run:
     def now(self):
         """Simulated time (s) of the latest odometry."""
         return self.odometry[-1].time if self.odometry else 0.0
+
+    @property
+    def is_hopeless(self):
+        """Whether other scenarios would end like this: it never began, or sends nothing."""
+        return not self.odometry or self.refuses and not (self.commands or self.moved)
 
     @property
     def first_move(self):
