@@ -38,15 +38,6 @@ def test_what_is_generated_is_up_to_date(file, updated):
     assert text == updated(text), 'type ./ws python3 test/tools/reference.py'
 
 
-def test_the_tutorials_launch_files_have_the_few_arguments_that_a_learner_changes():
-    base = reference._arguments('sim.launch')
-    for tutorial in 'move_two_meters.launch', 'rotate.launch':
-        own = reference._arguments(tutorial)
-        shared = own.keys() & base.keys()
-        assert all(own[name][0] == base[name][0] for name in shared)
-        assert 'params' in shared and len(shared) <= 13
-
-
 def test_every_node_and_launch_file_has_a_heading():
     """But what ./ws demo, check and sweep start, what stands in for ROS's rosout, and what is only included."""
     nodes = {path.name for path in SCRIPTS} - {'check.py', 'demo.py', 'sweep.py', 'rosout.py'}
