@@ -1,4 +1,4 @@
-"""Hints: the cause of a failure, named only where the check saw proof of it.
+"""Hints: what else the check saw of a failure, and its cause only where it saw proof of it.
 
 Each rule looks at the graph, the output, an exit status or a fit. Those that always hold are advice
 on what the verdict itself has shown.
@@ -81,7 +81,7 @@ INPUTS = (
     Rule('no_input', lambda m: m.status is None and m.exercise.route and not m.inputs,
          'You have subscribed to no topic so far: a line before may wait'))
 # These say what was seen: the topics do not show whether it was the cause.
-CALLBACK, THREAD = 'Your callback fails at each message: ', 'A thread of yours ended: '
+CALLBACK, THREAD = 'Your callback fails again and again: ', 'A thread of yours ended: '
 BLIND = _error_if(_never_works, CALLBACK)
 LAST_WORDS = Rule('last_words', lambda m: m.said and m.status is not None, 'It said last: {said}')
 ONE_COMMAND = Rule(
