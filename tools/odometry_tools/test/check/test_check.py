@@ -118,6 +118,7 @@ def test_a_failure_leaves_its_recording_and_quotes_what_any_parser_reads(tmp_pat
     (['heading', 'no_such_package', 'node.py'], 'there is no package no_such_package'),
     (['heading', 'rotate_robot', 'no_such.py'], 'rotate_robot has no executable file'),
     (['heading', 'no_such.py'], 'there is no file or folder no_such.py'),
+    (['heading', __file__, 'b.py'], 'b.py is a second file'),
     (['heading', 'odometry_launch', 'sim.launch'], 'sim.launch starts a robot, but there is one already'),
     (['heading', 'rotate_robot', 'rotate.py', '--csv', '/no/such/file'], '/no/such/file'),
     (['heading', '.', '--view'], '--view shows one node'),

@@ -31,7 +31,6 @@ def verdict_on(**facts):
 @pytest.mark.parametrize('facts, expected', [
     ({'nodes': (), 'status': 0}, 'no_node main'),
     ({'nodes': (), 'has_begun': True, 'status': 0}, 'silent ended'),
-    ({'nodes': ()}, 'no_node'),
     ({'nodes': (), 'status': 1, 'output': ERROR}, 'crash error'),
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),

@@ -27,7 +27,7 @@ def test_a_package_with_several_nodes_asks_for_one():
 
 
 @pytest.mark.parametrize('line, complaint', [
-    ('import rospy\n', 'must be #!/usr/bin/env python3'), ('#!\n', 'must be #!/usr/bin/env python3'),
+    ('import rospy\n', 'must be #!/usr/bin/env python3'),
     ('#!/usr/bin/env python3\r\n', 'ends as on Windows'),
     ('#!/usr/bin/python2.5\n', 'names /usr/bin/python2.5, which is not on this machine')])
 def test_a_script_that_the_system_cannot_start_says_why(tmp_path, line, complaint):

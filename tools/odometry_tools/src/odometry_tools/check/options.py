@@ -84,6 +84,8 @@ def program_of(words):
         environment = (('PYTHONPATH', os.pathsep.join(paths)),)
         return Program(_command_of(_node_of(path), others), environment)
     if path.is_file():
+        if files := [word for word in others if word.endswith('.py')]:
+            raise StartError(f'{files[0]} is a second file: judge one, or a folder of them')
         return Program(_command_of(path, others))
     if not others:
         raise StartError(f'there is no file or folder {first}; name a file, or PACKAGE NODE')
