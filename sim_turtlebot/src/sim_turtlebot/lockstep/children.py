@@ -57,7 +57,7 @@ class Children:
             self._waiter.wait()
 
     def _pids_since(self, before):
-        """Yield the ids given since `before` was the newest; after the largest comes 1 again."""
+        """Yield the ids given since `before` was the newest; small ones follow the largest."""
         if self._newest < before:
             yield from range(before + 1, self._end_of_pids)
             before = 0

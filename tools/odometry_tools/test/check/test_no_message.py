@@ -35,7 +35,7 @@ def verdict_on(**facts):
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
-    ({'status': 1, 'output': ERROR.replace('no x', 'Inappropriate ioctl for device')}, 'crash keyboard'),
+    ({'status': 1, 'output': ERROR.replace('no x', "(25, 'Inappropriate ioctl for device')")}, 'crash keyboard'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
     ({'output': ERROR + DIED}, 'crash error'),
     ({'output': DIED.replace('mine', 'rviz'), 'services': {'/mine/tf2_frames': ''}}, 'silent'),

@@ -19,7 +19,7 @@ done = multiprocessing.Value('i')  # scenarios, in all processes
 
 
 def runs_of(exercise, scenarios, program):
-    """Return the Runs of a Program in Scenarios of an Exercise; fewer if one is hopeless.
+    """Return the Runs of a Program in Scenarios of an Exercise; fewer if one is conclusive.
 
     :raises RunError: if the check cannot go on
     """
@@ -61,13 +61,14 @@ def _show_progress(futures, total):
 
 
 def run_all(runner, scenarios):
-    """Return a Run of each Scenario, up to the first that is hopeless."""
+    """Return a Run of each Scenario, up to one after which the others are known."""
     runs = []
     for scenario in scenarios:
         runs.append(run_until_sure(runner, scenario))
         with done.get_lock():
             done.value += 1
-        if runs[-1].is_hopeless:
+        # A node that has sent something may close its publisher later.
+        if runs[0].is_conclusive or not runs[-1].odometry:
             break
     return runs
 

@@ -18,7 +18,8 @@ UNKNOWN = (
 WATCHDOG = 0.6  # s
 BURST = 0.11  # s; some nodes repeat a command at once, lest one be lost
 NO_INPUT = 'EOFError', 'ValueError', 'IndexError'  # errors after an empty line from the keyboard
-NO_TERMINAL = 'Inappropriate ioctl for device'  # error of termios, by which single keys are read
+# As termios prints it, by which single keys are read; other uses of a terminal print [Errno 25].
+NO_TERMINAL = "(25, 'Inappropriate ioctl for device')"
 RARE_FAILS = 'late', 'unfinished', 'rings', 'long_way'
 MANY = 500  # failures of a callback; the output that is kept may hold no more
 
@@ -79,7 +80,7 @@ INPUTS = (
     Rule('input', lambda m: m.status is None and m.inputs and not m.inputs_of_robot,
          'You listen to {inputs}; there is, for example, {likely_input}'),
     Rule('no_input', lambda m: m.status is None and m.exercise.route and not m.inputs,
-         'You have subscribed to no topic so far: a line before may wait'))
+         'You have subscribed to no topic so far: an earlier line may be waiting'))
 # These say what was seen: the topics do not show whether it was the cause.
 CALLBACK, THREAD = 'Your callback fails again and again: ', 'A thread of yours ended: '
 BLIND = _error_if(_never_works, CALLBACK)
@@ -120,7 +121,7 @@ BY_VERDICT = {
              'Your node offers the service {services}, which nobody calls here: '
              'if it waits for a call, let it begin by itself'),
         Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
-             'Your node has advertised no topic so far: a line before may wait')),
+             'Your node has advertised no topic so far: an earlier line may be waiting')),
     'all_zero': (
         KEYBOARD, _error_if(_only_input_fails, CALLBACK), NOT_THERE, LAST_WORDS, *INPUTS,
         Rule('ended_itself', lambda m: m.status == 0,

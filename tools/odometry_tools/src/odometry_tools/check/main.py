@@ -75,16 +75,16 @@ def _judge(options, program):
         if not verdict.has_passed:
             name = '-'.join(['check', options.exercise, *_names(options.node), verdict.scenario])
             folders[verdict.scenario] = report.keep(run, exercise, name)
-    # After a hopeless scenario the others are skipped.
-    hopeless = [verdict for run, verdict in zip(runs, verdicts) if run.is_hopeless]
+    # After a conclusive run the others were skipped.
+    conclusive = [verdict for run, verdict in zip(runs, verdicts) if run.is_conclusive]
     by_name = {verdict.scenario: verdict for verdict in verdicts}
-    verdicts = [by_name.get(scenario.name) or hopeless[0]._replace(scenario=scenario.name)
+    verdicts = [by_name.get(scenario.name) or conclusive[0]._replace(scenario=scenario.name)
                 for scenario in options.scenarios]
     report.show(verdicts, {name: folder for name, folder in folders.items() if folder})
     failed = [verdict.scenario for verdict in verdicts if not verdict.has_passed]
     command = report.plain(shlex.join([options.exercise, *options.node]))
     example = (f' See one: ./ws check {command} --scenario {failed[0]} --view'
-               if failed and not hopeless and not options.view else '')
+               if failed and not conclusive and not options.view else '')
     print(f'{len(verdicts) - len(failed)} of {len(options.scenarios)} passed.{example}', flush=True)
     return verdicts
 

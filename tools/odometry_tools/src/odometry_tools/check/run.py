@@ -118,9 +118,10 @@ class Run:
         return self.odometry[-1].time if self.odometry else 0.0
 
     @property
-    def is_hopeless(self):
-        """Whether other scenarios would end like this: it never began, or sends nothing."""
-        return not self.odometry or self.refuses and not (self.commands or self.moved)
+    def is_conclusive(self):
+        """Whether other scenarios would end like it: it never began, or refuses to send."""
+        sends_nothing = not (self.commands or self.moved)
+        return not self.odometry or self.refuses and sends_nothing
 
     @property
     def first_move(self):
