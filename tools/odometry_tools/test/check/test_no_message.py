@@ -12,7 +12,6 @@ from odometry_tools.check.processes import has_node_logged
 from odometry_tools.check.run import Command, Pose, Run
 
 HEARS = {'/odom': 'nav_msgs/Odometry'}
-HEARS_TWO = {**HEARS, '/joint_states': 'sensor_msgs/JointState'}
 TWIST = 'geometry_msgs/Twist'
 ZERO = [Command(0.0, 0.0, 0.0, (), 'cmd_vel')]
 DIED = '[mine-2] process has died [pid 17, exit code 1, cmd /x].\n'
@@ -35,16 +34,12 @@ def verdict_on(**facts):
     ({'nodes': (), 'has_read_keyboard': True}, 'no_node keyboard'),
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
-    ({'status': 1, 'output': ERROR.replace('no x', "(25, 'Inappropriate ioctl for device')")}, 'crash keyboard'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
     ({'output': ERROR + DIED}, 'crash error'),
-    ({'output': DIED.replace('mine', 'rviz'), 'services': {'/mine/tf2_frames': ''}}, 'silent'),
-    ({'output': BAD_CALLBACK}, 'silent error'),
+    ({'output': DIED.replace('mine', 'rviz')}, 'silent'),
+    ({'output': BAD_CALLBACK}, 'silent callback'),
     ({'output': BAD_CALLBACK, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
-    ({'commands': ZERO, 'output': BAD_CALLBACK}, 'all_zero error'),
-    ({'commands': ZERO, 'output': BAD_CALLBACK, 'subscribes': HEARS_TWO}, 'all_zero'),
-    ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent error'),
-    ({'status': 0, 'commands': ZERO, 'output': 'gave up\n'}, 'all_zero last_words'),
+    ({'status': 0, 'commands': ZERO}, 'all_zero ended'),
     ({'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),
     ({'publishes': {'/cmd_vel_mux/input/navi': TWIST}}, 'silent'),

@@ -80,9 +80,8 @@ class CheckSession(Session):
 
     def record_graph(self, run):
         """Record the nodes and topics that the master knows in the Run."""
-        publishers, subscribers, services = self.master.getSystemState()
-        for topics, found in ((publishers, run.publishes), (subscribers, run.subscribes),
-                              (services, run.services)):
+        publishers, subscribers, _ = self.master.getSystemState()
+        for topics, found in (publishers, run.publishes), (subscribers, run.subscribes):
             for topic, names in topics:
                 if {*names} - self.ours:
                     found.setdefault(topic, '')

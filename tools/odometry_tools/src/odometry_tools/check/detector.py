@@ -41,7 +41,6 @@ def measure_detector(m, run):
     m.only_falls = is_right and m.fell_from - m.fell_to > FALL
     m.passed = is_right and not m.only_falls
     m.largest_step = steps['times'].max()
-    m.adds_whole_steps = numpy.diff(published).max() > 0.9 * m.largest_step
     _note_numbers(m, [name for name, *_ in run.legs], counted, right)
 
 

@@ -41,10 +41,8 @@ def measure_drive(m, run):
     m.mux = listed(command.topic for command in m.commands if command.topic != 'cmd_vel')
     m.moves = [command for command in m.commands if command.moves]
     m.drives = any(abs(command.linear) > ZERO for command in m.moves)
-    m.drives_back = m.drives and max(command.linear for command in m.moves) <= 0.0
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.fastest = max((abs(command.linear) for command in m.moves), default=0.0)
-    m.fastest_turn = max((abs(command.angular) for command in m.moves), default=0.0)
     m.seconds = 0.0
     m.has_ceased = False
     if m.moves:
@@ -59,9 +57,6 @@ def _measure_last_command(m, run):
     times = [command.time for command in m.moves]
     intervals = [after - before for before, after in zip(times, times[1:])]
     m.own_period = statistics.median_low(intervals or [0.0])
-    first, latest = times[0], times[-1]
-    m.pauses = any(first < command.time < latest
-                   for command in m.commands if not command.moves)
     last = m.commands[-1]
     is_turn = abs(last.angular) > abs(last.linear) or not m.drives
     m.last_word = f'{last.angular:.2g} rad/s' if is_turn else f'{last.linear:.2g} m/s'
@@ -188,5 +183,5 @@ def _measure_swings(m, run):
     sizes = {round(abs(command.angular), 3) for command in m.moves
              if flips and command.time >= flips[0]}
     m.chatter = sizes.pop() if len(sizes) == 1 else 0.0
-    m.turn_speeds = {round(command.angular, 3) for command in m.moves}
-    m.step = math.degrees(min(m.fastest_turn, MAX_ANGULAR_SPEED)) / m.rate
+    fastest = max((abs(command.angular) for command in m.moves), default=0.0)
+    m.step = math.degrees(min(fastest, MAX_ANGULAR_SPEED)) / m.rate

@@ -8,7 +8,6 @@ from odometry_tools.check import rules
 from odometry_tools.check.hints import hint_for
 from odometry_tools.check.measures import measure
 from odometry_tools.check.rule import Rule, first
-from odometry_tools.check.scenarios import GOAL
 from odometry_tools.runs.plain_text import plain
 
 PASSED = Rule('passed', None, '')
@@ -17,10 +16,7 @@ WORDS = {'passed': 'passed', 'displacement': 'DIFFERS'}
 RULES = {'moved_distance': rules.DETECTOR, 'two_meters': (*rules.DRIVE, *rules.DISTANCE),
          'heading': (*rules.DRIVE, *rules.HEADING)}
 SAME_HEADING = 1.0  # degrees
-SAME_RATE = 0.05  # share by which rates of a loop may differ
-LOOPS = 1.5, 100.0  # Hz; a step times a time step in seconds, or ms, looks like 1, or 1000
 SAME_TURN = 0.05  # share of a turn by which another one may be larger
-SAME_PLACE = 0.1  # m between the places where the robot rests in all scenarios
 
 
 class Verdict(NamedTuple):
@@ -67,14 +63,11 @@ def _compare(all_measures):
     # A timed turn is shorter on a slow base.
     nets = [m.net for m in whole
             if m.net is not None and m.rate >= 20 and m.scenario.speed_ratio == 1]
-    shares = [m.share for m in whole]
     reference = all_measures[0]
     shared = {
         'plain': reference if len(all_measures) > 1 else None,
         'rules_at_start': {m.rule for m in whole if m.scenario.start == reference.scenario.start},
-        'all_alike': len(whole) > 1 and numpy.ptp(shares) * GOAL < SAME_PLACE,
         'same_heading': _has_same_heading(whole),
-        'loop_rate': _loop_rate(whole),
         'common_fits': common_fits,
         'factor': next((factor for _, factor in common_fits), None)}
     for m in all_measures:
@@ -91,22 +84,6 @@ def _has_same_heading(all_measures):
     starts = {m.scenario.start for m in resting}
     headings = [m.heading for m in resting]
     return len(starts) > 1 and numpy.ptp(headings) < SAME_HEADING
-
-
-def _loop_rate(all_measures):
-    """Return how often a detector adds a step (Hz), the same at each rate of odometry.
-
-    Return None if it is not the same.
-    """
-    rates = [m.rate / m.share for m in all_measures
-             if m.exercise.route and m.share and m.adds_whole_steps]
-    if len({m.rate for m in all_measures}) < 2 or len(rates) < len(all_measures):
-        return None
-    is_constant = numpy.ptp(rates) < SAME_RATE * rates[0]
-    slowest, fastest = LOOPS
-    if not (is_constant and slowest < rates[0] < fastest):
-        return None
-    return rates[0]
 
 
 def _verdict_on(m, held):

@@ -12,10 +12,7 @@ from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 # Messages of rospy and of roslaunch.
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
-DEAD_THREAD = 'Exception in thread '  # printed by Python
 HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
-# Ends of the names of rospy's, dynamic_reconfigure's and tf2_ros's.
-USUAL_SERVICES = '/get_loggers', '/set_logger_level', '/set_parameters', '/tf2_frames'
 DRIVEN_ON = 5.0  # s of driving after Ctrl-C that pass
 OLD_TF = 'tf/tfMessage'  # has the checksum of the new one
 # Topics from which a node may learn about the robot, and their types.
@@ -41,13 +38,11 @@ def measure(run, exercise):
     m.was_there = False
     m.at = m.mux = m.follows = ''
     m.is_busy = BUSY in (run.unawaited or '')
-    m.share = m.own_period = m.fastest = m.fastest_turn = 0.0
+    m.share = m.own_period = m.fastest = 0.0
     m.fits = m.net = m.stop = None
     _measure_messages(m)
     _read_output(m, plain(run.output))
     _read_graph(m, run.publishes, run.subscribes)
-    m.services = quoting.listed(
-        name for name in run.services if not name.endswith(USUAL_SERVICES))
     if exercise.route and m.is_finite:
         measure_detector(m, run)
     elif run.odometry and m.is_finite:
@@ -66,16 +61,10 @@ def _read_output(m, output):
     """Measure what the node printed, and how it ended."""
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
-    m.ends_with_error = quoting.ends_with_error(output)
+    m.ends_with_error = quoting.ends_with_error(quoting.DIED.split(output)[0])
     last = m.error if m.ends_with_error else m.said
     m.after_words = f', and said last: {last}' if last else ''
     m.failures = output.count(BAD_CALLBACK)
-    m.has_dead_thread = DEAD_THREAD in output
-    # From the command before the last: output and command of one moment arrive in any order.
-    late = m.run.printed_since(-2) if len(m.commands) > 1 else output
-    m.late_failures = late.count(BAD_CALLBACK)
-    m.has_late_error = bool(quoting.error_in(late))
-    m.has_late_dead_thread = DEAD_THREAD in late
     m.hook_error = quoting.error_in(output, HOOK_FAILED)
     m.lost_node = next((line for line in output.split('\n') if LOST_NODE in line), '')
     m.status = _status_in(m, output)

@@ -38,14 +38,12 @@ class ChildProcess:
             start_new_session=True,
             env={**os.environ, 'PYTHONUNBUFFERED': '1', **dict(environment), self._mark: ''})
         self._output = b''
-        self.printed = 0  # bytes so far
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
 
     def _read(self):
         while chunk := self._process.stdout.read1(CHUNK):
             self._output = (self._output + chunk)[-LAST:]
-            self.printed += len(chunk)
 
     @property
     def status(self):

@@ -3,7 +3,7 @@
 Causes are in hints.py.
 """
 
-from sim_turtlebot.kobuki import MAX_ANGULAR_SPEED, MAX_LINEAR_SPEED
+from sim_turtlebot.kobuki import CMD_VEL_TIMEOUT, MAX_LINEAR_SPEED
 
 from odometry_tools.check.drive_measures import DETOUR
 from odometry_tools.check.rule import Rule
@@ -124,9 +124,9 @@ NOTES = (
     Rule('wall_time', lambda m: m.run.unawaited and not (m.is_busy or m.is_silent),
          'your node {run.unawaited}. '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
-    Rule('error', lambda m: (m.error and not m.status and m.run.interrupted is None
-                             and m.hint != 'error'),
-         'your node printed an error, and went on: {error}'),
+    Rule('error', lambda m: (m.error and m.run.interrupted is None
+                             and m.hint not in ('error', 'callback')),
+         'your node printed an error: {error}'),
     Rule('exit_status', lambda m: (m.status and m.run.interrupted is None
                                    and m.rule not in ('no_node', 'crash')),
          'your node ended {how}{after_words}'),
@@ -146,9 +146,7 @@ NOTES = (
          'your node reads the keyboard, which a launch file cannot offer'),
     Rule('fast', lambda m: m.fastest > MAX_LINEAR_SPEED,
          'you commanded {fastest:.2g} m/s; this base reaches 0.7'),
-    Rule('fast_turn', lambda m: m.fastest_turn > MAX_ANGULAR_SPEED,
-         'you commanded {fastest_turn:.3g} rad/s; this base reaches 3.14'),
-    Rule('reverse', lambda m: m.exercise.name == 'two_meters' and m.passed and m.drives_back,
-         'you drove backwards: a positive linear.x is forwards'),
+    Rule('rare', lambda m: m.own_period > CMD_VEL_TIMEOUT,
+         'your commands come every {own_period:.1f} s, and the base stops 0.6 s after each'),
     Rule('mux', lambda m: m.mux,
          'your commands go to {mux}; the exercise names cmd_vel. This robot obeys both'))

@@ -57,7 +57,6 @@ class Command(NamedTuple):
     angular: float  # rad/s
     useless: tuple  # names of the other fields, if not zero
     topic: str
-    printed: int = 0  # bytes that the node had printed
 
     @property
     def swings(self):
@@ -90,13 +89,10 @@ class Run:
         self.interrupted = None  # number of commands before Ctrl-C
         self.interrupt_time = math.inf  # of Ctrl-C (s)
         self.ends = True  # whether Ctrl-C ends the node
-        self.answers = False  # whether the node answers XML-RPC calls after Ctrl-C
-        self.is_detached = False  # whether it has ended and its descendants run on
         self.leaves_process = False  # whether a descendant survives Ctrl-C
         self.nodes = set()  # names of the learner's nodes
         self.has_begun = False  # whether it has called rospy.init_node
-        # Types by name; '' if it is not known, as of services.
-        self.publishes, self.subscribes, self.services = {}, {}, {}
+        self.publishes, self.subscribes = {}, {}  # types by topic; '' if it is not known
         self.links = set()  # by which the node sent to the check as time began
         self.refuses = False  # whether it has closed one of these
         self.is_cpp = False
@@ -104,13 +100,11 @@ class Run:
         self.follows_wall = False  # whether a second run differed
         self.has_lost_message = False  # whether an earlier run lacked its last one
         self.status, self.output = None, ''  # exit status, if it has ended by itself
-        self.count_printed = lambda: 0  # returns the number of bytes printed so far
-        self.printed = 0  # bytes in all
 
     def __getstate__(self):
         """Leave out what cannot be sent to another process."""
         return {name: value for name, value in vars(self).items()
-                if name not in ('changed', '_is_over', 'count_printed')}
+                if name not in ('changed', '_is_over')}
 
     @property
     def now(self):
@@ -175,16 +169,10 @@ class Run:
         self.latest = time.monotonic()
         useless = tuple(f'{part}.{axis}' for part, axes in (('linear', 'yz'), ('angular', 'xy'))
                         for axis in axes if not abs(getattr(getattr(message, part), axis)) <= ZERO)
-        self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic,
-                                     self.count_printed()))
+        self.commands.append(Command(now, message.linear.x, message.angular.z, useless, topic))
 
     def _on_float64(self, _topic, message, _now):
         self.moved.append((self.now, message.data))
-
-    def printed_since(self, number):
-        """Return what the node has printed since the command with this index."""
-        count = self.printed - self.commands[number].printed
-        return self.output.encode()[-count:].decode(errors='replace') if count > 0 else ''
 
     def wall_time(self):
         """Return the wall time (s) since simulated time began."""

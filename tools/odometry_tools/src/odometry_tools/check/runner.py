@@ -83,7 +83,6 @@ class Runner:
 
         :param log: number of lines in the simulator's log before the node started
         """
-        run.count_printed = lambda: node.printed
         try:
             self._await_ready(node, run)
             run.is_cpp = node.is_cpp({ask(uri, 'getPid') for uri, _ in run.links} - {None})
@@ -96,8 +95,7 @@ class Runner:
             self._session.ask_for_types(run)
             family = node.family()
             run.finish(status=None if family else node.status, output=node.output,
-                       is_detached=bool(family) and node.status is not None,
-                       printed=node.printed, has_read_keyboard=node.has_read_keyboard,
+                       has_read_keyboard=node.has_read_keyboard,
                        refuses=self._session.is_refused(run.links, self.exercise.topic))
             if run.interrupted is None:
                 self._press_ctrl_c(node, run)
@@ -146,8 +144,8 @@ class Runner:
                      or not self._is_stubborn and self._ends_in_time(node, run.pace))
         if self._is_stubborn and not (has_ended or run.scenario.interrupt):
             return  # an earlier run waited for long
-        run.answers = not has_ended and any(map(self._session.ask, run.nodes))
-        run.ends = has_ended or node.status is not None and not run.answers
+        answers = not has_ended and any(map(self._session.ask, run.nodes))
+        run.ends = has_ended or node.status is not None and not answers
         run.leaves_process = run.ends and not has_ended
         self._is_stubborn = not run.ends
 
