@@ -36,6 +36,7 @@ def verdict_on(**facts):
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
     ({'output': ERROR + DIED}, 'crash error'),
+    ({'output': ERROR + DIED.replace('[mine-2] ', '===REQUIRED process [mine-2] has died!\n')}, 'crash error'),
     ({'output': DIED.replace('mine', 'rviz')}, 'silent'),
     ({'output': BAD_CALLBACK}, 'silent callback'),
     ({'output': BAD_CALLBACK, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),

@@ -96,8 +96,8 @@ ANGLES = (
     Rule('longer_way', lambda m: (m.rule == 'long_way' and not m.is_short
                                  and m.turned - abs(m.net) < BOTH_WAYS
                                  and abs(abs(m.net) + m.shortest - 360) < BOTH_WAYS),
-         'That is the longer way round: wrap the error to -180..180 degrees, '
-         'for example by atan2(sin(e), cos(e)), and turn by its sign'),
+         'That is the longer way round: wrap the error, for example by atan2(sin(e), cos(e)), '
+         'and turn by its sign'),
     Rule('gain_low', lambda m: m.rule == 'unfinished' and _aims_at_90(m) and 0 < m.gain < 0.05,
          'You turn at {gain:.3f} rad/s for each radian of error, by which it takes minutes: '
          'try 0.5'),
