@@ -1,5 +1,6 @@
 """Machines that lack a home, a disk or speed; the nodes take the files that they need, and no more."""
 
+import contextlib
 import os
 import re
 import resource
@@ -66,7 +67,10 @@ def test_a_node_takes_more_file_descriptors_than_usual_if_it_may(master):
 
 def usage(process):
     found = psutil.Process(process.pid)
-    files = [os.readlink(file) for file in Path(f'/proc/{process.pid}/fd').iterdir()]
+    files = []
+    for file in Path(f'/proc/{process.pid}/fd').iterdir():
+        with contextlib.suppress(FileNotFoundError):  # it was closed meanwhile
+            files.append(os.readlink(file))
     # Lockstep's files of other threads come and go with these.
     kept = [file for file in files if not (file.startswith('/proc/') and os.path.exists(file))]
     return found.memory_info().rss / 2**20, found.num_threads(), len(kept)

@@ -40,6 +40,7 @@ def verdict_on(**facts):
     ({'output': DIED.replace('mine', 'rviz')}, 'silent'),
     ({'output': BAD_CALLBACK}, 'silent callback'),
     ({'output': BAD_CALLBACK, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
+    ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent error'),
     ({'status': 0, 'commands': ZERO}, 'all_zero ended'),
     ({'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),

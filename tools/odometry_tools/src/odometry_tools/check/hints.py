@@ -81,7 +81,8 @@ BY_VERDICT = {
              'keeps it alive; what you publish before anybody is connected is lost'),
         *INPUTS,
         Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
-             'Your node has advertised no topic so far: an earlier line may be waiting')),
+             'Your node has advertised no topic so far: an earlier line may be waiting'),
+        CALLBACK, Rule('error', lambda m: m.error, 'It printed an error: {error}')),
     'all_zero': (KEYBOARD, NOT_THERE, ENDED, *INPUTS),
     'before_start': (ONE_COMMAND,),
     'ceased': (
