@@ -10,6 +10,8 @@ from odometry_tools.check.motion_hints import ANGLES, COMPARED, PLACES, SUMS
 from odometry_tools.check.rule import Rule, first
 
 UNKNOWN = (
+    Rule('error', lambda m: m.error,
+         'We do not know why, but your node printed an error: {error}'),
     Rule('', lambda m: m.is_silent,
          'We do not know why: print a line before you publish, to see whether it is reached'),
     Rule('', lambda m: m.plain is None and m.run.odometry,
@@ -81,8 +83,7 @@ BY_VERDICT = {
              'keeps it alive; what you publish before anybody is connected is lost'),
         *INPUTS,
         Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
-             'Your node has advertised no topic so far: an earlier line may be waiting'),
-        CALLBACK, Rule('error', lambda m: m.error, 'It printed an error: {error}')),
+             'Your node has advertised no topic so far: an earlier line may be waiting')),
     'all_zero': (KEYBOARD, NOT_THERE, ENDED, *INPUTS),
     'before_start': (ONE_COMMAND,),
     'ceased': (
