@@ -43,7 +43,9 @@ def _comes_at_once(m):
 KEYBOARD = Rule(
     'keyboard', _fails_at_keyboard,
     'Your node reads the keyboard, which a launch file cannot offer: make the value a parameter')
-ERROR = Rule('error', lambda m: m.ends_with_error, '{error}')
+# Python exits with 1 after an error that nothing catches; a hook may print something then.
+ERROR = Rule(
+    'error', lambda m: m.ends_with_error or m.error and m.status == 1 and not m.failures, '{error}')
 # It says what was seen: the callback may be of another topic than the one that matters.
 CALLBACK = Rule(
     'callback', lambda m: m.error and m.failures > min(m.rate * m.run.now / 2, MANY),

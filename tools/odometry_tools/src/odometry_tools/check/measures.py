@@ -61,7 +61,7 @@ def _read_output(m, output):
     """Measure what the node printed, and how it ended."""
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
-    m.ends_with_error = quoting.ends_with_error(quoting.DIED.split(output)[0])
+    m.ends_with_error = quoting.ends_with_error(output)
     last = m.error if m.ends_with_error else m.said
     m.after_words = f', and said last: {last}' if last else ''
     m.failures = output.count(BAD_CALLBACK)

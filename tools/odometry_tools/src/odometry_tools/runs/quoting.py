@@ -9,8 +9,7 @@ TRACEBACK = re.compile(r'^((?:  File ".+", line \d+.*\n(?:    .*\n)*)+)(\w[\w.]*
 PLACE = re.compile(r'File "([^"]+)", line (\d+)')
 NOT_USER_CODE = re.compile('/usr/|/opt/|dist-packages|site-packages|<frozen|<string>')
 # Printed by roslaunch, with the node's name unless that is required, and the exit code.
-DIED = re.compile(r'(?:=+REQUIRED .*\n|\[(\S+)-\d+\] )?'
-                  r'process has died \[pid \S+, exit code (-?\d+)')
+DIED = re.compile(r'(?:\[(\S+)-\d+\] )?process has died \[pid \S+, exit code (-?\d+)')
 SHUTDOWN = 'ROSInterruptException'
 MOST = 200  # characters of a quoted line
 
