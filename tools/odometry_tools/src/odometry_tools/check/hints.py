@@ -106,6 +106,6 @@ BY_VERDICT = {
     'interrupt_ignored': (
         Rule('ok', lambda m: m.run.is_cpp, 'Each loop, in each thread, needs while (ros::ok())'),
         Rule('is_shutdown', lambda m: True,
-             'Each loop, in each thread, needs while not rospy.is_shutdown(), and each wait '
-             'a timeout; Ctrl-C must reach rospy, and all that your node starts'))}
+             'Each loop, in each thread, needs while not rospy.is_shutdown() and a pause, each '
+             'wait a timeout; Ctrl-C must reach rospy, and all that your node starts'))}
 BY_EXERCISE = {'moved_distance': SUMS, 'two_meters': PLACES, 'heading': ANGLES}
