@@ -5,6 +5,7 @@ from pathlib import Path
 import yaml
 
 ERROR = 'Traceback (most recent call last):\n  File "/home/me/a.py", line 7, in go\n    x\nNameError: no x\n'
+MAIN_ERROR = ERROR.replace('  File', '  File "/home/me/a.py", line 9, in <module>\n    go()\n  File')
 BAD_CALLBACK = f'[ERROR] [1.5, 0.2]: bad callback: <function cb at 0x7f00>\n{ERROR}'
 NODES = Path(__file__).with_name('nodes')
 # By exercise and node: `base`, what to `replace`, and the `expected` rule and hint by scenario, or of `all`.

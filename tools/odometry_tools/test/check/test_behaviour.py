@@ -143,6 +143,11 @@ def test_an_exit_status_at_the_goal_is_a_note_and_the_drive_is_judged():
     assert verdict.notes['exit_status'] == 'your node ended with status 1, and said last: Goal reached'
 
 
+def test_commands_that_come_too_rarely_are_a_note():
+    assert verdict_on(drive(rarely)).notes == {
+        'rare': 'your commands come every 10.0 s, and the base stops 0.6 s after each'}
+
+
 @pytest.mark.parametrize('node', [once, lambda: lambda pose: None])
 def test_a_run_goes_on_while_its_node_may_sleep_by_wall_time(node):
     run = drive(node)

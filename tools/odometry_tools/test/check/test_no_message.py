@@ -5,7 +5,7 @@ import signal
 
 import pytest
 from kinematic_robot import TWO_METERS
-from learners import BAD_CALLBACK, ERROR
+from learners import BAD_CALLBACK, ERROR, MAIN_ERROR
 from odometry_tools.check.check_session import Pace
 from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.processes import has_node_logged
@@ -35,13 +35,13 @@ def verdict_on(**facts):
     ({'nodes': (), 'status': 0, 'output': 'ERROR: cannot launch node of type [a/b.py]: \n'}, 'no_node not_there'),
     ({'status': 3, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
     ({'status': 0, 'output': f'{ERROR}no file\n'}, 'silent ended'),
-    ({'output': ERROR + DIED}, 'crash error'),
-    ({'status': 1, 'output': f'{ERROR}stopping\n'}, 'crash error'),
-    ({'status': 1, 'output': f'{BAD_CALLBACK}giving up\n'}, 'crash last_words'),
+    ({'output': MAIN_ERROR + DIED}, 'crash error'),
+    ({'status': 1, 'output': f'{MAIN_ERROR}stopping\n'}, 'crash error'),
+    ({'status': 1, 'output': f'{ERROR}giving up\n'}, 'crash last_words'),
     ({'output': DIED.replace('mine', 'rviz')}, 'silent'),
     ({'output': BAD_CALLBACK}, 'silent callback'),
     ({'output': BAD_CALLBACK, 'publishes': {'/turtle1/cmd_vel': TWIST}}, 'silent output'),
-    ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent error'),
+    ({'output': f'Exception in thread Thread-6:\n{ERROR}'}, 'silent printed'),
     ({'status': 0, 'commands': ZERO}, 'all_zero ended'),
     ({'refuses': True}, 'silent queue_size'),
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output_type'),

@@ -10,7 +10,7 @@ from odometry_tools.check.motion_hints import ANGLES, COMPARED, PLACES, SUMS
 from odometry_tools.check.rule import Rule, first
 
 UNKNOWN = (
-    Rule('error', lambda m: m.error,
+    Rule('printed', lambda m: m.error,
          'We do not know why, but your node printed an error: {error}'),
     Rule('', lambda m: m.is_silent,
          'We do not know why: print a line before you publish, to see whether it is reached'),
@@ -43,9 +43,10 @@ def _comes_at_once(m):
 KEYBOARD = Rule(
     'keyboard', _fails_at_keyboard,
     'Your node reads the keyboard, which a launch file cannot offer: make the value a parameter')
-# Python exits with 1 after an error that nothing catches; a hook may print something then.
+# Python exits with 1 after an error of the main thread; a hook may print something then.
 ERROR = Rule(
-    'error', lambda m: m.ends_with_error or m.error and m.status == 1 and not m.failures, '{error}')
+    'error', lambda m: m.ends_with_error or m.status == 1 and m.error == m.main_error != '',
+    '{error}')
 # It says what was seen: the callback may be of another topic than the one that matters.
 CALLBACK = Rule(
     'callback', lambda m: m.error and m.failures > min(m.rate * m.run.now / 2, MANY),
@@ -106,6 +107,6 @@ BY_VERDICT = {
     'interrupt_ignored': (
         Rule('ok', lambda m: m.run.is_cpp, 'Each loop, in each thread, needs while (ros::ok())'),
         Rule('is_shutdown', lambda m: True,
-             'Each loop, in each thread, needs while not rospy.is_shutdown() and a pause, each '
-             'wait a timeout; Ctrl-C must reach rospy, and all that your node starts'))}
+             'Each loop, in each thread, needs while not rospy.is_shutdown() and a pause, and each '
+             'wait a timeout. Ctrl-C must reach rospy, and all that your node starts'))}
 BY_EXERCISE = {'moved_distance': SUMS, 'two_meters': PLACES, 'heading': ANGLES}

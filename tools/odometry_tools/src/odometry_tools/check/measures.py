@@ -12,7 +12,7 @@ from odometry_tools.runs.recorded_run import COMMAND_TOPICS
 BUSY = 'has been busy'  # in lockstep's message: the node exceeded its CPU budget
 # Messages of rospy and of roslaunch.
 BAD_CALLBACK, LOST_NODE = 'bad callback', 'cannot launch node of type'
-HOOK_FAILED = ', in signal_shutdown\n'  # in a traceback
+HOOK_FAILED, IN_MAIN = ', in signal_shutdown\n', ', in <module>\n'  # in a traceback
 DRIVEN_ON = 5.0  # s of driving after Ctrl-C that pass
 OLD_TF = 'tf/tfMessage'  # has the checksum of the new one
 # Topics from which a node may learn about the robot, and their types.
@@ -61,6 +61,7 @@ def _read_output(m, output):
     """Measure what the node printed, and how it ended."""
     m.error = quoting.error_in(output)
     m.said = quoting.last_line(output)
+    m.main_error = quoting.error_in(output, IN_MAIN)
     m.ends_with_error = quoting.ends_with_error(output)
     last = m.error if m.ends_with_error else m.said
     m.after_words = f', and said last: {last}' if last else ''

@@ -125,7 +125,7 @@ NOTES = (
          'your node {run.unawaited}. '
          'Simulated time cannot wait for it, so it was judged with wider bounds'),
     Rule('error', lambda m: (m.error and m.run.interrupted is None
-                             and m.hint not in ('error', 'callback')),
+                             and m.hint not in ('error', 'callback', 'printed')),
          'your node printed an error: {error}'),
     Rule('exit_status', lambda m: (m.status and m.run.interrupted is None
                                    and m.rule not in ('no_node', 'crash')),
