@@ -82,13 +82,16 @@ def test_a_connection_is_given_up_by_the_time_in_which_all_nodes_rest(
         'has not connected to /talker on /elsewhere for 5 s'] * is_given_up
 
 
-def test_what_roslaunch_has_started_is_awaited_before_it_is_a_node(graph):
-    """Else time would begin without it."""
+@pytest.mark.parametrize('program, is_awaited', [('node', True), ('rviz', False)])
+def test_what_roslaunch_has_started_is_awaited_before_it_is_a_node(graph, tmp_path, program, is_awaited):
+    """Else time would begin without it. RViz only shows."""
     waiter, processes = graph
-    with Process(sys.executable, '-c', 'import time; print("up", flush=True); time.sleep(60)', '__name:=late') as late:
+    (tmp_path / program).symlink_to(sys.executable)
+    with Process(tmp_path / program, '-c', 'import time; print("up", flush=True); time.sleep(60)',
+                 '__name:=late') as late:
         late.wait_for_output('up')
         processes.add_starting()
-        assert late.pid in waiter.processes
+        assert (late.pid in waiter.processes) == is_awaited
 
 
 def test_an_address_that_another_server_has_by_now_is_given_up(graph, reports):

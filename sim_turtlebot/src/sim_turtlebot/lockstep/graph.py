@@ -17,6 +17,7 @@ UNSEEN = ('runs on another machine, in another container or as another user, whe
           'see it: run it beside the robot')
 MASTER = 'the master'
 LOG = '/rosout'  # a node, and its topic; it only logs other nodes' messages
+VIEWER = 'rviz'  # a program that only shows; without a graphics card it draws without a pause
 STARTING_CPU_BUDGET = 30.0  # s of CPU time until a process is a node; on an emulated processor 6
 
 
@@ -182,6 +183,8 @@ class GraphProcesses:
 
     def _add(self, name, pid, least_budget=0.0):
         try:
+            if psutil.Process(pid).name() == VIEWER:
+                return
             polls = name not in (MASTER, self._own_name)
             self._waiter.add(name, pid, LONGEST_POLL if polls else 0.0, least_budget)
             self._children.add_of(pid)
