@@ -45,7 +45,8 @@ KEYBOARD = Rule(
     'Your node reads the keyboard, which a launch file cannot offer: make the value a parameter')
 # Python exits with 1 after an error of the main thread; a hook may print something then.
 ERROR = Rule(
-    'error', lambda m: m.ends_with_error or m.status == 1 and m.error == m.main_error != '',
+    'error', lambda m: (m.ends_with_error
+                        or m.status == 1 and m.main_error and m.error == m.main_error),
     '{error}')
 # It says what was seen: the callback may be of another topic than the one that matters.
 CALLBACK = Rule(
