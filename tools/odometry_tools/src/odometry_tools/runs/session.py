@@ -45,6 +45,7 @@ class Session:
 
     def __exit__(self, *_):
         """End everything."""
+        self._master.terminate()  # while the simulator ends
         self._ending.close()
         self._stack.close()
 
