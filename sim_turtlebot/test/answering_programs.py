@@ -46,6 +46,12 @@ compute({})
 print('ready', flush=True)
 for line in sys.stdin: compute({})
 '''
+NAPPING_THREAD = '''
+import threading, time
+def work():
+    while True: sum(range(100000)), time.sleep(0.01)
+threading.Thread(target=work).start()
+'''
 SLOW_POLLER = 'import time\nwhile True: time.sleep(0.1)'
 MANY_THREADS = '''
 import sys, threading

@@ -14,12 +14,15 @@ from answering_programs import (
     HAND_OVER,
     LATE_POLLER,
     MANY_THREADS,
+    NAPPING_THREAD,
     NAPPING_THREADS,
     READER,
     RING,
     SLOW_POLLER,
 )
 from odometry_tests.waiting import TIMEOUT, wait_until
+from sim_turtlebot.lockstep import budgets
+from sim_turtlebot.lockstep.budgets import Budgets
 from sim_turtlebot.lockstep.idle import IdleWaiter
 from sim_turtlebot.lockstep.processes import Process
 from sim_turtlebot.lockstep.threads import Thread
@@ -108,6 +111,20 @@ def test_a_process_that_never_rests_is_named_and_waited_for_once(waiter, start, 
     assert process.name == BUSY
     waiter.wait()
     assert len(busy) == 1
+
+
+def test_whose_thread_computes_is_named_when_nothing_comes_to_rest(waiter, start, monkeypatch):
+    """On a busy machine it may compute little within a minute; which process a check finds awake is chance."""
+    monkeypatch.setattr(budgets, 'STALL_TIMEOUT', 0.1)
+    for code in SLOW_POLLER, NAPPING_THREAD:
+        start(code)
+    used = Budgets(waiter.awaited)
+
+    def is_named():
+        waiter.awaited[1].list_threads()
+        return used.have_stalled() and used.find_busy(None) is waiter.awaited[1]
+
+    wait_until(is_named, TIMEOUT, 'the one with the thread')
 
 
 def test_what_a_process_has_computed_before_is_not_held_against_it(waiter, start, busy):

@@ -98,7 +98,7 @@ BUSY, SLEEPS, STOPPED = 'it has been busy for', 'it acts by wall time', 'it has 
 # What lockstep says of nodes that it cannot wait for, at any pace.
 NAMED = {
     'odd busy': BUSY, 'odd busy_thread': BUSY, 'odd flood': BUSY,
-    'odd wall 0.03': SLEEPS, 'odd wall 0.1': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 2': SLEEPS,
+    'odd wall 0.03': SLEEPS, 'odd wall 0.5': SLEEPS, 'odd wall 2': SLEEPS,
     'odd selecting': SLEEPS, 'odd wall_timer': SLEEPS, 'C++ usleep': SLEEPS,
     'odd stopped': STOPPED}
 NAMED_BY_DAY = 'odd wall 0.5', 'odd flood', 'odd stopped'

@@ -4,8 +4,8 @@ import time
 
 # s, of this process or the master: only nodes that send without a pause make these compute.
 FLOOD_BUDGET = 2.0
-BUSY_SHARE = 0.1  # of a budget, for the main thread of a busy node; rospy.spin() uses nothing
-STALL_TIMEOUT = 60.0  # s of wall time, for a process that neither computes nor sleeps
+BUSY_SHARE = 0.1  # of a budget, for a busy node; the main thread in rospy.spin() uses nothing
+STALL_TIMEOUT = 60.0  # s of wall time in which no node computes, and one does not sleep
 
 
 class Budgets:
@@ -24,21 +24,30 @@ class Budgets:
         if any(self._used_by(other) > FLOOD_BUDGET
                for other in self._processes if not other.longest_poll):
             return FLOOD_BUDGET
-        used = self._used_by(process)
-        if used > process.cpu_budget or time.monotonic() - self._begin - used > STALL_TIMEOUT:
-            return process.cpu_budget
-        return None
+        return process.cpu_budget if self._used_by(process) > process.cpu_budget else None
+
+    def have_stalled(self):
+        """Return whether STALL_TIMEOUT has passed, not counting what the nodes have used."""
+        used = sum(map(self._used_by, self._nodes))
+        return time.monotonic() - self._begin - used > STALL_TIMEOUT
 
     def find_busy(self, budget):
-        """Return the node's Process whose main thread uses most of a budget (s); None if little."""
-        nodes = [process for process in self._processes if process.longest_poll]
-        busiest = max(nodes, key=self._used_by_main_thread, default=None)
-        is_busy = busiest and self._used_by_main_thread(busiest) > BUSY_SHARE * budget
+        """Return the node's Process that uses most; None if that is little.
+
+        :param budget: that has been exceeded (s), by a main thread; None: all have stalled
+        """
+        used = self._used_by_main_thread if budget else self._used_by
+        busiest = max(self._nodes, key=used, default=None)
+        is_busy = busiest and used(busiest) > BUSY_SHARE * (budget or STALL_TIMEOUT)
         return busiest if is_busy else None
 
     def busiest_thread(self, process):
         """Return the Thread of a Process that has used most."""
         return max(process.threads.values(), key=self._used_by_thread)
+
+    @property
+    def _nodes(self):
+        return [process for process in self._processes if process.longest_poll]
 
     def _used_by(self, process):
         return sum(map(self._used_by_thread, process.threads.values()))

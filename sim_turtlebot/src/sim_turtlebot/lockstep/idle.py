@@ -41,7 +41,7 @@ class IdleWaiter:
         """Start without processes.
 
         :param on_busy: called with a Process that is not awaited any more, and the CPU budget (s)
-            that has been exceeded
+            that has been exceeded; None after STALL_TIMEOUT
         :param is_flooded: function that returns whether such a busy process keeps a Process awake
         :param cpu_budget: CPU time (s) that a node may use before it is idle
         """
@@ -162,7 +162,7 @@ class IdleWaiter:
             self._leave(process, process.cpu_budget)
             return True
         budget = budgets.exceeded_by(process)
-        if budget is None:
+        if budget is None and not budgets.have_stalled():
             return False
         if busiest := budgets.find_busy(budget):
             self._leave(busiest, budget)

@@ -10,6 +10,7 @@ import rospy
 from odometry_common.connections import NO_ANSWER
 from odometry_common.parameters import ParameterError
 
+from sim_turtlebot.lockstep.budgets import STALL_TIMEOUT
 from sim_turtlebot.lockstep.graph import GraphProcesses
 from sim_turtlebot.lockstep.idle import LONGEST_POLL, IdleWaiter
 
@@ -122,6 +123,10 @@ class Lockstep:
         if process.is_stopped():
             self._report(process.name, 'has been stopped by a signal or a debugger '
                          f'(process {process.pid}): continue it, or end it')
+            return
+        if budget is None:
+            self._report(process.name, f'has not come to rest for {STALL_TIMEOUT:g} s (process '
+                         f'{process.pid}): it hangs, or this machine is too busy')
             return
         self._report(process.name, f'has been busy for {budget:g} s (process {process.pid}): let '
                      'its loop sleep by rospy.Rate or ros::Rate, or raise ~cpu_budget if it '
