@@ -36,5 +36,5 @@ def test_a_window_shows_the_robot_and_ends_cleanly(screen, argument):
         Truth().wait_for(timeout=40.0, what='odometry')
         wait_until(lambda: colours() > DRAWN, 30.0, lambda: (
             f'the robot; there are {colours()} colours, and it printed:\n{launch.output}'))
-        assert launch.end(timeout=30.0) == 0, launch.output
+        assert launch.end() == 0, launch.output
     assert 'has died' not in launch.output

@@ -83,7 +83,7 @@ def test_a_node_whose_master_never_answers_ends_by_one_ctrl_c():
         question, _ = mute.accept()
         with question:
             assert question.recv(1)
-            assert node.end(signal.SIGINT) == 0, node.output
+            assert node.end() == 0, node.output
     assert not node.output.strip()
 
 
@@ -91,7 +91,7 @@ def test_a_signal_that_comes_just_before_a_wait_ends_it():
     """As one that arrives between Python's last instruction and recv(); here another thread takes it."""
     with Process(sys.executable, '-c', DEAF_WAIT) as node:
         node.wait_for_output('waiting')
-        assert node.end(signal.SIGINT) == 0, node.output
+        assert node.end() == 0, node.output
 
 
 def test_a_line_that_nobody_reads_any_more_ends_the_node_quietly(ns):

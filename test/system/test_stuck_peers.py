@@ -58,7 +58,7 @@ def is_drive(command):
 
 
 def assert_ends_at_once(node):
-    assert node.end(signal.SIGINT) == 0, node.output
+    assert node.end() == 0, node.output
 
 
 @pytest.mark.usefixtures('simulated_time')

@@ -20,8 +20,8 @@ class Partner:
         for message in messages:
             self._publisher.publish(message)
 
-    def say_until(self, make, accepts, what, timeout=5.0):
-        """Publish make() again and again until an answer is accepted; return that answer.
+    def say_until(self, make, accepts, what):
+        """Publish make() again and again until an answer is accepted.
 
         The first messages to a node that has just started, or the answers to them, may be lost.
         """
@@ -32,8 +32,7 @@ class Partner:
             self.say(make())
             return self.answers.last is not None and accepts(self.answers.last)
 
-        wait_until(accepted, timeout, lambda: f'{what}; the last was:\n{self.answers.last}')
-        return self.answers.last
+        wait_until(accepted, 5.0, lambda: f'{what}; the last was:\n{self.answers.last}')
 
     def ask(self, *messages):
         self.answers.clear()

@@ -53,18 +53,18 @@ class Truth(Recorder):
 
     @property
     def stamp(self):
-        self.wait_for(timeout=20.0, what='the robot')
+        self.wait_for(what='the robot')
         return self.last.header.stamp.to_sec()
 
-    def wait_until_moving(self, timeout=20.0):
+    def wait_until_moving(self):
         self.clear()
-        return self.wait_for(lambda m: speed(m) > 0.05, timeout, 'a moving robot')
+        return self.wait_for(lambda m: speed(m) > 0.05, what='a moving robot')
 
     def wait_until_resting(self, timeout=20.0):
         self.clear()
         return self.wait_for(is_at_rest, timeout, 'a robot at rest')
 
-    def wait_seconds(self, seconds, timeout=30.0):
+    def wait_seconds(self, seconds):
         end = self.stamp + seconds
-        return self.wait_for(lambda m: m.header.stamp.to_sec() >= end, timeout,
+        return self.wait_for(lambda m: m.header.stamp.to_sec() >= end, 30.0,
                              f'{seconds} s of the robot\'s time')

@@ -63,9 +63,9 @@ class Recorder:
         with self._changed:
             self._messages.clear()
 
-    def wait_for_publisher(self, timeout=TIMEOUT):
+    def wait_for_publisher(self):
         """Return once a publisher is connected: this recorder misses no later message."""
-        wait_until(lambda: is_connected(self._subscriber), timeout, f'a publisher of {self._topic}')
+        wait_until(lambda: is_connected(self._subscriber), TIMEOUT, f'a publisher of {self._topic}')
 
     def wait_for(self, accepts=lambda message: True, timeout=TIMEOUT, what='a message'):
         """Return the first message, also one that has come already, that is accepted."""

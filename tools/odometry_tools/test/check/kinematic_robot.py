@@ -36,10 +36,9 @@ class Robot:
         if self.time > self._until:
             self._speed = 0.0, 0.0
         linear, angular = self._speed
-        self.yaw = wrap_to_pi(self.yaw + angular * PERIOD / 2)
         self.x += linear * PERIOD * math.cos(self.yaw)
         self.y += linear * PERIOD * math.sin(self.yaw)
-        self.yaw = wrap_to_pi(self.yaw + angular * PERIOD / 2)
+        self.yaw = wrap_to_pi(self.yaw + angular * PERIOD)
         self.time += PERIOD
 
     def pose(self):

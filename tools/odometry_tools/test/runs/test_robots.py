@@ -21,5 +21,5 @@ def test_each_moves_two_metres_and_rests(master):
             moved = distances[name].wait_for(lambda message, x=place.x: abs(message.data - x) <= 0.001, 40.0,
                                              f'the way to x {place.x:.4f} m')
             assert 2.0 <= moved.data <= 2.01
-        assert launch.end(timeout=30.0) == 0
+        assert launch.end() == 0
     assert 'escalating' not in launch.output

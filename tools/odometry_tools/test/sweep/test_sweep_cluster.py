@@ -53,7 +53,6 @@ def test_what_is_killed_loses_no_row_and_is_said_in_one_line(tmp_path):
             assert run.wait(TIMEOUT) == 1, run.output
     alone = folder_of(sweep(*CAMPAIGN, RUNS).stdout)
     assert rows_below(tmp_path / 'all') == (alone / 'runs.csv').read_text().splitlines()[1:]
-    assert len(rows_below(tmp_path / 'all')) == RUNS
     found = re.fullmatch(rf'sweep: the scheduler of the cluster is gone after (\d+) of {MANY} runs, '
                          r'which are in \S+', run.stderr)
     assert found and len(rows_below(tmp_path / 'some')) == int(found[1]) > 0, run.stderr
