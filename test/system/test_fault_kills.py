@@ -34,7 +34,7 @@ def test_nodes_survive_a_killed_simulator_and_drive_its_successor(master):
 def test_the_launch_ends_when_the_simulator_dies(master):
     with Process('roslaunch', 'odometry_launch', 'move_two_meters.launch',
                  'real_time_factor:=3') as launch:
-        Truth().wait_until_moving(30.0)
+        Truth().wait_until_moving()
         os.kill(pid_of('/sim_turtlebot'), signal.SIGKILL)
         launch.wait(30.0)
     assert 'REQUIRED process' in launch.output

@@ -58,7 +58,7 @@ class Truth(Recorder):
 
     def wait_until_moving(self):
         self.clear()
-        return self.wait_for(lambda m: speed(m) > 0.05, what='a moving robot')
+        return self.wait_for(lambda m: speed(m) > 0.05, 30.0, 'a moving robot')
 
     def wait_until_resting(self, timeout=20.0):
         self.clear()
