@@ -38,7 +38,7 @@ def test_its_robot_stops_when_the_node_ends_and_before_the_wall(simulated_time):
             assert truth.last.pose.pose.position.x < DISTANCE, 'it had stopped before'
         with Process(*NODE) as node:
             truth.wait_until_moving()
-            there = truth.wait_until_resting(60.0).pose.pose.position
+            there = truth.wait_until_resting().pose.pose.position
             truth.wait_seconds(5.0)
             assert abs(truth.last.pose.pose.position.x - there.x) < CREEP, node.output
     clear = END - there.x - DEPTH_CAMERA[0]

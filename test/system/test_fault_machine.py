@@ -95,7 +95,7 @@ def test_memory_threads_and_files_stay_the_same(simulated_time, master):
             call('unpause_physics')
     for name in used[0]:
         memory, *counts = zip(*(part[name] for part in used))
-        # A leak grows in each part; beside other tests lockstep's heap grows, too, in the first ten.
+        # A leak grows in each part; beside other tests lockstep's heap fills in the first ten.
         assert numpy.median(numpy.diff(memory)) <= MORE_MEMORY, (name, memory)
         for count, allowed in zip(counts, ALLOWED):  # they come and go
             assert min(count[HALF:]) - min(count[:HALF]) <= allowed, (name, counts)

@@ -60,9 +60,9 @@ class Truth(Recorder):
         self.clear()
         return self.wait_for(lambda m: speed(m) > 0.05, 30.0, 'a moving robot')
 
-    def wait_until_resting(self, timeout=20.0):
+    def wait_until_resting(self):
         self.clear()
-        return self.wait_for(is_at_rest, timeout, 'a robot at rest')
+        return self.wait_for(is_at_rest, 60.0, 'a robot at rest')
 
     def wait_seconds(self, seconds):
         end = self.stamp + seconds

@@ -32,9 +32,9 @@ class Budgets:
         return time.monotonic() - self._begin - used > STALL_TIMEOUT
 
     def find_busy(self, budget):
-        """Return the node's Process that uses most; None if that is little.
+        """Return the node's Process that has used most; None if that is little.
 
-        :param budget: that has been exceeded (s), by a main thread; None: all have stalled
+        :param budget: (s) that has been exceeded: main threads count; None: after a stall all do
         """
         used = self._used_by_main_thread if budget else self._used_by
         busiest = max(self._nodes, key=used, default=None)

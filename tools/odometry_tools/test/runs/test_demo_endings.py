@@ -19,7 +19,8 @@ PROGRESS = ' of 100.00 m'
 # Whether it drives already, how long (s) after that or after the start, and the signal.
 MOMENTS = [(False, 0.5, signal.SIGTERM), (False, 1.1, signal.SIGINT), (True, 0.1, signal.SIGKILL),
            *(pytest.param(*moment, marks=pytest.mark.nightly) for moment in (
-               (False, 0.15, signal.SIGINT), (False, 1.6, signal.SIGKILL), (True, 0.3, signal.SIGQUIT)))]
+               (False, 0.15, signal.SIGINT), (False, 1.6, signal.SIGKILL), (False, 2.2, signal.SIGQUIT),
+               (True, 0.3, signal.SIGHUP)))]
 
 
 @contextlib.contextmanager
