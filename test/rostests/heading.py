@@ -26,19 +26,20 @@ class HeadingTest(unittest.TestCase):
 
     def setUp(self):
         """Turn the robot by about 90 degrees, and let it come to rest."""
-        turn = Twist()
-        turn.angular.z = 1.0
-        publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
-        while abs(yaw_of(self.truth())) < math.pi / 2:
-            publisher.publish(turn)
-        publisher.publish(Twist())
-        while self.truth().twist.twist != Twist():
-            continue
-        self.yaw = yaw_of(self.truth())
+        self.publisher = rospy.Publisher('cmd_vel', Twist, queue_size=1)
+        self.command_until(lambda truth: yaw_of(truth) > math.pi / 2, 1.0)
+        self.yaw = yaw_of(self.command_until(lambda truth: truth.twist.twist == Twist(), 0.0))
 
-    def truth(self):
-        """Return the next true pose of the robot."""
-        return rospy.wait_for_message('base_pose_ground_truth', Odometry, TIMEOUT)
+    def command_until(self, condition, speed):
+        """Command an angular speed (rad/s) until a condition holds for the true pose; return that pose."""
+        command, end = Twist(), rospy.get_time() + TIMEOUT
+        command.angular.z = speed
+        while rospy.get_time() < end:
+            truth = rospy.wait_for_message('base_pose_ground_truth', Odometry, TIMEOUT)
+            if condition(truth):
+                return truth
+            self.publisher.publish(command)
+        return self.fail(f'{speed:g} rad/s commanded for {TIMEOUT:g} s; the last pose was:\n{truth}')
 
     def test_it_prints_the_yaw_and_the_quaternion_of_it(self):
         """The yaw at each odometry, and the quaternion [x y z w] each second."""
@@ -50,9 +51,10 @@ class HeadingTest(unittest.TestCase):
         for line in lines:
             if line in quaternions:
                 x, y, z, w = map(float, line.strip('[] \n').split())
-                self.assertAlmostEqual(euler_from_quaternion([x, y, z, w])[2], self.yaw, delta=1e-6)
+                yaw = euler_from_quaternion([x, y, z, w])[2]
             else:
-                self.assertAlmostEqual(float(line), self.yaw, delta=1e-6)
+                yaw = float(line)
+            self.assertAlmostEqual(yaw, self.yaw, delta=1e-6)
 
 
 if __name__ == '__main__':
