@@ -85,11 +85,11 @@ def narrow_window(memory, pose):
 
 @remembering
 def drives_again(memory, pose):
-    """Rest a second at 2 m, and drive them once more."""
+    """Rest a second at 2 m, and drive on."""
     there = way(memory['start'], pose)
     if there >= 2.0 and pose.time - memory.setdefault('there', pose.time) < 1.0:
         return 0.0, 0.0
-    return (0.2 if there < 4.0 else 0.0), 0.0
+    return 0.2, 0.0
 
 
 @remembering

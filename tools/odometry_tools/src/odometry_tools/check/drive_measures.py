@@ -101,8 +101,19 @@ def measure_distance(m, run):
     m.reached = f'{m.end.way:.2f} m'
     has_come_to_rest = is_slow(m.end.linear, m.end.angular)
     m.stays = 'rests' if has_come_to_rest else 'was, when this was ended,'
+    if m.drives:
+        _measure_passing(m, run)
     if m.stop and m.drives:
         _measure_stop(m, run)
+
+
+def _measure_passing(m, run):
+    """Measure when the robot passed two metres, and where the node stopped before it drove on."""
+    passings = (pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3)
+    m.crossing = next(passings, run.now)
+    last = max(command.time for command in m.moves if abs(command.linear) > ZERO)
+    m.pause = next((_pose_at(run, command.time) for command in m.commands
+                    if abs(command.linear) <= ZERO and m.crossing <= command.time < last), None)
 
 
 def _measure_stop(m, run):
@@ -110,11 +121,7 @@ def _measure_stop(m, run):
     m.stop = _first_after(m.commands, lambda command: abs(command.linear) > ZERO)
     m.at_stop = _pose_at(run, m.stop.time)
     m.driven = m.stop.time - m.moves[0].time
-    crossing = next((pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3), m.stop.time)
-    m.delay = m.stop.time - crossing
-    m.pause = next((_pose_at(run, command.time) for command in m.commands
-                    if abs(command.linear) <= ZERO
-                    and crossing <= command.time < m.stop.time), None)
+    m.delay = m.stop.time - m.crossing
     is_in_time = m.delay <= m.bound or m.end.way <= GOAL + CLOSE
     from_start = math.dist(m.end[1:3], m.start[1:3])
     is_back = abs(from_start - GOAL) <= CLOSE and m.end.way <= GOAL + OVERSHOOT

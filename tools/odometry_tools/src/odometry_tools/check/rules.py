@@ -68,12 +68,12 @@ DISTANCE = (
     Rule('unfinished', lambda m: m.is_short,
          'after {seconds:.0f} s you are at {end.way:.2f} of 2.00 m, '
          'and your last command was {last_word}'),
-    Rule('passed_by', lambda m: not m.stop,
-         'you passed 2.00 m and were at {end.way:.2f} m when this was ended, '
-         'still with {last_word}'),
     Rule('drove_on', lambda m: m.pause,
          'you sent zero at {pause.way:.2f} m, and then drove on; '
          'the robot {stays} at {reached}'),
+    Rule('passed_by', lambda m: not m.stop,
+         'you passed 2.00 m and were at {end.way:.2f} m when this was ended, '
+         'still with {last_word}'),
     Rule('late', lambda m: True,
          'your zero came {delay:.1f} s after the odometry that crossed 2.00 m, '
          'where {bound:.1f} s are allowed; the robot {stays} at {reached}'))
