@@ -5,7 +5,7 @@ Causes are in hints.py.
 
 from sim_turtlebot.kobuki import CMD_VEL_TIMEOUT, MAX_LINEAR_SPEED
 
-from odometry_tools.check.drive_measures import DETOUR
+from odometry_tools.check.drive_measures import AT_TARGET, DETOUR
 from odometry_tools.check.rule import Rule
 
 
@@ -86,7 +86,8 @@ HEADING = (
     Rule('rings', lambda m: m.rings,
          'your command changed its sign {flips} times until this was ended, '
          'and the robot did not come to rest at 90 degrees'),
-    Rule('long_way', lambda m: _turns_too_far(m) and m.goes_shorter_way,
+    Rule('long_way', lambda m: (_turns_too_far(m) and m.goes_shorter_way
+                               and m.swing > AT_TARGET),
          'you swung {swing:.0f} degrees past 90, and turned {turned:.0f} in all, '
          'where {shortest:.0f} are enough'),
     Rule('long_way', _turns_too_far,
