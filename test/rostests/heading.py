@@ -43,7 +43,8 @@ class HeadingTest(unittest.TestCase):
 
     def test_it_prints_the_yaw_and_the_quaternion_of_it(self):
         """The yaw at each odometry, and the quaternion [x y z w] each second."""
-        with subprocess.Popen(['rosrun', 'rotate_robot', 'main.py'], stdout=subprocess.PIPE, text=True) as printer:
+        command = ['timeout', str(TIMEOUT), 'rosrun', 'rotate_robot', 'main.py']
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as printer:
             lines = [printer.stdout.readline() for _ in range(30)]
             printer.terminate()
         quaternions = [line for line in lines if line.startswith('[')]

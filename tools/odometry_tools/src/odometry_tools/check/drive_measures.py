@@ -40,7 +40,7 @@ def measure_drive(m, run):
     m.useless = listed(name for command in m.commands for name in command.useless)
     m.mux = listed(command.topic for command in m.commands if command.topic != 'cmd_vel')
     m.moves = [command for command in m.commands if command.moves]
-    m.drives = any(abs(command.linear) > ZERO for command in m.moves)
+    m.drives = any(command.drives for command in m.moves)
     m.turns = any(abs(command.angular) > ZERO for command in m.moves)
     m.fastest = max((abs(command.linear) for command in m.moves), default=0.0)
     m.seconds = 0.0
@@ -103,22 +103,22 @@ def measure_distance(m, run):
     m.stays = 'rests' if has_come_to_rest else 'was, when this was ended,'
     if m.drives:
         _measure_passing(m, run)
-    if m.stop and m.drives:
-        _measure_stop(m, run)
+        if m.stop:
+            _measure_stop(m, run)
 
 
 def _measure_passing(m, run):
     """Measure when the robot passed two metres, and where the node stopped before it drove on."""
     passings = (pose.time for pose in run.odometry if pose.way >= GOAL - 1e-3)
     m.crossing = next(passings, run.now)
-    last = max(command.time for command in m.moves if abs(command.linear) > ZERO)
+    last = max(command.time for command in m.moves if command.drives)
     m.pause = next((_pose_at(run, command.time) for command in m.commands
-                    if abs(command.linear) <= ZERO and m.crossing <= command.time < last), None)
+                    if not command.drives and m.crossing <= command.time < last), None)
 
 
 def _measure_stop(m, run):
     """Measure when and where the node stopped driving; it may turn afterwards."""
-    m.stop = _first_after(m.commands, lambda command: abs(command.linear) > ZERO)
+    m.stop = _first_after(m.commands, lambda command: command.drives)
     m.at_stop = _pose_at(run, m.stop.time)
     m.driven = m.stop.time - m.moves[0].time
     m.delay = m.stop.time - m.crossing

@@ -141,7 +141,7 @@ COMPARED = (
          'This base reaches 70 % of your speed, and so does your result: '
          'count odometry, not time or commands'),
     Rule('slow_odometry', lambda m: (m.fails_alone and m.rate < 20
-                                     and m.rule in ('passed_by', 'rings', 'long_way')),
+                                     and m.rule in ('passed_by', 'drove_on', 'rings', 'long_way')),
          'With odometry 20 times a second it is right; here one message is a step of up to '
          '{step:.2f} {unit}. Look for a window narrower than that, a high gain, '
          'a filter, or a fixed time for each message'),

@@ -64,6 +64,11 @@ class Command(NamedTuple):
         return abs(self.angular) > SWING
 
     @property
+    def drives(self):
+        """Whether it drives the robot, ahead or back."""
+        return abs(self.linear) > ZERO
+
+    @property
     def moves(self):
         """Whether it moves the robot."""
         return not (abs(self.linear) <= ZERO and abs(self.angular) <= ZERO)  # NaN is not zero
