@@ -118,11 +118,6 @@ def place_by_speed(memory, pose):
 
 
 @remembering
-def silent_halfway(memory, pose):
-    return (0.2, 0.0) if way(memory['start'], pose) < 1.0 else None
-
-
-@remembering
 def from_origin(memory, pose):
     memory['sum'] = memory.get('sum', math.hypot(pose.x, pose.y)) + way(memory['last'], pose)
     return memory['sum']

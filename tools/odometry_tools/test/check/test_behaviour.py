@@ -19,7 +19,6 @@ from behaviours import (
     place_by_speed,
     rarely,
     rounded,
-    silent_halfway,
     spins_at_the_goal,
     turn_by,
     turning,
@@ -68,7 +67,7 @@ CASES = {
             'slow_base': 'ceased open_loop'}),
         'high gain': (turning(error_of, 10.0), {'odom_5hz': 'rings gain_high'}),
         'low gain': (turning(error_of, 0.01), 'unfinished gain_low'),
-        'pauses': (lambda: lambda pose: (0.0, 0.5 if pose.time % 5 < 4 else 0.0), 'long_way'),
+        'square': (lambda: lambda pose: (0.2, 0.0) if pose.time % 13 < 10 else (0.0, 0.5), 'unfinished'),
         'drives': (driving(way), 'only_drove')},
     'moved_distance': {
         'right': (counting(way), {}),
@@ -115,10 +114,10 @@ def test_a_sentence_says_what_was_seen(exercise, node, words):
 
 
 @pytest.mark.parametrize('output, words', [
-    (300 * BAD_CALLBACK, 'Your callback fails again and again: NameError'),
+    (300 * BAD_CALLBACK, 'Your callback fails again and again: NameError: no x, line 7'),
     (BAD_CALLBACK, 'We do not know why, but your node printed an error: NameError')])
 def test_a_callback_that_failed_once_is_no_cause(output, words):
-    run = drive(silent_halfway)
+    run = drive(CASES['two_meters']['four times'][0])
     run.output = output
     verdict = verdict_on(run)
     assert words in verdict.sentence

@@ -13,7 +13,8 @@ UNKNOWN = (
     Rule('printed', lambda m: m.error,
          'We do not know why, but your node printed an error: {error}'),
     Rule('', lambda m: m.is_silent,
-         'We do not know why: print a line before you publish, to see whether it is reached'),
+         'We do not know why: print a line before you publish, to see whether it is reached; '
+         'what you publish before anybody is connected is lost'),
     Rule('', lambda m: m.plain is None and m.run.odometry,
          'We do not know why: print the {quantity} in your loop, look at the picture, '
          'or leave out --scenario: the others may show it'),

@@ -107,7 +107,8 @@ ANGLES = (
          'From the first change on it was {chatter:.2g} rad/s, or minus that: '
          'make it proportional to the error, or stop within a tolerance'),
     # From heading 0 a turn by 90 degrees is one to 90.
-    Rule('turns_by', lambda m: m.turns_by and m.is_settled and abs(m.start_heading) > SAME_ANGLE,
+    Rule('turns_by', lambda m: (m.turns_by and not m.run.is_driving
+                                 and abs(m.start_heading) > SAME_ANGLE),
          'You turn by {net:.0f} degrees, as in {plain.scenario.name} from another heading; '
          'the exercise asks for heading 90 in the odom frame'))
 SUMS = (
