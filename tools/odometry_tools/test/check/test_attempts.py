@@ -48,8 +48,7 @@ def test_a_failure_at_each_pace_is_not_repeated_in_the_next_scenario():
         assert attempt(*attempts * [run_of(1.0, **PACED)], confirmed=confirmed).rule == 'early'
 
 
-@pytest.mark.parametrize('distances, rule', [
-    ((1.0, 1.01), 'early'), ((1.0, 1.6), 'wall_clock'), ((9.0, 9.0, 1.0, 1.6), 'wall_clock')])
+@pytest.mark.parametrize('distances, rule', [((1.0, 1.01), 'early'), ((9.0, 9.0, 1.0, 1.6), 'wall_clock')])
 def test_two_runs_that_differ_are_no_measure(distances, rule):
     """A tick more or less is the turn of a thread; two that the check has to end say nothing."""
     assert attempt(*map(run_of, distances)).rule == rule

@@ -90,6 +90,9 @@ HEADING = (
                                and m.swing > AT_TARGET),
          'you swung {swing:.0f} degrees past 90, and turned {turned:.0f} in all, '
          'where {shortest:.0f} are enough'),
+    Rule('long_way', lambda m: _turns_too_far(m) and m.run.is_driving,
+         'you turned {turned:.0f} degrees where {shortest:.0f} are enough, '
+         'and this was ended, still with {last_word}'),
     Rule('long_way', _turns_too_far,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
     Rule('drives_on', lambda m: m.drives_on and not m.is_short,
