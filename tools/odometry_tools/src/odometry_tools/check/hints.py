@@ -74,14 +74,11 @@ BY_VERDICT = {
              'It never called rospy.init_node, and no ros::init was seen: is main() called?'),
         LAST_WORDS),
     'silent': (
-        Rule('output_type', lambda m: m.output_type != m.type,
-             'You publish {topic} as {output_type}, so nothing receives it: '
-             'the exercise needs {type}'),
         Rule('queue_size', lambda m: m.run.refuses,
              'Your publisher takes connections and closes them: queue_size must be a number, '
              'as in queue_size=1, without quotation marks'),
-        Rule('output', lambda m: m.outputs and m.topic not in m.run.publishes,
-             'You publish {type} on {outputs}; the exercise names {topic}'),
+        Rule('output', lambda m: m.outputs and not m.has_output,
+             'You publish {outputs}; the exercise needs {topic} as {type}'),
         KEYBOARD, NOT_THERE,
         Rule('ended', lambda m: m.status == 0,
              'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() '

@@ -96,9 +96,10 @@ def _measure_messages(m):
 
 def _read_graph(m, publishes, subscribes):
     """Measure which topics the node publishes and subscribes to, from types by topic."""
-    m.outputs = quoting.listed(topic for topic, kind in publishes.items()
-                               if kind == m.type and topic not in (m.topic, *COMMAND_TOPICS))
-    m.output_type = publishes.get(m.topic) or m.type
+    m.has_output = any(kind in ('', m.type) and topic in (m.topic, *COMMAND_TOPICS)
+                       for topic, kind in publishes.items())
+    m.outputs = quoting.listed(f'{topic} as {kind}' for topic, kind in publishes.items()
+                               if kind and topic != '/rosout')
     heard = subscribes.keys() - {'/clock', '/rosout'}
     m.inputs = quoting.listed(heard)
     m.inputs_of_robot = heard & INPUTS.keys()
