@@ -12,17 +12,15 @@ PACED = {'unawaited': 'acts by wall time', 'pace': Pace(False, 5.0)}
 
 def run_of(distance, has_zero=True, **facts):
     """Return the Run of a node that drives so far (m), and perhaps stops."""
-    def answer(pose):
-        return (0.5, 0.0) if pose.x < distance else (0.0, 0.0) if has_zero else None
-    run = drive(lambda: answer)
+    run = drive(lambda: lambda pose: (0.5, 0.0) if pose.x < distance else (0.0, 0.0) if has_zero else None)
     vars(run).update(facts)
     return run
 
 
-def attempt(*runs, confirmed=()):
+def attempt(*runs):
     """Return the Verdict on the last of scenarios that give these Runs, one at each attempt."""
     given = [*runs]
-    runner = SimpleNamespace(exercise=TWO_METERS, follows_wall=None, confirmed=confirmed)
+    runner = SimpleNamespace(exercise=TWO_METERS, follows_wall=None, confirmed=set())
     runner.run = runner.run_again = lambda _scenario: given.pop(0)
     while given:
         run = run_until_sure(runner, PLAIN)
@@ -42,10 +40,13 @@ def test_a_node_that_lockstep_does_not_wait_for_runs_again():
     assert [*verdict.notes] == ['wall_time']
 
 
+def test_one_run_that_ends_at_ctrl_c_shows_that_the_node_ends():
+    runs = [run_of(9.0, interrupted=3, ends=ends) for ends in (True, False, False)]
+    assert attempt(*runs).rule == 'interrupt'
+
+
 def test_a_failure_at_each_pace_is_not_repeated_in_the_next_scenario():
-    confirmed = set()
-    for attempts in ATTEMPTS, 1:
-        assert attempt(*attempts * [run_of(1.0, **PACED)], confirmed=confirmed).rule == 'early'
+    assert attempt(*(ATTEMPTS + 1) * [run_of(1.0, **PACED)]).rule == 'early'
 
 
 @pytest.mark.parametrize('distances, rule', [((1.0, 1.01), 'early'), ((9.0, 9.0, 1.0, 1.6), 'wall_clock')])

@@ -4,12 +4,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from kinematic_robot import PLAIN, TWO_METERS
 from odometry_tests.waiting import wait_until
 from odometry_tools.check import report
 from odometry_tools.check.check_session import Pace
 from odometry_tools.check.processes import LAST, ChildProcess
 from odometry_tools.check.run import Run
-from odometry_tools.check.scenarios import EXERCISES
 
 PATIENCE = 60.0  # s
 
@@ -42,6 +42,5 @@ def test_what_hides_in_another_session_is_found_and_ended():
 
 def test_a_folder_that_cannot_be_written_leaves_the_verdict(monkeypatch, capsys):
     monkeypatch.setattr(report, 'RUNS', Path('/dev/null/runs'))
-    exercise = EXERCISES['heading']
-    assert report.keep(Run(exercise.scenarios[0], Pace(), None), exercise, 'check-x') is None
+    assert report.keep(Run(PLAIN, Pace(), None), TWO_METERS, 'check-x') is None
     assert 'no recording: ' in capsys.readouterr().err

@@ -53,7 +53,6 @@ class Runner:
             if run.unawaited:  # on a busy machine a node may seem busy once
                 run = self._run(scenario, Pace(True, self._factor))
             self._unawaited = run.unawaited
-            self._is_stubborn &= not run.unawaited
         if self._unawaited:
             run = self._run(scenario, Pace(False, SLOWEST if is_slow else self._factor or FASTEST))
             run.unawaited = self._unawaited
@@ -97,7 +96,8 @@ class Runner:
             run.finish(status=None if family else node.status, output=node.output,
                        has_read_keyboard=node.has_read_keyboard,
                        refuses=self._session.is_refused(run.links, self.exercise.topic))
-            if run.interrupted is None:
+            # In lockstep a node that it cannot wait for runs again, at a pace.
+            if run.interrupted is None and not (run.unawaited and run.pace.lockstep):
                 self._press_ctrl_c(node, run)
         finally:
             node.end()
