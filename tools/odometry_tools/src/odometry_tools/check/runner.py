@@ -58,10 +58,10 @@ class Runner:
             run.unawaited = self._unawaited
         return run
 
-    def run_again(self, scenario):
-        """Return another Run of a Scenario, at a slower pace if the last was paced."""
+    def run_again(self, scenario, is_slow=True):
+        """Return another Run of a Scenario, if paced at a slower pace or at the same."""
         self._is_stubborn &= not scenario.interrupt
-        return self.run(scenario, is_slow=True)
+        return self.run(scenario, is_slow)
 
     def _run(self, scenario, pace):
         self._session.prepare(scenario, pace)
@@ -88,7 +88,7 @@ class Runner:
             self._session.ask_for_types(run)
             if run.messages or run.nodes and (node.status is None or node.family()):
                 self._begin(run, node, log)
-            if self._session.has_left(run.nodes):
+            if run.ends and self._session.has_left(run.nodes):
                 node.wait(LEAVE_PATIENCE)  # its exit status counts
             self._session.record_graph(run)
             self._session.ask_for_types(run)
