@@ -12,7 +12,9 @@ PACED = {'unawaited': 'acts by wall time', 'pace': Pace(False, 5.0)}
 
 def run_of(distance, has_zero=True, **facts):
     """Return the Run of a node that drives so far (m), and perhaps stops."""
-    run = drive(lambda: lambda pose: (0.5, 0.0) if pose.x < distance else (0.0, 0.0) if has_zero else None)
+    def answer(pose):
+        return (0.5, 0.0) if pose.x < distance else (0.0, 0.0) if has_zero else None
+    run = drive(lambda: answer)
     vars(run).update(facts)
     return run
 
@@ -21,7 +23,7 @@ def attempt(*runs):
     """Return the Verdict on the last of scenarios that give these Runs, one at each attempt."""
     given = [*runs]
     runner = SimpleNamespace(exercise=TWO_METERS, follows_wall=None, confirmed=set())
-    runner.run = runner.run_again = lambda *_, **__: given.pop(0)
+    runner.run = runner.run_again = lambda *_: given.pop(0)
     while given:
         run = run_until_sure(runner, PLAIN)
     return verdict_on(run)

@@ -107,7 +107,7 @@ def test_a_fit_needs_a_second_rate():
 @pytest.mark.parametrize('exercise, node, words', [
     ('two_meters', without_zero, "came at 1.99 m, and only the base's watchdog stopped the robot, at 2.11 m"),
     ('two_meters', spins_at_the_goal, 'after 6.7 s'),
-    ('heading', CASES['heading']['degrees'][0], 'are enough, and this was ended, still with')])
+    ('heading', CASES['heading']['degrees'][0], 'degrees when this was ended, still with')])
 def test_a_sentence_says_what_was_seen(exercise, node, words):
     """A place is that of the moment of which it speaks."""
     verdict, *_ = verdicts(EXERCISES[exercise], node).values()

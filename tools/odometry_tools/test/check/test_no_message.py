@@ -4,10 +4,9 @@ import math
 import signal
 
 import pytest
-from kinematic_robot import TWO_METERS
+from kinematic_robot import PLAIN, verdict_on
 from learners import BAD_CALLBACK, ERROR, MAIN_ERROR
 from odometry_tools.check.check_session import Pace
-from odometry_tools.check.judging import verdicts_on
 from odometry_tools.check.processes import has_node_logged
 from odometry_tools.check.run import Command, Pose, Run
 
@@ -17,14 +16,14 @@ ZERO = [Command(0.0, 0.0, 0.0, (), 'cmd_vel')]
 DIED = '[mine-2] process has died [pid 17, exit code 1, cmd /x].\n'
 
 
-def verdict_on(**facts):
+def verdict_with(**facts):
     """Return the Verdict on a Run of which these facts are known, and that is otherwise empty."""
-    run = Run(TWO_METERS.scenarios[0], Pace(), None)
+    run = Run(PLAIN, Pace(), None)
     run.odometry.append(Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     run.nodes = {'/mine'}
     run.subscribes, run.publishes = HEARS, {'/cmd_vel': TWIST}
     vars(run).update(facts)
-    return verdicts_on([run], TWO_METERS)[0]
+    return verdict_on(run)
 
 
 @pytest.mark.parametrize('facts, expected', [
@@ -47,21 +46,21 @@ def verdict_on(**facts):
     ({'publishes': {'/cmd_vel': 'geometry_msgs/TwistStamped'}}, 'silent output'),
     ({'publishes': {'/cmd_vel_mux/input/navi': TWIST}}, 'silent'),
     ({'publishes': {'/rosout': ''}}, 'silent no_output'),
-    ({'subscribes': {'/odometry': ''}}, 'silent input'),
+    ({'subscribes': {'/odometry': ''}, 'publishes': {'/status': 'std_msgs/String'}}, 'silent input'),
     ({'subscribes': {'/tf': 'tf/tfMessage'}}, 'silent'),
     ({'commands': [ZERO[0]._replace(linear=math.nan)]}, 'not_finite'),
     ({'subscribes': {'/moved_distance/reset': 'std_msgs/Empty', **HEARS}}, 'silent')])
 def test_a_cause_has_a_witness(facts, expected):
-    verdict = verdict_on(**facts)
+    verdict = verdict_with(**facts)
     assert f'{verdict.rule} {verdict.hint}'.strip() == expected
 
 
 @pytest.mark.parametrize('facts, words', [
     ({'status': -signal.SIGSEGV}, 'by a signal (Segmentation fault)'),
-    ({}, 'We do not know why: print a line before you publish, to see whether it is reached; what'),
+    ({}, 'We do not know why: print a line before you publish, to see whether it is reached; what you publish before'),
     ({'subscribes': {'/odom': 'geometry_msgs/PoseStamped'}}, 'You subscribe to /odom as geometry_msgs/PoseStamped')])
 def test_the_sentence_has_what_was_seen(facts, words):
-    assert words in verdict_on(**facts).sentence
+    assert words in verdict_with(**facts).sentence
 
 
 def test_the_log_of_rospy_shows_that_a_node_has_begun(tmp_path):

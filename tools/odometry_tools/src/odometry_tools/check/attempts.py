@@ -81,12 +81,13 @@ def run_until_sure(runner, scenario):
     while (_may_be_luck(m) and m.rule not in runner.confirmed
            and attempts < _most_attempts(m)):
         # Whether a node ends at Ctrl-C is not a matter of pace, and a slow run waits longer.
-        again = runner.run_again(scenario, is_slow=m.rule != 'interrupt_ignored')
+        is_slow = m.rule != 'interrupt_ignored' or run.pace.real_time_factor == SLOWEST
+        again = runner.run_again(scenario, is_slow)
         attempts += 1
-        found, _ = judge(again, runner.exercise)
         # Where one run ends at Ctrl-C, another that does not is a deadlock in rospy's handler.
-        if (m.rule, found.rule) != ('interrupt', 'interrupt_ignored'):
-            run, m = again, found
+        if again.ends or run.interrupted is None or not run.ends:
+            run = again
+            m, _ = judge(run, runner.exercise)
     run.has_lost_message = attempts > 1 and lacked_zero
     if run.unawaited and not m.passed:
         runner.confirmed.add(m.rule)

@@ -61,6 +61,8 @@ INPUTS = (
          'You listen to {inputs}; there is, for example, {likely_input}'),
     Rule('no_input', lambda m: m.status is None and m.exercise.route and not m.inputs,
          'You have subscribed to no topic so far: an earlier line may be waiting'))
+OUTPUT = Rule('output', lambda m: m.outputs,
+              'You publish {outputs}; the exercise needs {topic} as {type}')
 ENDED = Rule('ended', lambda m: m.status == 0, 'Your node ended by itself{after_words}')
 LAST_WORDS = Rule('last_words', lambda m: m.said and m.status is not None, 'It said last: {said}')
 ONE_COMMAND = Rule(
@@ -77,13 +79,13 @@ BY_VERDICT = {
         Rule('queue_size', lambda m: m.run.refuses,
              'Your publisher takes connections and closes them: queue_size must be a number, '
              'as in queue_size=1, without quotation marks'),
-        Rule('output', lambda m: m.outputs and not m.has_output,
-             'You publish {outputs}; the exercise needs {topic} as {type}'),
+        OUTPUT._replace(test=lambda m: m.is_near_miss),
         KEYBOARD, NOT_THERE,
         Rule('ended', lambda m: m.status == 0,
              'It ended by itself{after_words}. If it has callbacks, rospy.spin() or ros::spin() '
              'keeps it alive; what you publish before anybody is connected is lost'),
         *INPUTS,
+        OUTPUT,
         Rule('no_output', lambda m: m.status is None and m.run.publishes.keys() <= {'/rosout'},
              'Your node has advertised no topic so far: an earlier line may be waiting')),
     'all_zero': (KEYBOARD, NOT_THERE, ENDED, *INPUTS),

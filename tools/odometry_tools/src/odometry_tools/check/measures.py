@@ -96,10 +96,12 @@ def _measure_messages(m):
 
 def _read_graph(m, publishes, subscribes):
     """Measure which topics the node publishes and subscribes to, from types by topic."""
-    m.has_output = any(kind in ('', m.type) and topic in (m.topic, *COMMAND_TOPICS)
-                       for topic, kind in publishes.items())
-    m.outputs = quoting.listed(f'{topic} as {kind}' for topic, kind in publishes.items()
-                               if kind and topic != '/rosout')
+    has_output = any(kind in ('', m.type) and topic in (m.topic, *COMMAND_TOPICS)
+                     for topic, kind in publishes.items())
+    others = {} if has_output else {
+        topic: kind for topic, kind in publishes.items() if kind and topic != '/rosout'}
+    m.outputs = quoting.listed(f'{topic} as {kind}' for topic, kind in others.items())
+    m.is_near_miss = m.topic in others or m.type in others.values()
     heard = subscribes.keys() - {'/clock', '/rosout'}
     m.inputs = quoting.listed(heard)
     m.inputs_of_robot = heard & INPUTS.keys()

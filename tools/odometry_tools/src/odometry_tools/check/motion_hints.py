@@ -108,7 +108,7 @@ ANGLES = (
          'make it proportional to the error, or stop within a tolerance'),
     # From heading 0 a turn by 90 degrees is one to 90.
     Rule('turns_by', lambda m: (m.turns_by and not m.run.is_driving
-                                 and abs(m.start_heading) > SAME_ANGLE),
+                                and abs(m.start_heading) > SAME_ANGLE),
          'You turn by {net:.0f} degrees, as in {plain.scenario.name} from another heading; '
          'the exercise asks for heading 90 in the odom frame'))
 SUMS = (

@@ -91,8 +91,8 @@ HEADING = (
          'you swung {swing:.0f} degrees past 90, and turned {turned:.0f} in all, '
          'where {shortest:.0f} are enough'),
     Rule('long_way', lambda m: _turns_too_far(m) and m.run.is_driving,
-         'you turned {turned:.0f} degrees where {shortest:.0f} are enough, '
-         'and this was ended, still with {last_word}'),
+         'you had turned {turned:.0f} degrees when this was ended, still with {last_word}, '
+         'where {shortest:.0f} are enough'),
     Rule('long_way', _turns_too_far,
          'you turned {turned:.0f} degrees where {shortest:.0f} are enough'),
     Rule('drives_on', lambda m: m.drives_on and not m.is_short,

@@ -40,7 +40,7 @@ class Runner:
         self._program = program
         self.exercise = session.exercise
         self._factor = real_time_factor
-        self.follows_wall = None  # whether two runs in lockstep differ; None: not tried yet
+        self.follows_wall = None  # whether two runs in lockstep differ; None: not known
         self.confirmed = set()  # names of rules by which it failed at the slowest pace, too
         self._unawaited = None
         self._is_stubborn = False
@@ -59,7 +59,7 @@ class Runner:
         return run
 
     def run_again(self, scenario, is_slow=True):
-        """Return another Run of a Scenario, if paced at a slower pace or at the same."""
+        """Return another Run of a Scenario; a paced one at the slowest pace, or as run() does."""
         self._is_stubborn &= not scenario.interrupt
         return self.run(scenario, is_slow)
 
@@ -96,7 +96,7 @@ class Runner:
             run.finish(status=None if family else node.status, output=node.output,
                        has_read_keyboard=node.has_read_keyboard,
                        refuses=self._session.is_refused(run.links, self.exercise.topic))
-            # In lockstep a node that it cannot wait for runs again, at a pace.
+            # A run in lockstep of a node that cannot be awaited is not judged.
             if run.interrupted is None and not (run.unawaited and run.pace.lockstep):
                 self._press_ctrl_c(node, run)
         finally:
